@@ -2,7 +2,6 @@
 // with compensated ones. Prints lines of tab-separated "row, drift, seconds".
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/base/compensated.h"

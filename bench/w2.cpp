@@ -9,8 +9,6 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <cstdio>
-#include <functional>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>

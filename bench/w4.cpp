@@ -4,7 +4,6 @@
 //   bench_w4 --samples N FILE.csv  writes the recording that it and its peers fit, N samples
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <span>
@@ -12,9 +11,9 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/start_values.h"
 #include "cromer/model/sensor.h"
 #include "cromer/report/csv.h"

@@ -1,6 +1,7 @@
 # The kernel of the ensemble, once for each instruction set; which one runs is chosen when the program does.
 
-set(CROMER_UNIT_OPTIONS -O3 -ffp-contract=fast)  # -O3 always: nothing of a unit may be left that others could share
+# -O3 whatever the build type (the sanitizers' builds apart): nothing of a unit may be left that others could share.
+set(CROMER_UNIT_OPTIONS -O3 -ffp-contract=fast)
 if(CROMER_SANITIZE)
   set(CROMER_UNIT_OPTIONS -O1 -ffp-contract=fast -DCROMER_ONE_PACK)  # a quarter of the code: two minutes each, not ten
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

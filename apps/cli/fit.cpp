@@ -1,5 +1,4 @@
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
 #include "cromer/tasks/fit/spring_constant.h"

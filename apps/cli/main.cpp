@@ -2,7 +2,9 @@
 // its own.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <new>
 #include <string_view>
 
 #include "commands.h"

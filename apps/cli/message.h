@@ -1,7 +1,6 @@
 // Messages on standard error, all beginning with "cromer: ".
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +20,7 @@ void complain(const Error& error);
 int refuse(std::string_view message);
 int refuse(const Error& error);
 
-/// What there is to say beside an answer, after it: worst first, each as "cromer: warning: ..." or, of a
+/// Says the notices that go with an answer, after it: worst first, each as "cromer: warning: ..." or, of a
 /// detail, "cromer: note: ...". On a terminal no more than three unless `all`, wrapped to its width.
 void tell(const std::vector<Notice>& notices, bool all);
 

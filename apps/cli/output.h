@@ -38,15 +38,15 @@ enum class FileFormat { csv, json, hdf5 };
 /// not offered.
 Result<FileFormat> file_format(const std::string& path, bool hdf5 = false);
 
-/// That all outputs have a known format, can be written, and are none of the inputs; asked before long work.
-/// `option` is what `output` is called.
+/// Checks, before long work, that all outputs have a known format, can be written, and are none of the
+/// inputs. `option` is what messages call `output`.
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {},
                            const char* option = "-o");
 
-/// [bytes] that this machine has.
+/// The memory of this machine [bytes].
 double machine_memory();
 
-/// What there is to say beside the answer, unless --quiet.
+/// Says the notices on standard error, unless --quiet.
 void tell(const std::vector<Notice>& notices, const OutputOptions& output);
 
 /// On standard output, what could drive a terminal spelled out; false if it could not take all of it.
@@ -66,8 +66,9 @@ struct Answer {
   bool good = true;  ///< the computation succeeded
 };
 
-/// Writes the files, prints the answer, draws the figure (whose failure does not take the rest with it), then
-/// says what failed and what else there is to know. The exit status.
+/// Writes the files, prints the answer, draws the figure, then says what failed and what else there is to
+/// know. It ends where something cannot be written or drawn; by the time of the figure, files and answer are
+/// out. Returns the exit status.
 int give(const Answer& answer, const OutputOptions& output);
 
 }  // namespace cromer::core::cli

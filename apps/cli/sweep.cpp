@@ -1,5 +1,4 @@
 #include "cromer/tasks/sweep/sweep.h"
-#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +13,7 @@
 #include "cromer/documents/hdf5.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
@@ -48,7 +48,7 @@ ChunkMaker maker_on(Ranks* ranks) {
   };
 }
 
-/// All but the first rank: what there is to say the first says.
+/// The work of every rank but the first. The first one says what there is to say.
 int help_first_rank(Ranks& ranks, const SweepOptions& options) {
   const auto plan = plan_sweep(options);
   if (plan)
@@ -80,7 +80,8 @@ struct TrajectoryOptions {
   long long every = 1;  ///< keep every Nth state, > 0
 };
 
-/// Asked before the sweep: that it can be written, and has room. Says how large it will be.
+/// Checks, before the sweep, that the file can be written and has room on the disk. Says how large it will
+/// be.
 Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
   const auto format = file_format(options.path);
   if (!format || *format != FileFormat::csv || options.path == "-")

@@ -27,8 +27,7 @@ std::string find_lab_page() {
 std::string page_is_missing() {
   return head +
          "<h1>The lab is not built yet</h1><p>Run <code>./dev page</code> in the clone of Cromer and load "
-         "this page "
-         "again. Recording works without it: the addresses are in "
+         "this page again. Recording works without it: the addresses are in "
          "<code>docs/recording.md</code>.</p></html>\n";
 }
 

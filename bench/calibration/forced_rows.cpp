@@ -1,10 +1,8 @@
 #include "bench/calibration/forced_rows.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 #include <string_view>
 
 #include "cromer/identify/choose/choose_law.h"
@@ -124,9 +122,9 @@ double truth_of(std::string_view name, const ForcedRow& row, const Motion& motio
 
 constexpr const char* names_recorded[] = {"angular_frequency", "decay_rate", "position", "velocity",
                                           "force_gain"};
-constexpr const char* names_driven[] = {"angular_frequency", "decay_rate",      "equilibrium",
-                                        "position",          "velocity",        "drive_frequency",
-                                        "drive_amplitude",   "drive_phase",     "friction"};
+constexpr const char* names_driven[] = {"angular_frequency", "decay_rate",  "equilibrium",
+                                        "position",          "velocity",    "drive_frequency",
+                                        "drive_amplitude",   "drive_phase", "friction"};
 
 LawFit fitted(const ForcedRow& row, const Motion& motion, const std::vector<double>& y) {
   const Record record{motion.t, y};

@@ -1,8 +1,8 @@
 // A recording beside simulations of it.
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

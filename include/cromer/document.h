@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <cromer/compare.h>
 #include <cromer/export.h>

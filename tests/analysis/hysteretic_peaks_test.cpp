@@ -62,8 +62,8 @@ TEST(HystereticPeaks, OfLittleDampingAreThoseOfADamper) {
   EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, 0.02)[0] / undamped, 1 - 0.02 * pi / 4, 0.01);
 }
 
-// Sum and reading against the sum itself, term by term, at 64 times in every sample: fast oscillators, which are
-// read often, and slow ones, which follow what is faster than themselves a little too.
+// Sum and reading against the sum itself, term by term, at 64 times in every sample: fast oscillators, which
+// are read often, and slow ones, which follow what is faster than themselves a little too.
 TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
@@ -97,8 +97,7 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
     for (std::size_t i = 0; i < times * padded; ++i) {
       double x = amplitude[0].real();
       for (std::size_t k = 1; k < amplitude.size(); ++k)
-        x += (2 * k == padded ? 1 : 2) *
-             (amplitude[k] * turn[k * i % turn.size()]).real();
+        x += (2 * k == padded ? 1 : 2) * (amplitude[k] * turn[k * i % turn.size()]).real();
       most = std::max(most, std::abs(x) / padded);
     }
     EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, loss_factor)[0] / most, 1, 1e-4) << period;

@@ -1,10 +1,8 @@
 // How each term shows itself in amplitude and frequency, as docs/theory.md says, and where its energy goes.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/methods/rk4.h"

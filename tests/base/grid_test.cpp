@@ -1,5 +1,4 @@
 #include "cromer/base/grid.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {

@@ -1,5 +1,4 @@
 #include "cromer/base/quantity.h"
-#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "cromer/base/number.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {

@@ -1,5 +1,4 @@
 #include "cromer/base/replacement.h"
-#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {

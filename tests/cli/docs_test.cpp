@@ -71,7 +71,8 @@ TEST(Docs, TheExampleOfStudiesIsAStudy) {
   EXPECT_TRUE(folder.has("out/figure-1.svg"));
   // What the task is to show is no warning, and is said.
   EXPECT_EQ(end.err.find("warning"), std::string::npos) << end.err;
-  EXPECT_NE(end.err.find("as this study is meant to show, grows: forward-euler is unstable"), std::string::npos)
+  EXPECT_NE(end.err.find("as this study is meant to show, grows: forward-euler is unstable"),
+            std::string::npos)
       << end.err;
   // Else it is one, said once.
   const auto line = study.find("shows = ");

@@ -45,8 +45,8 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 
-// What the arithmetic leaves of a computed motion is correlated and has a highest line, but nothing made it: no
-// drive is looked for there, nor another term.
+// What the arithmetic leaves of a computed motion is correlated and has a highest line, but nothing made it:
+// no drive is looked for there, nor another term.
 TEST(FitLab, ReadsAComputedMotion) {
   const Folder folder;
   const Finished made = folder.run({"simulate", "--mass", "0.2 kg", "--stiffness", "17 N/m", "--damping",
@@ -61,19 +61,32 @@ TEST(FitLab, ReadsAComputedMotion) {
   }
 }
 
-// Beta and gamma of a force with an exponent are no numbers per unit mass: the line that fit prints has them of
-// the force, and makes the fitted motion again.
+// Beta and gamma of a force with an exponent are no numbers per unit mass: the line that fit prints has them
+// of the force, and makes the fitted motion again.
 TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
   const Folder folder;
-  const std::vector<std::string> law{"--mass", "5", "--stiffness", "180", "--damping", "1",
-                                     "--hysteresis-stiffness", "60", "--hysteresis-beta", "0.06",
-                                     "--hysteresis-gamma", "0.02", "--hysteresis-exponent", "2"};
-  std::vector<std::string> made{"simulate", "--position", "1", "--until", "20", "--step", "0.02", "--method", "rk4", "-o",
-                                "made.csv"};
+  const std::vector<std::string> law{"--mass",
+                                     "5",
+                                     "--stiffness",
+                                     "180",
+                                     "--damping",
+                                     "1",
+                                     "--hysteresis-stiffness",
+                                     "60",
+                                     "--hysteresis-beta",
+                                     "0.06",
+                                     "--hysteresis-gamma",
+                                     "0.02",
+                                     "--hysteresis-exponent",
+                                     "2"};
+  std::vector<std::string> made{"simulate", "--position", "1",   "--until", "20",      "--step",
+                                "0.02",     "--method",   "rk4", "-o",      "made.csv"};
   made.insert(made.end(), law.begin(), law.end());
   ASSERT_EQ(folder.run(made).status, 0);
-  const std::vector<std::string> asked{"fit", "made.csv", "--column", "x", "--law", "viscous+hysteresis", "--mass",
-                                       "5", "--hysteresis-exponent", "2", "--json"};
+  const std::vector<std::string> asked{"fit",    "made.csv", "--column",
+                                       "x",      "--law",    "viscous+hysteresis",
+                                       "--mass", "5",        "--hysteresis-exponent",
+                                       "2",      "--json"};
   const Finished end = folder.run(asked);
   ASSERT_EQ(end.status, 0) << end.err;
   const auto fit = end.json();
@@ -95,8 +108,8 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
   again.insert(again.end(), {"-o", "again.csv"});
   const Finished simulated = folder.run(again);
   ASSERT_EQ(simulated.status, 0) << simulated.err;
-  const Finished refitted = folder.run({"fit", "again.csv", "--column", "x", "--law", "viscous+hysteresis", "--mass",
-                                        "5", "--hysteresis-exponent", "2", "--json"});
+  const Finished refitted = folder.run({"fit", "again.csv", "--column", "x", "--law", "viscous+hysteresis",
+                                        "--mass", "5", "--hysteresis-exponent", "2", "--json"});
   ASSERT_EQ(refitted.status, 0) << refitted.err;
   for (const char* name : {"hysteresis_beta", "hysteresis_gamma", "stiffness"})
     EXPECT_NEAR(refitted.json()["parameters"][name]["value"].get<double>(),

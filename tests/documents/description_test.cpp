@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <sstream>
 
 #include "apps/web/core/described.h"
 #include "cromer/documents/described/describe.h"

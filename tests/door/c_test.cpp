@@ -242,7 +242,8 @@ TEST(CallC, WhatCannotBeComparedIsSaid) {
                               {"y", motion.data(), times.size()},
                               {"force", chirp.data(), times.size()}});
   EXPECT_EQ(cromer_status(forced.get()), CROMER_BAD_INPUT);
-  EXPECT_THAT(document(forced)["message"].get<std::string>(), HasSubstr("compare lays free motions side by side"));
+  EXPECT_THAT(document(forced)["message"].get<std::string>(),
+              HasSubstr("compare lays free motions side by side"));
 }
 
 TEST(CallC, ProgressEndsIt) {

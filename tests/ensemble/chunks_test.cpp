@@ -10,7 +10,6 @@
 #include <mutex>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <thread>
 
 #include "cromer/documents/words/words.h"

@@ -1,7 +1,6 @@
 // The kernel's units: they do what the scalar run does, however a run is cut, and share no code.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,13 +1,12 @@
 #include "targets.h"
-#include "cromer/documents/words/words.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "cromer/base/quantity.h"
 #include "cromer/base/utf8.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/live/line_reader.h"
 #include "cromer/study/study_file.h"
 

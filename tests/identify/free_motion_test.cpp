@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/swing.h"
 #include "cromer/documents/words/words.h"

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/driven_start.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <random>
-#include <string>
 #include <string_view>
 #include <type_traits>
 

@@ -1,7 +1,7 @@
-// Which folder may include which: the includes are read and held to the list of the architecture.
+// Which folder may include which: the includes are read and held to the list of the architecture. And no two
+// types have one name.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -10,7 +10,7 @@ namespace cromer::core {
 namespace {
 
 const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> swinging({1, 9, 0.4, 0, 0, 0},
-                                                                               {1.0, 2.0, 0.3});
+                                                                                        {1.0, 2.0, 0.3});
 static_assert(AdaptiveMethod<DormandPrince, decltype(swinging), double>);
 
 const State<double> start{0.5, -0.3};

@@ -20,8 +20,8 @@ auto with_law(const problems::Problem& p, F&& f) {
         DrivenOscillator<double, terms>(divided_by_mass(p.oscillator), force_of(p.drive, p.oscillator.mass)));
   };
   const Terms present = terms_of(p.oscillator, p.drive);
-  constexpr Terms driven{.drive = true}, damped{.law = law_of("viscous")}, both{.drive = true, .law = law_of("viscous")},
-      all{.drive = true, .law = law_of("viscous+drag+cubic")};
+  constexpr Terms driven{.drive = true}, damped{.law = law_of("viscous")},
+      both{.drive = true, .law = law_of("viscous")}, all{.drive = true, .law = law_of("viscous+drag+cubic")};
   if (present == driven) return call.template operator()<driven>();
   if (present == damped) return call.template operator()<damped>();
   if (present == both) return call.template operator()<both>();

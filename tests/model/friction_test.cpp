@@ -43,7 +43,8 @@ TEST(Friction, AnArcSolvesTheEquationOfItsPhase) {
 
 TEST(Friction, IsInTheLawAsATermOfItsOwn) {
   EXPECT_TRUE(terms_of(Oscillator<double>{.friction = 1}, HarmonicDrive<double>{}).law.has<Friction>());
-  EXPECT_TRUE(terms_of(Oscillator<double>{.static_friction = 1}, HarmonicDrive<double>{}).law.has<Friction>());
+  EXPECT_TRUE(
+      terms_of(Oscillator<double>{.static_friction = 1}, HarmonicDrive<double>{}).law.has<Friction>());
   EXPECT_FALSE(terms_of(Oscillator<double>{}, HarmonicDrive<double>{}).law.has<Friction>());
   // Per unit mass: 1 N on 2 kg.
   const double holding = with_terms(Oscillator<double>{.mass = 2, .friction = 1}, HarmonicDrive<double>{},

@@ -1,6 +1,5 @@
 // What a column measures, by its name and unit; what is taken for the time.
 #include "cromer/read/column_kind.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 

@@ -1,6 +1,5 @@
 // Stretches that a motion sensor did not see, told from what motions do.
 #include "cromer/documents/words/words.h"
-#include "cromer/read/series_shape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/recording.h"
+#include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
 namespace {

@@ -1,11 +1,11 @@
 // Names and units as loggers write them above their columns.
 #include "cromer/documents/words/words.h"
-#include "cromer/read/header.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cromer/base/concat.h"
+#include "cromer/read/header.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core {

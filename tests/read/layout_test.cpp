@@ -1,10 +1,10 @@
 // Which separator and decimal mark rows have.
 #include "cromer/read/layout.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {

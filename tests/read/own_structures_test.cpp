@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"

@@ -1,12 +1,12 @@
 // Rows of numbers, those that are none, and a last line that may be cut.
 #include "cromer/read/rows.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {

@@ -12,7 +12,6 @@
 #include <unistd.h>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

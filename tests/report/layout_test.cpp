@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cromer/report/axis.h"
 #include "cromer/report/heat_map.h"

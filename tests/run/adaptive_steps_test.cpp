@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/model/driven_oscillator.h"

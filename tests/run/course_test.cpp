@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include "cromer/run/course.h"

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "cromer/methods/all.h"
@@ -143,7 +142,8 @@ TEST(Solve, TheStepLimitIsAStatus) {
 
 TEST(Solve, TermsChosenOrNotGiveTheSameMotion) {
   // A coefficient of zero that is computed, and one that is not.
-  const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous+drag+cubic")}> everything(spring, {1, 3, 0});
+  const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous+drag+cubic")}> everything(
+      spring, {1, 3, 0});
   const auto all = solve(everything, EulerCromer{}, {0, 80}, State<double>{0, 0}, 0.01, KeepNone{});
   const auto few = run(push, "euler-cromer", 80, 0.01, 1, {0, 0}).outcome;
   EXPECT_EQ(all.y, few.y);

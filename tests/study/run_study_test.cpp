@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cmath>
 
 #include "cromer/documents/words/words.h"
 #include "tests/study/collected.h"

@@ -1,5 +1,4 @@
 #include "cromer/tasks/compare/compare.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
 #include "tests/identify/synthetic.h"

@@ -102,9 +102,8 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
   const DecaySegments three = fit_segments(swing.record(), 1, 3, {});
   EXPECT_EQ(three.segments.size(), 1u);
   ASSERT_EQ(in_words(three.notices).size(), 1u);
-  EXPECT_THAT(
-      in_words(three.notices)[0],
-      testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s: "));
+  EXPECT_THAT(in_words(three.notices)[0],
+              testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s: "));
   const std::atomic<bool> stop{true};
   EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).notices),
               ElementsAre("interrupted after 0 of the 4 segments"));

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <random>
-#include <string>
 
 #include "cromer/methods/rk4.h"
 #include "cromer/model/driven_oscillator.h"

@@ -1,7 +1,5 @@
 // From options to the drive of a run: what each drive needs, may take, and refuses.
 #include "cromer/tasks/simulate/drive_setup.h"
-#include "cromer/documents/words/words.h"
-#include "tests/tasks/of_bytes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "cromer/documents/words/words.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

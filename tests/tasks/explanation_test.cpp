@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/simulate/run_effect.h"

@@ -1,17 +1,15 @@
 #include "cromer/tasks/fit/fit_forced.h"
-#include "cromer/documents/words/words.h"
-#include "cromer/tasks/fit/fitted_motion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <random>
 #include <sstream>
 
+#include "cromer/documents/words/words.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/of_bytes.h"

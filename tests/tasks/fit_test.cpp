@@ -1,17 +1,13 @@
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
-
-#include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "cromer/analysis/air.h"
+#include "cromer/documents/words/words.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/disc_recording.h"
 #include "tests/tasks/of_bytes.h"

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"

@@ -1,5 +1,4 @@
 #include "cromer/tasks/inspect/inspect.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
 #include "tests/tasks/of_bytes.h"
 

@@ -1,7 +1,8 @@
 #include "cromer/tasks/curves/local_error.h"
-#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
+
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"

@@ -1,5 +1,4 @@
 #include "cromer/tasks/methods/methods.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <iterator>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 
 namespace cromer::core {

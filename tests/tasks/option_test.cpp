@@ -1,5 +1,4 @@
 #include "cromer/tasks/option/option.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/simulate/simulate.h"
 

@@ -1,11 +1,11 @@
 #include "cromer/tasks/fit/plan_recording.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/model/sensor.h"
 #include "tests/tasks/disc_recording.h"
 

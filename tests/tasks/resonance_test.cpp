@@ -1,5 +1,4 @@
 #include "cromer/tasks/curves/resonance.h"
-#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <complex>
 
 #include "cromer/analysis/frequency_response.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <string>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"

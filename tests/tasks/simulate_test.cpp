@@ -1,5 +1,4 @@
 #include "cromer/tasks/simulate/simulate.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 #include "tests/support/simulated.h"

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"

@@ -1,7 +1,6 @@
 // Dry air at atmospheric pressure, and how fast a disc moves through it.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include "cromer/analysis/textbook_damping.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

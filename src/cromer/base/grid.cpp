@@ -13,16 +13,6 @@ namespace {
 
 constexpr double most_points = 9007199254740992.0;  // 2^53: beyond, points cannot be told apart
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  for (;;) {
-    const auto end = text.find(separator);
-    pieces.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return pieces;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// The text after the number that begins the piece.
 std::string_view after_number(std::string_view piece) {
   const auto number = leading_number(piece);

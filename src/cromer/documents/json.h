@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"

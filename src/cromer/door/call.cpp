@@ -59,7 +59,7 @@ Result<std::string> take_text(Request& request, const char* name) {
   return text;
 }
 
-/// That of the document's sentences.
+/// Takes the language of the document's sentences out of the request.
 Result<Language> take_language(Request& request) {
   const auto word = take_text(request, "language");
   if (!word) return word.error();
@@ -138,7 +138,7 @@ class Call {
     return assign(settings, options, verb_);
   }
 
-  /// That nothing is asked of a file where arrays are given: how it is read, and which column.
+  /// Refuses options about a file (how to read it, which column) where arrays are given.
   Result<void> refuse_of_files() const {
     ReadOptions read;
     std::vector<std::string> names{"column", "force-column", "run", "unit"};
@@ -149,7 +149,7 @@ class Call {
     return {};
   }
 
-  /// That no array was given that the verb has no use for.
+  /// Refuses arrays that the verb has no use for.
   Result<void> check_arrays() const {
     for (const cromer_array& each : arrays_)
       if (std::find(used_.begin(), used_.end(), &each) == used_.end())

@@ -1,7 +1,6 @@
 #include "cromer/document.h"
 
 #include <span>
-#include <vector>
 
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"

@@ -19,10 +19,10 @@ inline constexpr double memory_for_results = 16e9;  // [bytes] beyond which a re
 /// [bytes] The same of the states of a run alone: energies and copies stand beside them.
 inline constexpr double memory_for_states = memory_for_results / 3;
 
-/// That there are so many samples at least and all are finite; the Error names the argument.
+/// Checks that there are at least `least` samples, all finite. The Error names the argument.
 Result<void> check_samples(std::span<const double> values, const std::string& argument, std::size_t least);
 
-/// That an enumerator is one of the first `count`: other languages pass numbers.
+/// Checks that an enumerator is one of the first `count`: other languages pass numbers.
 template <class Enum>
 Result<void> check_enumerator(Enum value, int count, const char* argument) {
   if (static_cast<int>(value) >= 0 && static_cast<int>(value) < count) return {};
@@ -30,10 +30,10 @@ Result<void> check_enumerator(Enum value, int count, const char* argument) {
                argument};
 }
 
-/// That samples lie so far apart [s].
+/// Checks that the spacing of samples [s] is positive and finite.
 Result<void> check_spacing(double spacing);
 
-/// That times [s] are finite and increase strictly.
+/// Checks that times [s] are finite and increase strictly.
 Result<void> check_times(std::span<const double> t);
 
 FitOptions fit_options(const cromer::FitOptions& options, const Selection& selection);

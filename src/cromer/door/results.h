@@ -13,7 +13,7 @@
 
 namespace cromer::core {
 
-/// Makes what a result says a thing said to callers (words.h).
+/// Puts the messages of a result for callers (words.h).
 void put_in_arguments(FittedRecording& fitted, bool of_arrays);
 void put_in_arguments(CompareResult& compared, bool of_arrays);
 void put_in_arguments(SimulateResult& simulated, bool of_arrays);
@@ -23,7 +23,7 @@ cromer::MethodEffect effect_of(const MethodEffect& effect);
 /// All rows; a point of more steps than memory can count is an Error, not the end of the program.
 Result<SweepResult> run_sweep(const SweepOptions& options, const Watch& watch);
 
-/// One of its columns, by place.
+/// A column of the rows, by its index.
 std::vector<double> column_of(const SweepResult& result, std::size_t column);
 
 /// "1.5,2,3": values as a grid that an option takes.

@@ -7,7 +7,7 @@
 namespace cromer::core {
 namespace {
 
-/// That the notice is about a column of that name: of arrays it is one of them.
+/// Whether the notice is about a column of that name; where arrays were given, the column is one of them.
 bool is_about(const Notice& notice, std::string_view array) {
   return std::any_of(notice.values.begin(), notice.values.end(), [&](const NoticeValue& each) {
     if (const auto* parts = std::get_if<std::vector<Notice>>(&each.value))

@@ -1,4 +1,5 @@
-// What the tasks say, as said to callers: of arguments instead of options, of samples instead of lines.
+// The tasks' messages for callers of the library: they speak of arguments instead of options, and of samples
+// instead of lines.
 #pragma once
 
 #include <string>
@@ -13,8 +14,8 @@ namespace cromer::core {
 /// "drive_frequency" becomes "drive-frequency": argument_of() back.
 std::string option_of(std::string_view argument);
 
-/// `of_arrays`: that it is said of arrays. The Error's argument is the one that its sentence begins with, or
-/// of arrays the one that it is about.
+/// The message as callers get it; `of_arrays` where they passed arrays. The Error's argument is the one that
+/// its sentence begins with or, where arrays were passed, the one that it is about.
 Notice in_arguments(Notice notice, bool of_arrays = false);
 std::vector<Notice> in_arguments(std::vector<Notice> notices, bool of_arrays = false);
 Error in_arguments(Error error, bool of_arrays = false);

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <memory>
 #include <numbers>
 

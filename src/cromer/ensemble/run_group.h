@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "cromer/base/interrupt.h"
 #include "cromer/ensemble/dispatch.h"

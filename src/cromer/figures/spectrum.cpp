@@ -13,8 +13,8 @@
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/length_unit.h"
-#include "cromer/report/palette.h"
 #include "cromer/report/axis.h"
+#include "cromer/report/palette.h"
 
 namespace cromer::core {
 namespace {

@@ -1,8 +1,6 @@
 // What the fits of all laws share.
 #pragma once
 
-#include <span>
-
 #include "cromer/base/interrupt.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"

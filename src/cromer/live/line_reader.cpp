@@ -14,16 +14,6 @@
 namespace cromer::core {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    fields.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return fields;
-    text.remove_prefix(end + 1);
-  }
-}
-
 std::vector<std::string_view> split_at_blanks(std::string_view text) {
   std::vector<std::string_view> fields;
   while (!(text = trimmed(text)).empty()) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include "cromer/base/replacement.h"
 #include "cromer/live/rows.h"

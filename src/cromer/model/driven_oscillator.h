@@ -6,7 +6,6 @@
 // loop; with friction it is a DryFriction around that.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <type_traits>
 #include <utility>

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"

@@ -6,7 +6,6 @@
 // mass held at rest by friction needs to know.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // The markup of names, titles and notes in figures: {/:Italic x} and {/:Bold x}, _0 or _{0} below the line,
-// ^2 or ^{2} above it, and a backslash before a character that is meant as it stands.
+// ^2 or ^{2} above it, and a backslash before a character that is meant as it stands; and how wide such a
+// text is.
 #pragma once
 
 #include <string>

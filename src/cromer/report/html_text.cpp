@@ -1,7 +1,5 @@
 #include "cromer/report/html_text.h"
 
-#include <vector>
-
 #include "cromer/base/ascii.h"
 #include "cromer/base/utf8.h"
 

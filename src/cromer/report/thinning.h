@@ -1,4 +1,5 @@
-// What is drawn of a curve: fewer points that look the same at the figure's size, cut at the frame.
+// Places and boxes in a picture, and what is drawn of a curve: fewer points that look the same at the
+// figure's size, cut at the frame.
 #pragma once
 
 #include <cstddef>

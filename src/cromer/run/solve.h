@@ -24,7 +24,6 @@
 #include <concepts>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/interrupt.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "cromer/base/bit_cast.h"
 #include "cromer/base/coupled.h"

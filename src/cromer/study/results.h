@@ -2,6 +2,7 @@
 // texts with results in them: "k = {two.stiffness}".
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>

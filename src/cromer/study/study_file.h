@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,8 +68,7 @@ struct FigureSpec {
 };
 
 /// A table whose cells are texts with results in them. `row` is repeated for every run of the tasks in
-/// `each`;
-/// {.name} in it is relative to the run.
+/// `each`; {.name} in it is relative to the run.
 struct TableSpec {
   std::string caption;
   std::vector<std::string> header;

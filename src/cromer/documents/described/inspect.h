@@ -123,8 +123,7 @@ struct Described<InspectedFile> {
       field(
           "column", [](const File& f) { return unless_empty(f.seen.column); }, "",
           "the column that the rest describes: the one asked for, else the one that a fit takes, or the "
-          "first of "
-          "several alike"),
+          "first of several alike"),
       field(
           "samples", [](const File& f) { return f.seen.samples; }, "", "number of rows of the longest run"),
       field(

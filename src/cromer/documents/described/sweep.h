@@ -63,7 +63,8 @@ struct Described<SweepDocument> {
       field(
           "way", [](const S& s) { return in_words(s.result.plan.way); }, "", "how the points are computed"),
       field(
-          "steps", [](const S& s) { return in_words(s.result.plan.steps); }, "", "lengths of steps and runs, in words"),
+          "steps", [](const S& s) { return in_words(s.result.plan.steps); }, "",
+          "lengths of steps and runs, in words"),
       field(
           "simd", [](const S& s) { return s.result.plan.simd; }, "",
           "vector instructions that were used: baseline, avx2 or avx512"),

@@ -1,6 +1,5 @@
 #include "cromer/documents/json/json.h"
 
-#include <type_traits>
 #include <utility>
 #include <variant>
 

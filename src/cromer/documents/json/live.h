@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "cromer/live/recorder.h"
 #include "cromer/tasks/fit/fit.h"

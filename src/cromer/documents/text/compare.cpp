@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
-#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {

@@ -100,8 +100,7 @@ std::string textbook(const FittedRecording& fitted) {
   if (const auto& line = fitted.textbook->bandwidth)
     out += fmt::format(
         "  textbook: half-power bandwidth {} rad/s, so a decay rate of {} 1/s (too wide: a record of this "
-        "length "
-        "shows no line narrower than {} rad/s)\n",
+        "length shows no line narrower than {} rad/s)\n",
         rounded(line->width, 4), rounded(line->width / 2, 4), rounded(line->narrowest, 4));
   else
     out += "  textbook: the spectrum's line does not fall to half its power on both sides\n";

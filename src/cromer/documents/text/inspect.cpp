@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
-#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/documents/words/words.h"
 #include "cromer/documents/text/words.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -22,9 +22,8 @@ std::string table(std::span<const MethodRow> methods) {
                     std::string(method.source)});
   return text_table(rows, 1, 2) +
          "\nimplicit: a step solves an equation; symplectic (without damping): energy is kept for good, "
-         "within "
-         "bounds;\nreversible: a step back undoes a step; A-stable: stable at any step where the law is; "
-         "adaptive: chooses its own steps.\n" +
+         "within bounds;\nreversible: a step back undoes a step; A-stable: stable at any step where the law "
+         "is; adaptive: chooses its own steps.\n" +
          in_words(Notice{"methods_with_step"}) + ".\n";
 }
 

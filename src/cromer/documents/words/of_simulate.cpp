@@ -56,8 +56,7 @@ constexpr Entry entries[] = {
      "{step} s bis {until} s sind {steps:.3g} Schritte, zu viele: bitte länger schreiten"},
     {"states_beyond_memory", error,
      "{--step}: keeping {states:.3g} states needs {needed:n} of memory, but there are only {memory:n}; take "
-     "a "
-     "longer {--step}, a shorter {--until}, or keep every Nth state with {--every} N",
+     "a longer {--step}, a shorter {--until}, or keep every Nth state with {--every} N",
      "{--step}: {states:.3g} Zustände zu behalten braucht {needed:n} Speicher, aber nur {memory:n} sind da; "
      "bitte {--step} verlängern, {--until} verkürzen oder mit {--every} N nur jeden N-ten behalten"},
     {"accuracy_out_of_reach", error,

@@ -117,8 +117,7 @@ constexpr Entry entries[] = {
     {"sweep_with_friction", clause, "friction", "trockener Reibung"},
     {"until_of_settled_motion", error,
      "{--until}: {measure} belongs to the settled motion, which has no end; leave {--until} out, or measure "
-     "peak, "
-     "final or energy",
+     "peak, final or energy",
      "{--until}: {measure} gehört zur eingeschwungenen Bewegung, und die hat kein Ende; bitte {--until} "
      "weglassen oder peak, final oder energy messen"},
     {"settle_and_until", error,

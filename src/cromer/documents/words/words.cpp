@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <type_traits>
 #include <variant>
 
 #include "cromer/base/ascii.h"

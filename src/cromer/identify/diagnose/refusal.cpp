@@ -1,8 +1,9 @@
 #include "cromer/identify/diagnose/refusal.h"
-#include "cromer/base/pi.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {

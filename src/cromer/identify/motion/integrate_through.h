@@ -80,7 +80,7 @@ class MotionSample {
     const auto y = state();
     return path_.acceleration(t_, y.x, y.v);
   }
-  /// That derivative of the displacement.
+  /// This derivative of the displacement: 0, 1 or 2.
   Number observed(int derivative) const {
     if (derivative == 0) return x();
     return derivative == 1 ? v() : a();

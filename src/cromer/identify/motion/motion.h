@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include "cromer/base/dual.h"

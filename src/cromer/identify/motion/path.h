@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "cromer/base/state.h"
 #include "cromer/identify/motion/motion_system.h"

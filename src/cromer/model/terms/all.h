@@ -3,10 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "cromer/model/terms/cubic.h"
 #include "cromer/model/terms/drag.h"

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -292,9 +291,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
   if (largest > 10 * start) {
     curve.diverged = true;
-    notices.push_back(Notice{
-        "curve_grows",
-        {{"law", law.label}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
+    notices.push_back(
+        Notice{"curve_grows",
+               {{"law", law.label}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
   }
   return curve;
 }

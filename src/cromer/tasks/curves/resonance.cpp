@@ -1,15 +1,14 @@
 #include "cromer/tasks/curves/resonance.h"
 
-#include "cromer/base/pi.h"
-#include "cromer/model/linear_quantities.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/steady_state.h"
+#include "cromer/base/pi.h"
 #include "cromer/model/law_force.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/simulate_setup.h"

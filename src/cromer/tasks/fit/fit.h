@@ -1,4 +1,4 @@
-// Task: from a recording's bytes to the law of motion and what follows from it.
+// Task: from a recording to the law of motion and what follows from it.
 #pragma once
 
 #include <optional>

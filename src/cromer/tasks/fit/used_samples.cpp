@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/median.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/outliers.h"
 
@@ -13,13 +14,12 @@ namespace {
 Result<void> check_size(const Series& series) {
   std::vector<double> sizes;
   for (const double y : series.y) sizes.push_back(std::abs(y));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double middle = upper_median(sizes);
   const double largest = *std::max_element(sizes.begin(), sizes.end());
   constexpr double most = 1e100, least = 1e-100;
-  if (*middle < most && (largest == 0 || largest > least)) return {};
-  return Error{Notice{*middle < 1 ? "values_too_small" : "values_too_large",
-                      {{"column", series.column}, {"value", *middle}}}};
+  if (middle < most && (largest == 0 || largest > least)) return {};
+  return Error{Notice{middle < 1 ? "values_too_small" : "values_too_large",
+                      {{"column", series.column}, {"value", middle}}}};
 }
 
 Error nothing_left(const Series& series, const FitOptions& options) {

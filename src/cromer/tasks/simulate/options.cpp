@@ -118,8 +118,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
        integration},
       {"until", &o.until, "s", Range::positive, "end of the run",
        "20 natural periods (of the drive where the law has none), at least to the end of a pulse or chirp; "
-       "the "
-       "length of a recorded drive",
+       "the length of a recorded drive",
        integration},
       {"tolerance", &o.tolerance, "", Range::tolerance,
        "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's "
@@ -131,8 +130,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "", integration},
       {"event", &o.event, "", Range::any,
        "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, "
-       ":falling, "
-       ":stop; may be given several times",
+       ":falling, :stop; may be given several times",
        "none", integration},
       {"beta", &o.beta, "", Range::fraction,
        "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference", "0.25",

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "cromer/notice.h"
 #include "cromer/tasks/methods/method_effect.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/energy.h"
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/notice.h"
 #include "cromer/tasks/simulate/simulate.h"

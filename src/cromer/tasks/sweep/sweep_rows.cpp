@@ -7,7 +7,6 @@
 #include <span>
 
 #include "cromer/analysis/effective_oscillator.h"
-#include "cromer/analysis/effective_oscillator.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"
