@@ -11,6 +11,7 @@
 #include "watching.h"
 
 namespace cromer::core::cli {
+
 int run_compare(const Arguments& arguments) {
   CompareOptions options;
   OutputOptions output;

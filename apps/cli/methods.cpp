@@ -7,6 +7,7 @@
 #include "syntax.h"
 
 namespace cromer::core::cli {
+
 int run_methods(const Arguments& arguments) {
   MethodsOptions options;
   OutputOptions output;

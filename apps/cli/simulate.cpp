@@ -12,7 +12,6 @@
 #include "watching.h"
 
 namespace cromer::core::cli {
-namespace {}  // namespace
 
 int run_simulate(const Arguments& arguments) {
   SimulateOptions options;

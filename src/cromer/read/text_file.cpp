@@ -1,32 +1,17 @@
 #include "cromer/read/text_file.h"
 
-#include <array>
-
 #include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/encoding.h"
-#include "cromer/read/formats/labview.h"
-#include "cromer/read/formats/peer.h"
+#include "cromer/read/formats/own_structures.h"
 #include "cromer/read/formats/plain.h"
 #include "cromer/read/formats/uff.h"
-#include "cromer/read/formats/vernier_format.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
 #include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 namespace {
-
-/// Formats with a structure of their own; all others are tables that the common stages read.
-struct OwnStructure {
-  bool (*recognised)(const Source& source);
-  Result<Sets> (*read)(const Source& source);
-};
-constexpr std::array own_structures{
-    OwnStructure{is_vernier_format, read_vernier_format},
-    OwnStructure{is_labview, read_labview},
-    OwnStructure{is_peer, read_peer},
-};
 
 /// What a table needs, whatever its format: names, no empty columns at its end, and a limit to its width.
 Result<void> tidy(Set& set) {
@@ -38,6 +23,7 @@ Result<void> tidy(Set& set) {
 
 Result<Recording> recording_of(Result<Sets> sets) {
   if (!sets) return sets.error();
+  if (sets->sets.empty()) return Error{"no_set_of_rows"};
   for (Set& set : sets->sets)
     if (const auto tidied = tidy(set); !tidied) return tidied.error();
   Recording recording;
@@ -64,8 +50,8 @@ Result<Recording> read_text_file(std::string_view bytes, std::string_view file, 
   const auto lines = split_lines(decoded->text());
   const Source source{decoded->text(), lines, file, options};
   const auto read = [&]() -> Result<Recording> {
-    for (const OwnStructure& own : own_structures)
-      if (own.recognised(source)) return recording_of(own.read(source));
+    for (const OwnStructure* own : own_structures)
+      if (own->recognised(source)) return recording_of(own->read(source));
     const auto starts = find_tables(lines);
     if (starts.size() == 1) return read_plain(lines, options);
     auto tables = read_tables(lines, starts, options);

@@ -1,5 +1,5 @@
-#include "cromer/read/formats/labview.h"
-
+// LabVIEW measurement files (.lvm): a header of tags, then segments of a header of tags, names and rows.
+// Source: National Instruments, "Specification for the LabVIEW Measurement File (.lvm)".
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,6 +11,7 @@
 #include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/formats/own_structures.h"
 #include "cromer/read/header.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
@@ -207,10 +208,10 @@ void append(Set& last, Set&& next) {
   last.lines.insert(last.lines.end(), next.lines.begin(), next.lines.end());
 }
 
-}  // namespace
-
 bool is_labview(const Source& source) { return source.text.starts_with("LabVIEW Measurement"); }
 
+/// Segments that continue in time are joined; others are runs. The times are the rows' X_Value, whatever
+/// Delta_X says; in rows without one they are X0 + i Delta_X.
 Result<Sets> read_labview(const Source& source) {
   const auto& lines = source.lines;
   const LabviewFile file = labview_file(lines);
@@ -249,5 +250,9 @@ Result<Sets> read_labview(const Source& source) {
   if (found.sets.empty()) return Error{"labview_without_rows"};
   return found;
 }
+
+}  // namespace
+
+const OwnStructure labview{is_labview, read_labview};
 
 }  // namespace cromer::core::dialects

@@ -1,5 +1,6 @@
-#include "cromer/read/formats/peer.h"
-
+// PEER strong-motion records: .AT2 (acceleration, g), .VT2 (velocity, cm/s), .DT2 (displacement, cm). Header
+// lines with the quantity, the number of values NPTS and the step DT; then several values a line.
+// Source: PEER NGA databases; older records write "4096 0.01 NPTS, DT", records of the NRC have seven lines.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
+#include "cromer/read/formats/own_structures.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/rows.h"
 
@@ -108,8 +110,6 @@ std::size_t numbers_behind(const std::vector<std::string_view>& lines, const Num
   return all && all->values.size() > on_last ? all->values.size() - on_last : 0;
 }
 
-}  // namespace
-
 bool is_peer(const Source& source) {
   const auto head = counted_line(source.lines);
   if (!head) return false;
@@ -119,6 +119,7 @@ bool is_peer(const Source& source) {
   return true;
 }
 
+/// Reads values one after the other, up to NPTS, even if nothing but a minus sign separates them.
 Result<Sets> read_peer(const Source& source) {
   const Counted head = *counted_line(source.lines);
   const long at = static_cast<long>(head.line) + 1;
@@ -148,5 +149,9 @@ Result<Sets> read_peer(const Source& source) {
   found.sets.push_back(std::move(set));
   return found;
 }
+
+}  // namespace
+
+const OwnStructure peer{is_peer, read_peer};
 
 }  // namespace cromer::core::dialects

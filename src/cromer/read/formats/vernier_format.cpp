@@ -1,7 +1,8 @@
-#include "cromer/read/formats/vernier_format.h"
-
+// Vernier Format 2 and 3: Logger Pro's text export. A magic line, a line of source, date and time; then sets
+// of a name, long names, short names, units, a blank line and rows, all between tabs.
 #include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/formats/own_structures.h"
 #include "cromer/read/header.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
@@ -34,10 +35,9 @@ std::vector<Column> columns_of(std::string_view long_names, std::string_view uni
   return name_columns(header, names.size());
 }
 
-}  // namespace
-
 bool is_vernier_format(const Source& source) { return source.text.starts_with("Vernier Format"); }
 
+/// Each set is a run.
 Result<Sets> read_vernier_format(const Source& source) {
   const auto& lines = source.lines;
   Sets found{.dialect = std::string(trimmed(lines[0])),
@@ -79,8 +79,11 @@ Result<Sets> read_vernier_format(const Source& source) {
     if (!rows->last_line.empty()) found.notices.push_back(rows->last_line);
     found.sets.push_back(std::move(set));
   }
-  if (found.sets.empty()) return Error{"no_set_of_rows"};
   return found;
 }
+
+}  // namespace
+
+const OwnStructure vernier_format{is_vernier_format, read_vernier_format};
 
 }  // namespace cromer::core::dialects
