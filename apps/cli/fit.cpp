@@ -192,7 +192,7 @@ int run_fit(const Arguments& arguments) {
   Answer answer = answer_of(*fits, line, found->many);
   answer.good = good;
   answer.notices.insert(answer.notices.end(), found->notes.begin(), found->notes.end());
-  if (!motion.empty()) answer.other_files = [&] { return write_file(motion, motion_csv(*fits)); };
+  if (!motion.empty()) answer.other_files = [&] { return write_table(motion, motion_csv(*fits)); };
   return give(answer, output);
 }
 

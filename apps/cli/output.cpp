@@ -82,6 +82,16 @@ Result<void> write_plot(const std::string& path, const Figure& figure) {
   return write_file(path, *picture);
 }
 
+}  // namespace
+
+Result<void> write_table(const std::string& path, const std::string& csv) {
+  // A file that is there is not lost to nothing.
+  if (csv.empty()) return Error{"nothing_to_write", {{"file", path}}};
+  return write_file(path, csv);
+}
+
+namespace {
+
 Result<void> write_output(const Answer& answer, const OutputOptions& output) {
   const std::string& file = output.output;
   if (file.empty()) return {};
@@ -95,7 +105,7 @@ Result<void> write_output(const Answer& answer, const OutputOptions& output) {
       break;
   }
   const auto text = answer.csv();
-  return text ? write_file(file, *text) : text.error();
+  return text ? write_table(file, *text) : text.error();
 }
 
 }  // namespace
@@ -114,19 +124,23 @@ bool print(std::string_view text) {
 }
 
 int give(const Answer& answer, const OutputOptions& output) {
-  if (auto good = write_output(answer, output); !good) return refuse(good.error());
-  if (answer.other_files)
-    if (auto good = answer.other_files(); !good) return refuse(good.error());
-  if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
-    return refuse("standard output cannot be written");
+  std::vector<Error> unwritten;
+  const auto keep = [&](const Result<void>& written) {
+    if (!written) unwritten.push_back(written.error());
+  };
+  keep(write_output(answer, output));
+  if (answer.other_files) keep(answer.other_files());
+  const bool printed = output.output == "-" || print(output.json ? answer.json() : answer.text());
   if (!output.plot.empty() && answer.figure) {
     const auto figure = answer.figure();
-    if (!figure) return refuse(figure.error());
-    if (auto good = write_plot(output.plot, *figure); !good) return refuse(good.error());
+    keep(figure ? write_plot(output.plot, *figure) : figure.error());
   }
   for (const std::string& failure : answer.failures) complain(failure);
   tell(answer.notices, output);
-  return answer.good ? done : no_success;
+  for (const Error& error : unwritten) complain(error);
+  if (!printed) return refuse("standard output cannot be written");
+  if (!answer.good) return no_success;
+  return unwritten.empty() ? done : wrong_input;
 }
 
 }  // namespace cromer::core::cli

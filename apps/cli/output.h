@@ -52,6 +52,9 @@ void tell(const std::vector<Notice>& notices, const OutputOptions& output);
 /// On standard output, what could drive a terminal spelled out; false if it could not take all of it.
 bool print(std::string_view text);
 
+/// Writes a CSV table. One without anything in it is an Error, and what the file held stays.
+Result<void> write_table(const std::string& path, const std::string& csv);
+
 /// What a command has found, in every form that may be asked for. A form is made when it is asked for; one
 /// that a command does not offer is empty.
 struct Answer {
@@ -66,9 +69,8 @@ struct Answer {
   bool good = true;  ///< the computation succeeded
 };
 
-/// Writes the files, prints the answer, draws the figure, then says what failed and what else there is to
-/// know. It ends where something cannot be written or drawn; by the time of the figure, files and answer are
-/// out. Returns the exit status.
+/// Writes the files, prints the answer and draws the figure; then says what failed, what else there is to
+/// know, and last what could not be written: none of these takes the others with it. The exit status.
 int give(const Answer& answer, const OutputOptions& output);
 
 }  // namespace cromer::core::cli

@@ -33,7 +33,7 @@ Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<s
                  {{"first", "-o"}, {"second", "--fourier"}, {"file", output.fourier}}};
   OutputOptions same;
   same.output = output.fourier;
-  return check_outputs(same, inputs);
+  return check_outputs(same, inputs, "--fourier");
 }
 
 }  // namespace

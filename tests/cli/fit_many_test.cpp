@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "program.h"
 
@@ -52,6 +55,47 @@ TEST(FitMany, OfManyRecordingsTheFigureShowsSomeAndSaysSo) {
   const std::string figure = folder.read("runs.svg");
   EXPECT_THAT(figure, HasSubstr("The first 24 of 26 recordings."));
   EXPECT_THAT(figure, HasSubstr("a_10.csv, run 1: viscous"));
+}
+
+/// Positions of noise alone: no law, and nothing to write.
+std::string noise() {
+  std::string text = "Time (s),Position (m)\n";
+  unsigned state = 1;
+  for (int i = 0; i < 400; ++i) {
+    state = state * 1664525u + 1013904223u;
+    text += std::to_string(0.01 * i) + "," + std::to_string(state >> 20) + "\n";
+  }
+  return text;
+}
+
+TEST(FitMany, WhereThereIsNothingToWriteTheFileStays) {
+  Folder folder;
+  folder.write("noise.csv", noise());
+  folder.write("kept.csv", "keep\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"compare", "noise.csv", "-o", "kept.csv"},
+        std::vector<std::string>{"fit", "noise.csv", "--motion", "kept.csv"}}) {
+    const Finished end = folder.run(command);
+    EXPECT_EQ(end.status, 1) << end.err;
+    EXPECT_THAT(end.out, HasSubstr("noise.csv"));
+    EXPECT_THAT(end.err, HasSubstr("kept.csv is not written"));
+    EXPECT_EQ(folder.read("kept.csv"), "keep\n");
+  }
+}
+
+TEST(FitMany, WhatIsSaidOfTheFileIsSaidThoughItsFirstRunIsEmpty) {
+  Folder folder;
+  std::string text = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
+  for (int i = 0; i < 1000; ++i) {
+    const std::string t = std::to_string(0.01 * i);
+    text += t + ",," + t + "," + (i == 500 ? "bad" : std::to_string(0.1 * std::cos(0.06 * i))) + "\n";
+  }
+  folder.write("runs.csv", text);
+  const auto document =
+      folder.run({"fit", "runs.csv", "--skip-bad-rows", "--law", "viscous", "--json"}).json();
+  ASSERT_EQ(document["fits"].size(), 2u);
+  EXPECT_EQ(document["fits"][0]["status"], "wrong_input");
+  EXPECT_THAT(document["fits"][1]["warnings"].dump(), HasSubstr("bad row"));
 }
 
 // A file that is no library stands in the place of librsvg.

@@ -169,8 +169,9 @@ constexpr Entry entries[] = {
     {"fits_failed", clause, "{failed} of {all} fits did not succeed",
      "{failed} von {all} Anpassungen sind nicht gelungen"},
     {"decrement_bias", clause,
-     "too low, because noise lifts small peaks; a mean where the damping changes with amplitude",
-     "zu klein, weil Rauschen kleine Gipfel hebt; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},
+     "too low if noise lifts the small peaks; a mean if the damping changes with the amplitude",
+     "zu klein, wenn Rauschen die kleinen Gipfel hebt; ein Mittelwert, wenn die Dämpfung von der Amplitude "
+     "abhängt"},
     {"bandwidth_bias", clause, "too wide unless the record lasts until the swing has died down",
      "zu breit, wenn die Aufnahme nicht dauert, bis die Schwingung abgeklungen ist"},
     {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
@@ -401,9 +402,10 @@ constexpr Entry entries[] = {
     {"line_of_two", worth_knowing, "two masses always give a line: nothing shows whether it is one",
      "zwei Massen geben immer eine Gerade: nichts zeigt, ob es eine ist"},
     {"points_scatter", worth_knowing,
-     "the points scatter about the line by {scatter:.2g} s², more than their errors say: this is added to "
-     "all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
-     "die Punkte streuen um die Gerade um {scatter:.2g} s², mehr als ihre Fehler sagen: das ist allen "
+     "the points scatter about the line by more than their errors give on average: {scatter:.2g} s² is added "
+     "to all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
+     "die Punkte streuen um die Gerade um mehr, als ihre Fehler im Mittel ergeben: {scatter:.2g} s² ist "
+     "allen "
      "Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
 
     // Masses at rest
@@ -437,10 +439,11 @@ constexpr Entry entries[] = {
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
     {"holds_scatter", worth_knowing,
-     "the holds scatter about the line by {scatter:.2g} m, more than each hold's own errors say: this is "
+     "the holds scatter about the line by more than their own errors give on average: {scatter:.2g} m is "
      "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
-     "die Ruhelagen streuen um die Gerade um {scatter:.2g} m, mehr als ihre eigenen Fehler sagen: das ist "
-     "allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+     "die Ruhelagen streuen um die Gerade um mehr, als ihre eigenen Fehler im Mittel ergeben: {scatter:.2g} "
+     "m "
+     "ist allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
     {"hold_moves", wrong_if_ignored,
      "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
      "its mean is taken; choose a quiet part by {--from} and {--to}, or fit its swing without {--static}",

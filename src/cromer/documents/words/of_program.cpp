@@ -27,6 +27,8 @@ constexpr Entry entries[] = {
      "weglassen"},
     {"fourier_is_csv", error, "{--fourier}: {file}: the amplitudes are written as .csv",
      "{--fourier}: {file}: die Amplituden werden als .csv geschrieben"},
+    {"nothing_to_write", error, "{file} is not written: there is nothing to write into it",
+     "{file} wird nicht geschrieben: es gibt nichts hineinzuschreiben"},
     {"motion_is_csv", error, "{--motion}: {file}: the motion is written as .csv",
      "{--motion}: {file}: die Bewegung wird als .csv geschrieben"},
     {"two_outputs_one_file", error, "{first} and {second} both name {file}",

@@ -269,10 +269,10 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
     const Watch part = part_of(watch, done / all, (done + 1) / all);
     Result<FittedRecording> one = fit_run(recording, run, file, options, part);
     if (one) {
-      any_read = true;
-      // Notices on the file are given once.
-      if (fits.empty())
+      // Notices on the file are given once, with the first run that could be read.
+      if (!any_read)
         one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
+      any_read = true;
       fits.push_back(std::move(*one));
       continue;
     }
