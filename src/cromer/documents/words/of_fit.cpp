@@ -154,7 +154,7 @@ constexpr Entry entries[] = {
      "interrupted: the law is fitted, but some results that follow from it are missing",
      "abgebrochen: das Gesetz ist angepasst, doch manches, was daraus folgt, fehlt"},
     {"may_be_the_force", worth_knowing,
-     "if column \"{column}\" holds what drives the motion, give {--force-column} \"{column}\"",
+     "if column \"{column}\" holds what drives the motion, give fit {--force-column} \"{column}\"",
      "falls die Spalte „{column}“ enthält, was die Bewegung antreibt: mit cromer fit {--force-column} "
      "anpassen"},
     {"hysteresis_from_zero", wrong_if_ignored,
