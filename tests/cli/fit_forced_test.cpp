@@ -63,7 +63,7 @@ TEST(FitForced, NamesTheColumnOfAForceWhereNoFreeLawAccountsForTheMotion) {
   const Folder folder;
   folder.write("rig.csv", rig(folder));
   const Finished free = folder.run({"fit", "rig.csv"});
-  EXPECT_THAT(free.err, HasSubstr("drives the motion, give --force-column \"Force\""));
+  EXPECT_THAT(free.err, HasSubstr("drives the motion, give fit --force-column \"Force\""));
   const Finished forced = folder.run({"fit", "rig.csv", "--force-column", "Force"});
   EXPECT_THAT(forced.err, Not(HasSubstr("say --force-column")));
 }
