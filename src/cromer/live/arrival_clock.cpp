@@ -8,7 +8,6 @@ namespace cromer::core {
 namespace {
 
 constexpr double between_estimates = 0.1;  // [s]
-constexpr double least_step = 1e-6;        // [s]
 constexpr double small_delay = 5e-4;       // [s] not worth a thought
 constexpr double clearly_early = 1e-3;     // [s]
 constexpr double no_delay = 1;             // [s] nothing is held up that long, and those behind it as well
@@ -20,8 +19,6 @@ constexpr double settled = 1;              // [s] that a rate must hold, or be g
 constexpr double settled_memory = 2;       // [s] for a rate that is not the first
 constexpr std::size_t few = 3;             ///< samples that show where the line has gone
 constexpr std::size_t enough = 8;          ///< samples that show that it has bent
-
-double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
 
 }  // namespace
 

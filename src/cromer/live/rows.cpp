@@ -17,6 +17,8 @@ bool is_named(std::string_view heading, std::string_view name) {
   return heading == name || heading.substr(0, heading.find(" (")) == name;
 }
 
+double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
+
 namespace {
 
 void append_number(std::string& text, double value) {

@@ -7,12 +7,9 @@
 namespace cromer::core {
 namespace {
 
-constexpr double least_step = 1e-6;       // [s]
 constexpr double clear_difference = 0.5;  // [s] which no computer's scheduling makes
 constexpr double longest = 1e15;          // [s] thirty million years: a number beyond is no time
 constexpr double shortest_gap = 0.1;      // [s]
-
-double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
 
 }  // namespace
 
