@@ -1,10 +1,11 @@
 // Medians of repeated runs.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <vector>
+
+#include "cromer/base/quantile.h"
 
 namespace cromer::core::bench {
 
@@ -20,10 +21,7 @@ std::vector<double> medians(const std::vector<Work>& works, int rounds) {
       times[i].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
   std::vector<double> result;
-  for (auto& t : times) {
-    std::nth_element(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(t.size() / 2), t.end());
-    result.push_back(t[t.size() / 2]);
-  }
+  for (auto& t : times) result.push_back(upper_median(t));
   return result;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cromer/base/quantile.h"
+
 namespace cromer::core {
 namespace {
 
@@ -30,13 +32,9 @@ std::vector<double> least_delays(std::span<const double> arrivals, const RateLin
   return least;
 }
 
-/// 0 if there are no values.
-double quantile(std::span<const double> of, double q) {
-  std::vector<double> values(of.begin(), of.end());
-  if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+/// The quantile of some delays; 0 if there are none.
+double delay_at(double share, std::vector<double> delays) {
+  return delays.empty() ? 0 : quantile(delays, share);
 }
 
 }  // namespace
@@ -67,17 +65,17 @@ double roughness(std::span<const double> arrivals) {
 }
 
 double lateness(std::span<const double> arrivals, const RateLine& line) {
-  return quantile(least_delays(arrivals, line, samples_in(0.2, arrivals)), 0.9);
+  return delay_at(0.9, least_delays(arrivals, line, samples_in(0.2, arrivals)));
 }
 
 // Pieces of a tenth of a second are short beside a swing: some sensors' interval follows the distance. Longer
 // pieces find a rate that wanders.
 bool is_touched(std::span<const double> arrivals, const RateLine& line) {
-  const auto least = least_delays(arrivals, line, samples_in(0.1, arrivals));
-  const std::span<const double> all(least), recent = all.last((all.size() + 3) / 4);
+  const std::vector<double> all = least_delays(arrivals, line, samples_in(0.1, arrivals));
+  const std::vector<double> recent(all.end() - static_cast<std::ptrdiff_t>((all.size() + 3) / 4), all.end());
   const double bound = std::max(good_arrival, 0.7 * roughness(arrivals));
-  return quantile(all, 0.4) <= bound && quantile(recent, 0.4) <= bound &&
-         quantile(least_delays(arrivals, line, samples_in(0.8, arrivals)), 0.75) <= bound;
+  return delay_at(0.4, all) <= bound && delay_at(0.4, recent) <= bound &&
+         delay_at(0.75, least_delays(arrivals, line, samples_in(0.8, arrivals))) <= bound;
 }
 
 std::optional<RateLine> steady_rate(std::span<const double> arrivals, double least) {

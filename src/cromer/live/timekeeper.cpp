@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "cromer/base/quantile.h"
 
 namespace cromer::core {
 namespace {
@@ -17,9 +20,7 @@ double Timekeeper::usual_step() const {
   const std::size_t known = std::min(window, samples_ - 1);
   if (known == 0) return rate_ > 0 ? 1 / rate_ : 0;
   auto steps = steps_;
-  const auto middle = steps.begin() + known / 2;
-  std::nth_element(steps.begin(), middle, steps.begin() + known);
-  return *middle;
+  return upper_median(std::span(steps).first(known));
 }
 
 // A file that is piped in arrives at once: then the computer's clock says nothing about its times.

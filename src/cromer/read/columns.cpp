@@ -8,8 +8,8 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
-#include "cromer/base/median.h"
 #include "cromer/base/nearest.h"
+#include "cromer/base/quantile.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/sets.h"
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <utility>
+
+#include "cromer/base/quantile.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -50,10 +51,7 @@ double usual_small_change(std::span<const double> y) {
   std::vector<double> changes;
   for (std::size_t i = 1; i < y.size(); ++i)
     if (y[i] != y[i - 1]) changes.push_back(std::fabs(y[i] - y[i - 1]));
-  if (changes.empty()) return 0;
-  const auto quarter = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 4);
-  std::nth_element(changes.begin(), quarter, changes.end());
-  return *quarter;
+  return changes.empty() ? 0 : quantile(changes, 0.25);
 }
 
 /// Whether times are about a step apart, as the cubic takes them to be.
@@ -94,14 +92,6 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 double median_seen(std::span<const double> sizes) {
   std::vector<double> seen;

@@ -13,9 +13,6 @@ constexpr double unseen = -1;
 /// The median of the known sizes; 0 if there are none.
 double median_seen(std::span<const double> sizes);
 
-/// The median; NaN of nothing. Takes a copy on purpose.
-double median(std::vector<double> values);
-
 /// The step of evenly quantised values: the smallest difference that occurs, if nearly all others are its
 /// multiples; else the last decimal place, if there are at most six. 0 where none is seen. Two values are one
 /// step apart.

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "cromer/base/number.h"
+#include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
-#include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
 namespace {

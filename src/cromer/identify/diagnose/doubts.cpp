@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "cromer/base/median.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/motion/damped_phasor.h"

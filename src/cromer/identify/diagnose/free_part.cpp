@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "cromer/base/median.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/record.h"
 

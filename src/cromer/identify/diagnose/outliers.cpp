@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cromer/base/median.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/noise.h"
 
 namespace cromer::core {
@@ -124,13 +124,6 @@ namespace {
 
 // So many values tell a quantile to a hundredth of the whole and better.
 constexpr std::size_t enough_for_quantiles = 200'000;
-
-double quantile(std::vector<double>& values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 }  // namespace
 

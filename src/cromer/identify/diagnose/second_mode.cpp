@@ -5,8 +5,8 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/analysis/swing.h"
-#include "cromer/base/median.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"

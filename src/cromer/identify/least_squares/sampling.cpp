@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/base/median.h"
+#include "cromer/base/quantile.h"
 
 namespace cromer::core {
 

@@ -7,6 +7,7 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/sampling.h"
 #include "cromer/identify/motion/damped_phasor.h"
@@ -136,9 +137,7 @@ LineFit search_few_periods(const Record& part) {
 double smaller_step(std::span<const double> t) {
   std::vector<double> steps(t.size() - 1);
   for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
-  const auto tenth = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 10);
-  std::nth_element(steps.begin(), tenth, steps.end());
-  return *tenth;
+  return quantile(steps, 0.1);
 }
 
 bool is_even(std::span<const double> t) {

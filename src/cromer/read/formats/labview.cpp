@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cromer/base/concat.h"
+#include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
@@ -16,7 +17,6 @@
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
 #include "cromer/read/rows.h"
-#include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/median.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/tasks/fit/fit_options.h"
@@ -52,7 +52,7 @@ struct Plateau {
 };
 
 /// The middle value of samples [first, last).
-double median(const std::vector<double>& y, std::size_t first, std::size_t last) {
+double middle_value(const std::vector<double>& y, std::size_t first, std::size_t last) {
   std::vector<double> part(y.begin() + static_cast<std::ptrdiff_t>(first),
                            y.begin() + static_cast<std::ptrdiff_t>(last));
   return upper_median(part);
@@ -70,11 +70,11 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
     const auto begin = series.y.begin() + static_cast<std::ptrdiff_t>(first);
     const auto [least, most] = std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(block));
     spans.push_back(*most - *least);
-    blocks.push_back({first, first + block, median(series.y, first, first + block)});
+    blocks.push_back({first, first + block, middle_value(series.y, first, first + block)});
   }
   if (spans.empty()) return {};
   // Most blocks are quiet: moving a mass takes less time than holding it.
-  const double quiet = std::max(3 * median(spans, 0, spans.size()), 2 * series.resolution);
+  const double quiet = std::max(3 * middle_value(spans, 0, spans.size()), 2 * series.resolution);
   const double same = std::max(quiet, 0.02 * whole);
   std::vector<Plateau> found;
   bool open = false;
