@@ -25,12 +25,13 @@ RateLine line_below(std::span<const double> arrivals);
 /// three.
 double roughness(std::span<const double> arrivals);
 
-/// [s] How late the arrivals are: the 0.9 quantile of the least delays in pieces of 0.4 s or four samples.
+/// [s] How late the arrivals are: the 0.9 quantile of the least delays in pieces of 0.2 s, or of two samples
+/// where that is longer.
 double lateness(std::span<const double> arrivals, const RateLine& line);
 
 /// Whether delays alone explain all departures from the line. Then samples arrive on time again and again, up
-/// to 0.3 ms or the variation of the delays: in at least a third of all tenths of a second, and of the latest
-/// ones.
+/// to 0.3 ms or 0.7 of the roughness: in more than 0.4 of all tenths of a second, in as many of their last
+/// quarter, and in three quarters of all stretches of 0.8 s.
 bool is_touched(std::span<const double> arrivals, const RateLine& line);
 
 /// The line of the last arrivals that keep one steady rate: of the last 16, 8, 4 or 2 s with at least 48
