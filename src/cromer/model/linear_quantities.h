@@ -17,11 +17,17 @@ inline double natural_frequency(const Oscillator<double>& o) {
   return o.stiffness > 0 ? std::sqrt(o.stiffness / o.mass) : 0;
 }
 
-/// The frequency of the damped free motion [rad/s]; 0 where it does not swing.
-inline double damped_frequency(const Oscillator<double>& o) {
-  const double b = decay_rate(o), squared = o.stiffness / o.mass - b * b;
-  return squared > 0 ? std::sqrt(squared) : 0;
+/// The linear part of the law, per unit mass, with its drive.
+inline LinearLaw<double> linear_law(const Oscillator<double>& o, const HarmonicDrive<double>& drive = {}) {
+  return {.decay_rate = decay_rate(o),
+          .stiffness = o.stiffness / o.mass,
+          .drive_amplitude = drive.amplitude / o.mass,
+          .drive_frequency = drive.frequency,
+          .drive_phase = drive.phase};
 }
+
+/// The frequency of the damped free motion [rad/s]; 0 where it does not swing.
+inline double damped_frequency(const Oscillator<double>& o) { return damped_frequency(linear_law(o)); }
 
 /// The smallest damping at which the free motion does not swing, 2 sqrt(k m) [kg/s]; 0 where the spring does
 /// not pull back.
@@ -39,15 +45,6 @@ inline double quality_factor(const Oscillator<double>& o) { return critical_damp
 inline double energy_factor_per_cycle(const Oscillator<double>& o) {
   const double w = damped_frequency(o);
   return w > 0 ? std::exp(-4 * std::numbers::pi * decay_rate(o) / w) : 0;
-}
-
-/// The linear part of the law, per unit mass, with its drive.
-inline LinearLaw<double> linear_law(const Oscillator<double>& o, const HarmonicDrive<double>& drive = {}) {
-  return {.decay_rate = decay_rate(o),
-          .stiffness = o.stiffness / o.mass,
-          .drive_amplitude = drive.amplitude / o.mass,
-          .drive_frequency = drive.frequency,
-          .drive_phase = drive.phase};
 }
 
 }  // namespace cromer::core

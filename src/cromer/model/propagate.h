@@ -37,11 +37,17 @@ struct LinearLaw {
   Real drive_phase = 0;      // [rad]
 };
 
+/// The frequency of the damped free motion [rad/s]; 0 where it does not swing.
+inline double damped_frequency(const LinearLaw<double>& law) {
+  const double squared = law.stiffness - law.decay_rate * law.decay_rate;
+  return squared > 0 ? std::sqrt(squared) : 0;
+}
+
 /// From one zero of the free motion's velocity to the next [s]: half a period; infinite where it does not
 /// swing.
 inline double zero_spacing(const LinearLaw<double>& law) {
-  const double squared = law.stiffness - law.decay_rate * law.decay_rate;
-  return squared > 0 ? std::numbers::pi / std::sqrt(squared) : std::numeric_limits<double>::infinity();
+  const double w = damped_frequency(law);
+  return w > 0 ? std::numbers::pi / w : std::numeric_limits<double>::infinity();
 }
 
 /// Impulse response of the linear law and what the free motion needs of it.

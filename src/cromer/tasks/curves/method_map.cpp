@@ -17,9 +17,8 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 MethodMapPoint point_of(const std::optional<MethodEffect>& effect, const LinearLaw<double>& law) {
   if (!effect || !effect->effective.angular_frequency) return {nothing, nothing, nothing, nothing};
   const double w = std::sqrt(law.stiffness);
-  const double damped = std::sqrt(law.stiffness - law.decay_rate * law.decay_rate);
   const double decay_rate = *effect->effective.decay_rate;
-  return {decay_rate, std::abs(*effect->effective.angular_frequency / damped - 1),
+  return {decay_rate, std::abs(*effect->effective.angular_frequency / damped_frequency(law) - 1),
           std::abs(decay_rate - law.decay_rate) / w, *effect->effective.energy_factor()};
 }
 

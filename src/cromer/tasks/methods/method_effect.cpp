@@ -9,8 +9,8 @@ namespace {
 
 /// Angular frequency of the free motion; empty if it does not oscillate.
 std::optional<double> free_frequency(const LinearLaw<double>& law) {
-  const double squared = law.stiffness - law.decay_rate * law.decay_rate;
-  return squared > 0 ? std::optional(std::sqrt(squared)) : std::nullopt;
+  const double w = damped_frequency(law);
+  return w > 0 ? std::optional(w) : std::nullopt;
 }
 
 /// Equal to four digits; a rate, to a ten-millionth of the frequency.

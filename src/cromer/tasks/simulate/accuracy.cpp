@@ -37,10 +37,6 @@ std::optional<LinearLaw<double>> oscillating_law(const SimulatedRun& run) {
   return law;
 }
 
-double damped_frequency(const LinearLaw<double>& law) {
-  return std::sqrt(law.stiffness - law.decay_rate * law.decay_rate);
-}
-
 /// Errors over the run of a free motion with this frequency and decay rate.
 Accuracy errors_of(const LinearLaw<double>& law, double until, double frequency, double decay_rate) {
   Accuracy found;
