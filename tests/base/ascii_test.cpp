@@ -17,6 +17,7 @@ TEST(Ascii, OnlyItsLettersAndDigitsCount) {
 
 TEST(Ascii, BlanksAtBothEndsGo) {
   EXPECT_EQ(trimmed(" \t\r\na b \n"), "a b");
+  EXPECT_EQ(trimmed("\u00a0 \u00a0a\u00a0b \u00a0"), "a\u00a0b");
   EXPECT_EQ(trimmed("a"), "a");
   EXPECT_EQ(trimmed(" \t"), "");
   EXPECT_EQ(trimmed(""), "");

@@ -19,12 +19,22 @@ inline std::string lower(std::string_view text) {
   return small;
 }
 
-/// Without blanks, tabs and line ends at both ends.
+/// Without blanks, tabs, line ends and no-break spaces at both ends.
 constexpr std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  constexpr std::string_view no_break_space = "\u00a0";
+  constexpr auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  for (;;) {
+    if (!text.empty() && is_blank(text.front()))
+      text.remove_prefix(1);
+    else if (!text.empty() && is_blank(text.back()))
+      text.remove_suffix(1);
+    else if (text.starts_with(no_break_space))
+      text.remove_prefix(no_break_space.size());
+    else if (text.ends_with(no_break_space))
+      text.remove_suffix(no_break_space.size());
+    else
+      return text;
+  }
 }
 
 /// The pieces of a text between separators, each trimmed; an empty text is one empty piece.

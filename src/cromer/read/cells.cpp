@@ -27,23 +27,6 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   return lines;
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view no_break_space = "\u00a0";
-  for (;;) {
-    if (text.starts_with(' ') || text.starts_with('\t') || text.starts_with('\r')) {
-      text.remove_prefix(1);
-    } else if (text.ends_with(' ') || text.ends_with('\t') || text.ends_with('\r')) {
-      text.remove_suffix(1);
-    } else if (text.starts_with(no_break_space)) {
-      text.remove_prefix(no_break_space.size());
-    } else if (text.ends_with(no_break_space)) {
-      text.remove_suffix(no_break_space.size());
-    } else {
-      return text;
-    }
-  }
-}
-
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 bool is_comment(std::string_view line) {

@@ -14,9 +14,6 @@ namespace cromer::core::dialects {
 /// lines[i - 1]. The last one is empty, unless the text ends without a line end.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// Without blanks, tabs and no-break spaces at both ends.
-std::string_view trimmed(std::string_view text);
-
 /// A line to skip among data: nothing but blanks, or a comment (# or %).
 bool is_blank(std::string_view line);
 bool is_comment(std::string_view line);

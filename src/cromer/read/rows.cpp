@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/in_file.h"

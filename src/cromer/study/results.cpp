@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/documents/json/json.h"
 
@@ -53,22 +54,6 @@ std::string to_json(const Results& results) {
 }
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto comma = text.find(',');
-    parts.push_back(trimmed(text.substr(0, comma)));
-    if (comma == std::string_view::npos) return parts;
-    text.remove_prefix(comma + 1);
-  }
-}
 
 /// How to write a number.
 struct Format {
@@ -126,7 +111,7 @@ std::string write(const Number& number, const Format& format) {
 }
 
 Result<std::string> look_up(std::string_view inside, const Results& results, std::string_view scope) {
-  const auto parts = split(inside);
+  const auto parts = split(inside, ',');
   std::string name(parts.front());
   if (!name.empty() && name.front() == '.') name = std::string(scope) + name;
   const auto fact = results.fact(name);

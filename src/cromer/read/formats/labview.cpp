@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"

@@ -1,5 +1,6 @@
 #include "cromer/read/formats/plain.h"
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/columns.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/bit_cast.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"

@@ -1,5 +1,6 @@
 // Vernier Format 2 and 3: Logger Pro's text export. A magic line, a line of source, date and time; then sets
 // of a name, long names, short names, units, a blank line and rows, all between tabs.
+#include "cromer/base/ascii.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/own_structures.h"
