@@ -41,17 +41,12 @@ std::string law_names() {
 
 Result<Law> parse_law(std::string_view text) {
   Law law;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find('+', begin);
-    const std::string_view word =
-        trimmed(text.substr(begin, end == std::string_view::npos ? end : end - begin));
+  for (const std::string_view word : split(text, '+')) {
     const Law term =
         law_where([&](const TermInfo& info) { return info.name == word && word != Spring::info.name; });
     if (term == Law{}) return unknown_term(word);
     if (law.shares(term)) return Error{"law_term_twice", {{"term", word}}};
     law = law.with(term);
-    if (end == std::string_view::npos) break;
-    begin = end + 1;
   }
   return law.shares(springs) ? law : law.with(law_with<Spring>);
 }

@@ -151,13 +151,8 @@ std::string_view of_a_motion(const FitOptions& o) {
 }  // namespace
 
 Result<std::vector<Quantity>> parse_masses(std::string_view text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0;;) {
-    const auto end = text.find(',', begin);
-    parts.emplace_back(trimmed(text.substr(begin, end == std::string_view::npos ? end : end - begin)));
-    if (end == std::string_view::npos) break;
-    begin = end + 1;
-  }
+  const std::vector<std::string_view> given = split(text, ',');
+  std::vector<std::string> parts(given.begin(), given.end());
   std::size_t with_unit = 0;
   for (const std::string& part : parts) {
     if (part.empty()) return Error{"mass_missing"};

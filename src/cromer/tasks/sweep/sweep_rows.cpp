@@ -260,11 +260,7 @@ const std::vector<Measure>& measures() {
 Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven) {
   std::vector<std::string> words;
   for (const std::string& name : names)
-    for (std::size_t from = 0; from <= name.size();) {
-      const std::size_t comma = std::min(name.find(',', from), name.size());
-      words.emplace_back(trimmed(std::string_view(name).substr(from, comma - from)));
-      from = comma + 1;
-    }
+    for (const std::string_view word : split(name, ',')) words.emplace_back(word);
   if (words.empty())
     words = driven ? std::vector<std::string>{"amplitude", "phase"}
                    : std::vector<std::string>{"peak", "final", "energy"};
