@@ -157,14 +157,15 @@ std::string fingerprint(const ChunkedRows& work) {
   return fmt::format("{} of {} rows, {:016x}", work.rows_per_chunk, work.rows, hash);
 }
 
-}  // namespace
-
+/// The size of the file of this work [bytes].
 double rows_file_bytes(const ChunkedRows& work, const RowsFileOptions& options) {
   double numbers = 0;
   for (const LaidOut& dataset : layout_of(work, options.axes))
     numbers += static_cast<double>(dataset.numbers());
   return 8 * numbers + static_cast<double>(work.chunks()) + 1e5;
 }
+
+}  // namespace
 
 Result<RowsFile> RowsFile::open(const ChunkedRows& work, const RowsFileOptions& options, const Watch& watch) {
   const std::string& path = options.path;

@@ -82,7 +82,4 @@ class RowsFile {
   std::chrono::steady_clock::time_point noted_{};
 };
 
-/// The size of the file of this work [bytes].
-double rows_file_bytes(const ChunkedRows& work, const RowsFileOptions& options);
-
 }  // namespace cromer::core

@@ -53,6 +53,12 @@ Result<void> check_not_infinite(std::span<const double> values, const char* argu
   return {};
 }
 
+/// Checks that the spacing of samples [s] is positive and finite.
+Result<void> check_spacing(double spacing) {
+  if (spacing > 0 && std::isfinite(spacing)) return {};
+  return Error{Notice{"spacing_not_positive", {{"spacing", spacing}}}, "spacing"};
+}
+
 }  // namespace
 
 Result<void> check_times(std::span<const double> t) {
@@ -75,11 +81,6 @@ Result<void> check_samples(std::span<const double> values, const std::string& ar
       return Error{Notice{"value_not_finite", {{"argument", argument}, {"index", i}, {"value", values[i]}}},
                    argument};
   return {};
-}
-
-Result<void> check_spacing(double spacing) {
-  if (spacing > 0 && std::isfinite(spacing)) return {};
-  return Error{Notice{"spacing_not_positive", {{"spacing", spacing}}}, "spacing"};
 }
 
 FitOptions fit_options(const cromer::FitOptions& options, const Selection& selection) {

@@ -30,9 +30,6 @@ Result<void> check_enumerator(Enum value, int count, const char* argument) {
                argument};
 }
 
-/// Checks that the spacing of samples [s] is positive and finite.
-Result<void> check_spacing(double spacing);
-
 /// Checks that times [s] are finite and increase strictly.
 Result<void> check_times(std::span<const double> t);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
@@ -14,6 +15,12 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t most_samples = 100'000;
+
+// Where the iteration begins.
+struct ModeStart {
+  double angular_frequency = 0;  // [rad/s] > 0
+  double decay_rate = 0;         // [1/s]
+};
 
 // Order of the parameters: E, and w, g, A, B of each mode.
 constexpr int first_of[] = {1, 5};
@@ -96,13 +103,10 @@ TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
   return fit;
 }
 
-}  // namespace
-
-bool Mode::decays() const { return decay_rate.value > 3 * decay_rate.standard_error; }
-
+// The best of the least-squares fits from each of the starts. Empty where none converges. Only the first
+// 100,000 samples are used.
 std::optional<TwoModes> fit_two_modes(const Record& record,
                                       const std::vector<std::array<ModeStart, 2>>& starts) {
-  if (record.t.size() < 32) return std::nullopt;
   Record part = record;
   part.t = record.t.first(std::min(record.t.size(), most_samples));
   part.y = record.y.first(part.t.size());
@@ -129,8 +133,6 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
   if (!best) return std::nullopt;
   return described(part, *best);
 }
-
-namespace {
 
 // The two lines to begin with: the swing's own and the steady one.
 std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const LawFit& driven) {
@@ -162,6 +164,8 @@ bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
 }
 
 }  // namespace
+
+bool Mode::decays() const { return decay_rate.value > 3 * decay_rate.standard_error; }
 
 MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known) {

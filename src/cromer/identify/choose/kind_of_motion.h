@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/residual.h"
@@ -36,17 +35,6 @@ struct TwoModes {
 
   static constexpr int parameters = 9;
 };
-
-/// Where the iteration begins.
-struct ModeStart {
-  double angular_frequency = 0;  // [rad/s] > 0
-  double decay_rate = 0;         // [1/s]
-};
-
-/// The best of the least-squares fits from each of the starts. Empty where none converges, or where the
-/// record has fewer than 32 samples. Only the first 100,000 samples are used.
-std::optional<TwoModes> fit_two_modes(const Record& record,
-                                      const std::vector<std::array<ModeStart, 2>>& starts);
 
 enum class MotionKind {
   free,                ///< the free law accounts for it as well as anything else, harmonics aside
