@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/base/add_once.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/quantile.h"
@@ -175,8 +176,7 @@ void say_contradictions(const Set& set, const LabviewSegment& segment, Times tim
                         std::vector<Notice>& notices) {
   const auto say = [&](Notice notice) {
     constexpr std::size_t enough = 10;
-    const bool said = std::find(notices.begin(), notices.end(), notice) != notices.end();
-    if (!said && notices.size() < enough) notices.push_back(std::move(notice));
+    if (notices.size() < enough) add_once(notices, std::move(notice));
   };
   const double promised = number_of(segment["Samples"], 0);
   if (std::isfinite(promised) && promised != static_cast<double>(set.lines.size()))

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cromer/base/add_once.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/state.h"
@@ -405,9 +406,7 @@ Result<CompareResult> compare_driven(const Recording& recording, const FittedRec
   Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
   if (!result) return result;
   result->doubts.insert(result->doubts.begin(), driven.notices.back());
-  for (const Notice& notice : driven.notices)
-    if (std::find(result->notices.begin(), result->notices.end(), notice) == result->notices.end())
-      result->notices.push_back(notice);
+  for (const Notice& notice : driven.notices) add_once(result->notices, notice);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/base/add_once.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/without_file.h"
 #include "cromer/read/columns.h"
@@ -71,10 +72,7 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
   Inspection inspection;
   inspection.recording = std::move(recording);
   inspection.notices = inspection.recording.notices;
-  const auto say = [&](const Notice& notice) {
-    auto& said = inspection.notices;
-    if (std::find(said.begin(), said.end(), notice) == said.end()) said.push_back(notice);
-  };
+  const auto say = [&](const Notice& notice) { add_once(inspection.notices, notice); };
   const auto times = dialects::time_columns_of(inspection.recording.table);
   for (std::size_t j = 0; j < times.size(); ++j)
     inspection.columns.push_back(look_at(inspection.recording, j, times[j]));

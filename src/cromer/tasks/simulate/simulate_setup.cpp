@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cromer/analysis/energy.h"
+#include "cromer/base/add_once.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
@@ -330,39 +331,36 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
 
 std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs) {
   std::vector<Notice> notices;
-  const auto add_once = [&](Notice notice) {
-    if (std::find(notices.begin(), notices.end(), notice) == notices.end())
-      notices.push_back(std::move(notice));
-  };
   if (options.drive_record)
-    for (const Notice& notice : options.drive_record->notices) add_once(notice);
+    for (const Notice& notice : options.drive_record->notices) add_once(notices, notice);
   if (!options.drive_frequency.empty() && drive_name(options) == "none")
-    add_once(Notice{"drive_frequency_alone"});
+    add_once(notices, Notice{"drive_frequency_alone"});
   for_each_term([&]<class T>() {
     if (options.law.*T::template members<double>[0] != 0) return;
     const std::string_view needed = T::coefficients[0].option;
     for (std::size_t i = 1; i < coefficients_of<T>; ++i)
       if (options.law.*T::template members<double>[i] != 0)
-        add_once(Notice{"no_effect_without", {{"option", T::coefficients[i].option}, {"needed", needed}}});
+        add_once(notices,
+                 Notice{"no_effect_without", {{"option", T::coefficients[i].option}, {"needed", needed}}});
     if (HasInnerState<T> && options.law.hysteresis_exponent != 1)
-      add_once(Notice{"no_effect_without", {{"option", "hysteresis-exponent"}, {"needed", needed}}});
+      add_once(notices, Notice{"no_effect_without", {{"option", "hysteresis-exponent"}, {"needed", needed}}});
   });
   for (const auto& run : runs) {
     const auto no_effect = [&](std::string_view option) {
-      add_once(Notice{"no_effect_on_method", {{"option", option}, {"method", run.method}}});
+      add_once(notices, Notice{"no_effect_on_method", {{"option", option}, {"method", run.method}}});
     };
     if (options.tolerance && !uses_tolerance(run.method)) no_effect("tolerance");
     if ((options.beta || options.gamma) && run.method != Newmark::info.name)
       no_effect(options.beta ? "beta" : "gamma");
     if (options.rho_inf && run.method != GeneralizedAlpha::info.name) no_effect("rho-inf");
-    if (auto notice = step_notice(run); !notice.empty()) add_once(std::move(notice));
+    if (auto notice = step_notice(run); !notice.empty()) add_once(notices, std::move(notice));
     if (const double begin = drive_begin(run); begin >= run.until)
-      add_once(Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
+      add_once(notices, Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
     const Steps steps = count_steps({0, run.until}, run.step);
     // If one of them is a default, so is the remainder.
     if (steps.last > 0 && options.step && options.until)
-      add_once(
-          Notice{"last_step_is_shorter", {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
+      add_once(notices, Notice{"last_step_is_shorter",
+                               {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
   }
   return notices;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cromer/base/add_once.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"
@@ -34,10 +35,6 @@ Result<std::size_t> choice(std::string_view option, const std::string& typed,
                 {"typed", typed},
                 {"words", std::vector<std::string>(words.begin(), words.end())},
                 {"near", near.empty() ? Notice{} : Notice{"perhaps_choice", {{"near", near}}}}}};
-}
-
-void add_once(std::vector<Notice>& notices, const Notice& notice) {
-  if (std::find(notices.begin(), notices.end(), notice) == notices.end()) notices.push_back(notice);
 }
 
 /// Whether a notice is about a column whose unit is not known.
