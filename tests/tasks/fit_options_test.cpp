@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cromer/base/interrupt.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/model/law_force.h"
 #include "cromer/read/in_file.h"
@@ -11,7 +12,6 @@
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "cromer/tasks/option/part_of_work.h"
 
 namespace cromer::core {
 namespace {

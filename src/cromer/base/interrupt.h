@@ -26,4 +26,13 @@ struct Watch {
   }
 };
 
+/// The Watch of the part of the work from share `from` to share `to`, 0 <= from <= to <= 1. `whole` must
+/// outlive it.
+inline Watch part_of(const Watch& whole, double from, double to) {
+  Watch part{whole.interrupt, {}};
+  if (whole.progress)
+    part.progress = [&whole, from, to](double fraction) { whole.progress(from + (to - from) * fraction); };
+  return part;
+}
+
 }  // namespace cromer::core

@@ -23,7 +23,6 @@
 #include "cromer/result.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "cromer/tasks/option/part_of_work.h"
 #include "cromer/tasks/simulate/run_law.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 #include "cromer/trajectory.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cromer/analysis/air.h"
+#include "cromer/base/interrupt.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/without_file.h"
@@ -19,7 +20,6 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "cromer/tasks/option/part_of_work.h"
 
 namespace cromer::core {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "cromer/analysis/energy.h"
+#include "cromer/base/interrupt.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
-#include "cromer/tasks/option/part_of_work.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/run_law.h"
