@@ -164,7 +164,7 @@ TEST(EffectiveOscillator, TheMotionIsThatOfTheEffectiveOne) {
   const LinearLaw<double> law = linear(9, 0.05);
   const DrivenOscillator<double, Terms{.law = linear_terms}> system({1, 81, 0.9, 0, 0, 0}, {});
   for_each_method({}, [&](const auto& method) {
-    if (method.info.error_order > 0) return;
+    if (method.info.is_adaptive()) return;
     const auto found = effective_oscillator(method, law, h);
     ASSERT_TRUE(found.decay_rate) << method.info.name;
     // Far enough for roots that are not the motion's to have died.
@@ -215,7 +215,7 @@ TEST(EffectiveOscillator, StepsJustBelowTheLimitAreStableAndJustAboveAreNot) {
   for (const double zeta : {0.0, 0.01, 0.05, 0.7, 1.0, 3.0}) {
     const LinearLaw<double> law = linear(6, zeta);
     for_each_method({}, [&](const auto& method) {
-      if (method.info.error_order > 0) return;
+      if (method.info.is_adaptive()) return;
       const auto most = stability_limit(method, law);
       if (!most || *most == 0) return;
       EXPECT_TRUE(effective_oscillator(method, law, *most * (1 - 1e-3)).stable()) << method.info.name << zeta;
@@ -233,7 +233,7 @@ TEST(EffectiveOscillator, ADrivenRunSettlesWhereItSays) {
   const DrivenOscillator<double, Terms{.drive = true, .law = linear_terms}> system({1, 36, 1.2, 0, 0, 0},
                                                                                    {1.5, W, 0});
   for_each_method({}, [&](const auto& method) {
-    if (method.info.error_order > 0) return;
+    if (method.info.is_adaptive()) return;
     const auto found = effective_oscillator(method, law, h);
     if (!found.stable()) return;
     ASSERT_TRUE(found.steady_state) << method.info.name;

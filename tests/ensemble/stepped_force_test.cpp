@@ -53,8 +53,7 @@ TEST(SteppedForce, IsTheCosineAtTheNodes) {
 
 TEST(RotatedForce, EveryMethodOfFixedStepsHasOneOrDivisions) {
   for_each_method({}, []<class M>(const M&) {
-    const bool fixed_steps = M::info.order > 0 && M::info.error_order == 0;
-    EXPECT_EQ(fixed_steps, (M::info.divisions > 0) != AsksAtFractions<M>) << M::info.name;
+    EXPECT_EQ(M::info.takes_fixed_steps(), (M::info.divisions > 0) != AsksAtFractions<M>) << M::info.name;
   });
 }
 

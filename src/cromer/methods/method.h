@@ -27,6 +27,13 @@ struct MethodInfo {
   int divisions;                  ///< a step asks for accelerations at t + i h/divisions only; 0: elsewhere
   std::string_view source;        ///< who published it
 
+  /// A closed form of the motion.
+  constexpr bool is_exact() const { return order == 0; }
+  /// Chooses its steps by its error estimate.
+  constexpr bool is_adaptive() const { return error_order > 0; }
+  /// Has a formula for one step of a given length.
+  constexpr bool takes_fixed_steps() const { return !is_exact() && !is_adaptive(); }
+
   /// Of the acceleration, for so many steps with so many Newton iterations in all.
   constexpr long long evaluations_of(long long steps, long long newton_iterations) const {
     return steps * evaluations + newton_iterations * iteration_evaluations;
@@ -77,7 +84,7 @@ concept AsksAtFractions = requires(const M& method) {
 /// Memory is a value. To try a step, give `step` a copy: the copy of an accepted step is the new memory, that
 /// of a rejected one is thrown away. Once the loop inlines them the copies cost nothing.
 template <class M, class S, class Real>
-concept AdaptiveMethod = Method<M, S, Real> &&(M::info.error_order > 0) &&
+concept AdaptiveMethod = Method<M, S, Real> && M::info.is_adaptive() &&
                          requires(const M& method, const typename M::template Memory<Real>& memory,
                                   double theta) {
   { method.dense_output(memory)(theta) } -> std::convertible_to<State<Real>>;

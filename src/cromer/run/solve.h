@@ -53,14 +53,10 @@ concept SystemWithBreaks = requires(const S& system, double t) {
   { system.within(t) } -> std::same_as<S>;
 };
 
-/// M is a closed form, which knows the breaks.
-template <class M>
-constexpr bool is_exact = M::info.order == 0;
-
-/// Whether a run by M in steps of this length meets breaks inside its steps.
+/// Whether a run by M in steps of this length meets breaks inside its steps. A closed form knows them.
 template <class M, class S>
 bool has_breaks_within_steps(const S& system, Interval interval, double step) {
-  if constexpr (SystemWithBreaks<S> && !is_exact<M>)
+  if constexpr (SystemWithBreaks<S> && !M::info.is_exact())
     return !(interval.from == 0 && system.is_smooth_in_steps(step)) &&
            system.next_break(interval.from - step) < interval.until;
   return false;
@@ -116,7 +112,7 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
           StepperOf stepper(smooth, method, course.t, course.y);
           take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
         };
-        if constexpr (is_exact<M>)
+        if constexpr (M::info.is_exact())
           run(system, std::numeric_limits<double>::infinity());
         else
           for_each_stretch(system, rows, course, run);

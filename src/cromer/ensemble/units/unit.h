@@ -282,7 +282,7 @@ template <class Real, std::size_t place>
 bool advance_by(cromer_group::Group& group, const cromer_group::Order& order,
                 const MethodSettings& settings) {
   using M = std::tuple_element_t<place, AllMethods>;
-  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+  if constexpr (M::info.takes_fixed_steps()) {
     const M method = make_method<M>(settings);
     order.weights ? advance_with_terms<Real, M, true>(group, method, order)
                   : advance_with_terms<Real, M, false>(group, method, order);

@@ -60,7 +60,7 @@ Result<WorkPrecisionResult> work_precision(const WorkPrecisionOptions& options, 
   WorkPrecisionResult result;
   for (std::size_t m = 0; m < runs->size(); ++m) {
     const SimulatedRun& run = (*runs)[m];
-    const bool adaptive = find_method(run.method)->error_order > 0;
+    const bool adaptive = find_method(run.method)->is_adaptive();
     WorkPrecisionCurve curve;
     curve.method = run.method;
     for (long long i = 0; i <= options.halvings; ++i) {

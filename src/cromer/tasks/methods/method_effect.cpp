@@ -51,7 +51,7 @@ Notice without_swing(const MethodEffect& effect, bool law_swings) {
 
 std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
                                           const LinearLaw<double>& law, double h, bool with_limit) {
-  if (find_method(method)->error_order > 0) return std::nullopt;
+  if (find_method(method)->is_adaptive()) return std::nullopt;
   return effect_at_step(method, settings, law, h, with_limit);
 }
 

@@ -23,9 +23,9 @@ Result<void> check_options(MethodsOptions options) {
 }
 
 std::string order_text(const MethodInfo& info) {
-  if (info.order == 0) return "exact";
-  return info.error_order == 0 ? fmt::format("{}", info.order)
-                               : fmt::format("{}({})", info.order, info.error_order);
+  if (info.is_exact()) return "exact";
+  return info.is_adaptive() ? fmt::format("{}({})", info.order, info.error_order)
+                            : fmt::format("{}", info.order);
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options) {
   std::vector<MethodRow> rows;
   for (const MethodInfo& info : method_infos)
     rows.push_back({.name = info.name,
-                    .order = info.order > 0 ? std::optional<int>(info.order) : std::nullopt,
+                    .order = info.is_exact() ? std::nullopt : std::optional<int>(info.order),
                     .order_text = order_text(info),
                     .implicit = info.implicit,
                     .symplectic = info.symplectic,
-                    .adaptive = info.error_order > 0,
+                    .adaptive = info.is_adaptive(),
                     .reversible = info.reversible,
                     .a_stable = info.a_stable,
                     .source = info.source});

@@ -180,7 +180,7 @@ Result<std::optional<Accuracy>> find_step(const SimulateOptions& options, const 
                                           const Watch& watch) {
   if (run.method == "exact") return std::optional<Accuracy>{};
   const double asked = *options.accuracy;
-  if (find_method(run.method)->error_order > 0)
+  if (find_method(run.method)->is_adaptive())
     return Error{"accuracy_of_adaptive_method", {{"method", run.method}}};
   const auto law = oscillating_law(run);
   // run.step is the default here: 1/200 of the shorter period.

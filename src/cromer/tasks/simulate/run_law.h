@@ -28,13 +28,8 @@ struct LawRun {
   StepControl control;
   EventLog* events = nullptr;  ///< what to watch for and what was found, without hysteresis; nullptr: none
   bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
-                               ///< takes_compensated_sums
+                               ///< takes_fixed_steps
 };
-
-/// Whether the method adds increments to a state in steps of fixed length.
-constexpr bool takes_compensated_sums(const MethodInfo& info) {
-  return info.error_order == 0 && info.order > 0;
-}
 
 /// Runs it as solve does. Every law is compiled with every method here, once for all tasks, in a unit for
 /// each kind of drive: a task that called solve by itself would compile them again.

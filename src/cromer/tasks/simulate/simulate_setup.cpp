@@ -22,8 +22,6 @@
 namespace cromer::core {
 namespace {
 
-bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
-
 Result<void> check_ranges(SimulateOptions options) {
   for (const auto& option : options_of(options))
     if (auto good = check(option); !good) return good;
@@ -119,8 +117,10 @@ Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run)
 /// Compensated sums are for states that grow by increments, in steps that nothing cuts short.
 Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run) {
   if (!o.compensated) return {};
-  if (!takes_compensated_sums(*find_method(run.method)))
-    return Error{is_adaptive(run.method) ? "compensated_of_adaptive_method" : "compensated_of_exact_method",
+  const MethodInfo& method = *find_method(run.method);
+  if (!method.takes_fixed_steps())
+    return Error{method.is_adaptive() ? "compensated_of_adaptive_method"
+                                                        : "compensated_of_exact_method",
                  {{"method", run.method}}};
   if (law_of(run.oscillator).has<Friction>())
     return Error{"compensated_with_friction",
@@ -149,7 +149,7 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
 /// Methods that choose their steps, or solve an equation in every step (or only if the force depends on the
 /// velocity).
 bool uses_tolerance(std::string_view name) {
-  return is_adaptive(name) || visit_method(name, {}, [](const auto& method) {
+  return find_method(name)->is_adaptive() || visit_method(name, {}, [](const auto& method) {
            return requires { method.newton; };
          });
 }
@@ -211,8 +211,8 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
 
 MethodSettings settings_of(const SimulateOptions& o, std::string_view method) {
   MethodSettings settings;
-  settings.newton.tolerance =
-      o.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance : NewtonOptions{}.tolerance);
+  settings.newton.tolerance = o.tolerance.value_or(
+      find_method(method)->is_adaptive() ? StepControl::default_tolerance : NewtonOptions{}.tolerance);
   settings.beta = o.beta.value_or(settings.beta);
   settings.gamma = o.gamma.value_or(settings.gamma);
   settings.rho_inf = o.rho_inf.value_or(settings.rho_inf);

@@ -136,11 +136,10 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
                                           [](const Measure* m) { return m->in_closed_form; });
   // Without a spring only stepping tells about which place the mass comes to swing.
   const bool held = has_term(work, o.stiffness.value_or(1), {"stiffness"});
-  const bool fixed_steps = info.order > 0 && info.error_order == 0;
   if (linear && held && !to_end && !options.settle && in_closed_form &&
-      work.direction == SweepDirection::none && info.error_order == 0)
+      work.direction == SweepDirection::none && !info.is_adaptive())
     work.way = SweepWay::closed_form;
-  else if (rubs || !fixed_steps)
+  else if (rubs || !info.takes_fixed_steps())
     work.way = SweepWay::one_by_one;
   else
     work.way = to_end ? SweepWay::to_end : SweepWay::settled;
@@ -189,13 +188,13 @@ Notice nothing_to_check(const SweepOptions& options, const SweepWork& work) {
   const auto none = [](const Notice& why) { return Notice{"nothing_to_check", {{"why", why}}}; };
   const MethodInfo& info = *find_method(work.method);
   if (work.way == SweepWay::closed_form)
-    return info.order > 0 ? Notice{} : Notice{"nothing_to_check_by", {{"method", work.method}}};
+    return info.is_exact() ? Notice{"nothing_to_check_by", {{"method", work.method}}} : Notice{};
   if (work.direction != SweepDirection::none) return none(Notice{"each_goes_on"});
   if (options.settle) return none(Notice{"settle_asks_for_steps"});
   if (work.runs_to_end()) return none(Notice{"stepped_to_an_end"});
   for (const Measure* measure : work.measures)
     if (!measure->in_closed_form) return none(Notice{"measure_by_steps", {{"measure", measure->name}}});
-  if (info.error_order > 0) return none(Notice{"chooses_its_steps", {{"method", work.method}}});
+  if (info.is_adaptive()) return none(Notice{"chooses_its_steps", {{"method", work.method}}});
   return none(Notice{"law_not_linear"});
 }
 
@@ -215,8 +214,8 @@ bool is_swept(const SweepWork& work, std::string_view option) {
 
 Notice step_notice(const SweepWork& work) {
   const MethodInfo& info = *find_method(work.method);
-  const bool takes_none = info.order == 0 && work.way == SweepWay::closed_form;
-  if (takes_none || info.error_order > 0 || is_swept(work, "step")) return {};
+  const bool takes_none = info.is_exact() && work.way == SweepWay::closed_form;
+  if (takes_none || info.is_adaptive() || is_swept(work, "step")) return {};
   if (work.base.step) return Notice{"steps_of", {{"step", *work.base.step}}};
   return work.driven ? Notice{"steps_in_the_shorter_period", {{"steps", default_steps_per_period}}}
                      : Notice{"steps_in_a_natural_period", {{"steps", default_steps_per_period}}};

@@ -29,7 +29,7 @@ LinearLaw<double> linear_law(const Point& point) { return linear_law(point.oscil
 /// exact, or chooses its steps, has the law's own motion.
 template <class M>
 bool grows(const M& method, const Point& point) {
-  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+  if constexpr (M::info.takes_fixed_steps()) {
     LinearLaw<double> law = linear_law(point);
     law.drive_amplitude = 0;
     const EffectiveOscillator effective = effective_oscillator(method, law, point.step);
@@ -90,7 +90,7 @@ PointResult in_closed_form(const M& method, const SweepPoint& at) {
   if (at.loss_factor > 0) {
     const SteadyState answer = hysteretic_response(o, at.loss_factor, point.drive.amplitude, w);
     steady = MethodSteadyState{answer, answer.amplitude * w};
-  } else if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+  } else if constexpr (M::info.takes_fixed_steps()) {
     steady = method_steady_state(method, linear_law(point), point.step);
   } else if (o.damping > 0 && o.stiffness > 0) {
     const SteadyState answer = frequency_response(o, point.drive.amplitude, w);
@@ -347,7 +347,7 @@ std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings
   LinearLaw<double> law = linear_law(point);
   law.drive_amplitude = 0;
   return visit_method(work.method, settings, [&]<class M>(const M& method) -> std::optional<double> {
-    if constexpr (M::info.order > 0 && M::info.error_order == 0)
+    if constexpr (M::info.takes_fixed_steps())
       return effective_oscillator(method, law, point.step).decay_rate;
     else
       return 0.0;

@@ -27,7 +27,7 @@ Outcome run_terms(const LawRun& run, AnyForce force, KeepEvery& keep, const Watc
   const State<Compensated> start{run.start.x, run.start.v};
   return visit_method(run.method, run.settings, [&]<class M>(const M& method) {
     Outcome outcome;
-    if constexpr (takes_compensated_sums(M::info))
+    if constexpr (M::info.takes_fixed_steps())
       outcome = solve(system, method, run.interval, start, run.control, Rounded{keep}, watch);
     else
       assert(false && "the method does not add up increments");
