@@ -77,8 +77,9 @@ struct Kernel {
       : walk{.force = force.data(), .samples = force.size()} {
     blocks.resize(walk.blocks());
     for (std::size_t i = 0; i < cromer_walk::lanes; ++i) {
-      const auto filter = response_filter(
-          interval_map(all[i * (periods / cromer_walk::lanes)], spacing, false), Watched<double>{1, 0});
+      const auto filter =
+          response_filter(interval_map(all[i * (periods / cromer_walk::lanes)], spacing, false),
+                          ResponseQuantity<double>{1, 0});
       filters.decay.of[i] = filter.decay;
       filters.kappa.of[i] = filter.kappa;
       filters.e0.of[i] = filter.e0;

@@ -52,16 +52,16 @@ TEST(IntervalPeak, InsideAreTheExtremesOfTheMotion) {
     for (const double wh : {0.2, 1.0, 2.5, pi})
       for (int i = 0; i < 12; ++i) {
         const double w = std::sqrt(law.stiffness), h = wh / w;
-        const Watched<double> watched{normal(random), i % 3 == 0 ? 0 : normal(random) / w};
+        const ResponseQuantity<double> quantity{normal(random), i % 3 == 0 ? 0 : normal(random) / w};
         const IntervalMotion motion(law, {normal(random), w * normal(random)}, law.stiffness * normal(random),
                                     i % 4 == 0 ? 0 : law.stiffness * normal(random) / h);
         const auto at = [&](double t) { return propagate_ramp(law, motion.f, motion.slope, t, motion.y); };
-        const auto q = [&](double t) { return watched.x * at(t).x + watched.v * at(t).v; };
+        const auto q = [&](double t) { return quantity.x * at(t).x + quantity.v * at(t).v; };
         const Extremes truth = looked_at(q, h);
         // A turn at the very end may be on either side of it.
         if (std::isfinite(truth.high) && std::abs(truth.high - q(h)) < 1e-6) continue;
         Extremes found{infinite, -infinite};
-        include_inside(law, watched, motion, at(h), h, found);
+        include_inside(law, quantity, motion, at(h), h, found);
         const double size = std::abs(q(0)) + std::abs(q(h)) + 1;
         SCOPED_TRACE(testing::Message() << law.decay_rate << ' ' << wh << ' ' << i);
         // Values on the way to a turn are the motion's too: none is beyond it.
@@ -114,15 +114,15 @@ TEST(IntervalPeak, AFreeMotionHasItsFirstTwoTurnsAndItsEnd) {
       State<double> y{normal(random), w * normal(random)};
       if (i % 8 == 0) y.v = 0;
       if (i % 8 == 1) y.x = 0;
-      const Watched<double> watched{normal(random), i % 3 == 0 ? 0 : normal(random) / w};
+      const ResponseQuantity<double> quantity{normal(random), i % 3 == 0 ? 0 : normal(random) / w};
       const auto q = [&](double t) {
         const State<double> at = propagate_ramp(law, 0.0, 0.0, t, y);
-        return watched.x * at.x + watched.v * at.v;
+        return quantity.x * at.x + quantity.v * at.v;
       };
       Extremes truth = looked_at(q, 8 * pi / w), found{infinite, -infinite};
       truth.include(0);
       truth.include(q(0));
-      include_free(law, watched, y, found);
+      include_free(law, quantity, y, found);
       const double size = std::abs(q(0)) + 1;
       EXPECT_NEAR(found.low, truth.low, 1e-7 * size) << law.decay_rate << ' ' << i;
       EXPECT_NEAR(found.high, truth.high, 1e-7 * size) << law.decay_rate << ' ' << i;

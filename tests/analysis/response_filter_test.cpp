@@ -51,9 +51,9 @@ TEST(ResponseFilter, WalksAsTheMapDoes) {
       for (const bool hold : {false, true}) {
         const LinearLaw<double> law = law_of(wh, damping_ratio, h);
         const IntervalMap<double> map = interval_map(law, h, hold);
-        for (const Watched<double> watched :
-             {Watched<double>{1, 0}, Watched<double>{law.stiffness, 2 * law.decay_rate}}) {
-          const ResponseFilter<double> filter = response_filter(map, watched);
+        for (const ResponseQuantity<double> quantity :
+             {ResponseQuantity<double>{1, 0}, ResponseQuantity<double>{law.stiffness, 2 * law.decay_rate}}) {
+          const ResponseFilter<double> filter = response_filter(map, quantity);
           const FilterToMotion<double> to_motion = filter_to_motion(map);
           FilterState<double> state = at_rest(map, force[0]);
           State<double> y{0, 0};
@@ -62,11 +62,11 @@ TEST(ResponseFilter, WalksAsTheMapDoes) {
             y = map(y, force[n - 1], force[n]);
             const State<double> arrived = to_motion.next(state, map, force[n]);
             const double q = filter.gain * filter.step(state, force[n]);
-            const double expected = watched.x * y.x + watched.v * y.v;
+            const double expected = quantity.x * y.x + quantity.v * y.v;
             most = std::max(most, std::abs(expected));
             off = std::max(off, std::abs(q - expected));
             off_motion =
-                std::max(off_motion, std::hypot(arrived.x - y.x, (arrived.v - y.v) * h / wh) * watched.x);
+                std::max(off_motion, std::hypot(arrived.x - y.x, (arrived.v - y.v) * h / wh) * quantity.x);
           }
           EXPECT_LT(off, 2e-12 * most) << wh << " " << damping_ratio << " " << hold;
           EXPECT_LT(off_motion, 2e-12 * most) << wh << " " << damping_ratio << " " << hold;

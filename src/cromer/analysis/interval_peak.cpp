@@ -11,9 +11,10 @@ struct Derivatives {
   double q, slope, bend, twist;
 };
 
-struct WatchedQuantity {
+/// The quantity of a motion inside an interval.
+struct ResponseInside {
   const LinearLaw<double>& law;
-  const Watched<double>& watched;
+  const ResponseQuantity<double>& quantity;
   const IntervalMotion& motion;
 
   Derivatives at(double t) const {
@@ -23,8 +24,8 @@ struct WatchedQuantity {
   }
   Derivatives of(const IntervalMotion& m) const {
     const double snap = -2 * law.decay_rate * m.jerk - law.stiffness * m.acceleration;
-    return {watched.x * m.y.x + watched.v * m.y.v, watched.x * m.y.v + watched.v * m.acceleration,
-            watched.x * m.acceleration + watched.v * m.jerk, watched.x * m.jerk + watched.v * snap};
+    return {quantity.x * m.y.x + quantity.v * m.y.v, quantity.x * m.y.v + quantity.v * m.acceleration,
+            quantity.x * m.acceleration + quantity.v * m.jerk, quantity.x * m.jerk + quantity.v * snap};
   }
 };
 
@@ -47,11 +48,11 @@ double root_between(double a, double fa, double b, double fb, double to_within, 
 }
 
 /// The extreme on a stretch where q' is monotone.
-void include_turn(const WatchedQuantity& quantity, double a, const Derivatives& at_a, double b,
+void include_turn(const ResponseInside& response, double a, const Derivatives& at_a, double b,
                   const Derivatives& at_b, double to_within, Extremes& range) {
   if (!((at_a.slope < 0 && at_b.slope > 0) || (at_a.slope > 0 && at_b.slope < 0))) return;
   root_between(a, at_a.slope, b, at_b.slope, to_within, [&](double u) {
-    const Derivatives here = quantity.at(u);
+    const Derivatives here = response.at(u);
     range.include(here.q);
     return std::pair{here.slope, here.bend};
   });
@@ -59,30 +60,30 @@ void include_turn(const WatchedQuantity& quantity, double a, const Derivatives& 
 
 }  // namespace
 
-void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
+void include_inside(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity,
                     const IntervalMotion& motion, const State<double>& y_end, double h, Extremes& range) {
-  const WatchedQuantity quantity{law, watched, motion};
-  const Derivatives begin = quantity.of(motion);
-  const Derivatives end = quantity.of(IntervalMotion(law, y_end, motion.f + motion.slope * h, motion.slope));
+  const ResponseInside response{law, quantity, motion};
+  const Derivatives begin = response.of(motion);
+  const Derivatives end = response.of(IntervalMotion(law, y_end, motion.f + motion.slope * h, motion.slope));
   const double to_within = 1e-7 * h;  // q is flat where it turns: good to 1e-14
   if ((begin.bend < 0) == (end.bend < 0)) {
-    include_turn(quantity, 0, begin, h, end, to_within, range);
+    include_turn(response, 0, begin, h, end, to_within, range);
     return;
   }
   // q'' swings freely and vanishes at most once in half a period: q' turns there.
   const double bend = root_between(0, begin.bend, h, end.bend, to_within, [&](double u) {
-    const Derivatives here = quantity.at(u);
+    const Derivatives here = response.at(u);
     return std::pair{here.bend, here.twist};
   });
-  const Derivatives middle = quantity.at(bend);
-  include_turn(quantity, 0, begin, bend, middle, to_within, range);
-  include_turn(quantity, bend, middle, h, end, to_within, range);
+  const Derivatives middle = response.at(bend);
+  include_turn(response, 0, begin, bend, middle, to_within, range);
+  include_turn(response, bend, middle, h, end, to_within, range);
 }
 
-void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
-                  Extremes& range) {
-  const WatchedQuantity quantity{law, watched, IntervalMotion(law, y, 0, 0)};
-  const Derivatives begin = quantity.of(quantity.motion);
+void include_free(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity,
+                  const State<double>& y, Extremes& range) {
+  const ResponseInside response{law, quantity, IntervalMotion(law, y, 0, 0)};
+  const Derivatives begin = response.of(response.motion);
   range.include(begin.q);
   range.include(0);
   // q' moves as the law does, from q'(0) with the slope q''(0): it vanishes where
@@ -94,15 +95,15 @@ void include_free(const LinearLaw<double>& law, const Watched<double>& watched, 
   if (discriminant > 0) {
     double angle = std::atan2(w * across, along);
     if (angle < 0) angle += std::numbers::pi;
-    range.include(quantity.at(angle / w).q);
-    range.include(quantity.at((angle + std::numbers::pi) / w).q);
+    range.include(response.at(angle / w).q);
+    range.include(response.at((angle + std::numbers::pi) / w).q);
     return;
   }
   const double ratio = across / along;
   if (discriminant == 0) {
-    if (ratio > 0 && std::isfinite(ratio)) range.include(quantity.at(ratio).q);
+    if (ratio > 0 && std::isfinite(ratio)) range.include(response.at(ratio).q);
   } else if (w * ratio > 0 && w * ratio < 1) {
-    range.include(quantity.at(std::atanh(w * ratio) / w).q);
+    range.include(response.at(std::atanh(w * ratio) / w).q);
   }
 }
 

@@ -60,9 +60,9 @@ IntervalMap<Real> interval_map(const LinearLaw<Real>& law, const Real& h, bool h
 // seven operations with the range of q. Directly, 1 - tr(A)/z + det(A)/z^2 would lose its digits as (w h)^-2;
 // here kappa is a sum of positive terms, u carries the motion and d its increments, and none are lost.
 
-/// The quantity that is watched: x + v weighted.
+/// A quantity that is read off the state: position and velocity, weighted.
 template <class Real>
-struct Watched {
+struct ResponseQuantity {
   Real x;  ///< weight of the position
   Real v;  ///< weight of the velocity
 };
@@ -121,14 +121,14 @@ FilterState<Real> at_rest(const IntervalMap<Real>& m, const Real& f) {
           (motion.of_u.x * v - x * motion.of_u.v) / determinant};
 }
 
-/// `watched.x` not 0.
+/// `quantity.x` not 0.
 template <class Real>
-ResponseFilter<Real> response_filter(const IntervalMap<Real>& m, const Watched<Real>& watched) {
+ResponseFilter<Real> response_filter(const IntervalMap<Real>& m, const ResponseQuantity<Real>& quantity) {
   const Real kappa = m.x_lost * m.v_lost - m.xv * m.vx;
-  const Real gain = watched.x * kappa / m.stiffness;
-  const Real n0 = watched.x * m.to.x + watched.v * m.to.v;
+  const Real gain = quantity.x * kappa / m.stiffness;
+  const Real n0 = quantity.x * m.to.x + quantity.v * m.to.v;
   const Real n2 =
-      (watched.v * m.vx - watched.x * m.vv) * m.from.x + (watched.x * m.xv - watched.v * m.xx) * m.from.v;
+      (quantity.v * m.vx - quantity.x * m.vv) * m.from.x + (quantity.x * m.xv - quantity.v * m.xx) * m.from.v;
   return {m.xx * m.vv - m.xv * m.vx, kappa, n0 / gain, -n2 / gain, gain};
 }
 

@@ -18,7 +18,7 @@ namespace {
 /// One oscillator of a walk.
 struct WalkedLaw {
   LinearLaw<double> law;
-  Watched<double> watched;
+  ResponseQuantity<double> quantity;
   IntervalMap<double> map;
   ResponseFilter<double> filter;
   double step;  // [s]
@@ -89,8 +89,8 @@ class BlockSteps {
   std::size_t interval_, part_ = 0;
 };
 
-double value(const Watched<double>& watched, const State<double>& y) {
-  return watched.x * y.x + watched.v * y.v;
+double value(const ResponseQuantity<double>& quantity, const State<double>& y) {
+  return quantity.x * y.x + quantity.v * y.v;
 }
 
 /// A bound on how far |q| may exceed both its end values in any interval, from bounds on |q| at its ends and
@@ -103,9 +103,9 @@ struct BlockBound {
     // |q| exceeds its bound by no more than that, and |q'| the mean slope by no more than h |q''|.
     const double h = w.step, bow = h * h / 8;
     const double left = 1 - w.law.stiffness * bow - 2 * w.law.decay_rate * h;
-    if (w.watched.v == 0 && left > 0.5) {
+    if (w.quantity.v == 0 && left > 0.5) {
       of_q = bow * (w.law.stiffness + 4 * w.law.decay_rate / h) / left;
-      of_force = bow * std::abs(w.watched.x) / left;
+      of_force = bow * std::abs(w.quantity.x) / left;
     } else {
       by_state(w, substeps, hold);
     }
@@ -115,7 +115,7 @@ struct BlockBound {
   /// overshoot_bound, the state at the beginning being a linear function of both.
   void by_state(const WalkedLaw& w, std::size_t substeps, bool hold) {
     const IntervalMap<double>& m = w.map;
-    const Watched<double>& o = w.watched;
+    const ResponseQuantity<double>& o = w.quantity;
     // q and the next q (without what the force does meanwhile) from x and v.
     const double nx = o.x * m.xx + o.v * m.vx, nv = o.x * m.xv + o.v * m.vv;
     const double determinant = o.x * nv - o.v * nx;
@@ -164,7 +164,7 @@ struct Refinement {
     const std::size_t last = (block + 1) * walk.block;
     const double at_most = slack(block);
     BlockSteps steps(walk, law, lane, block);
-    double before = value(law.watched, steps.state());
+    double before = value(law.quantity, steps.state());
     // To the first step of the next block: its own begin there.
     for (bool more = true; more && !steps.at_end();) {
       more = steps.interval() < last;
@@ -172,7 +172,7 @@ struct Refinement {
       const double force = steps.force();
       const std::size_t interval = steps.interval();
       steps.advance();
-      const double after = value(law.watched, steps.state());
+      const double after = value(law.quantity, steps.state());
       const double least = std::min(before, after), greatest = std::max(before, after);
       before = after;
       if (beats(least, greatest, at_most))
@@ -183,8 +183,8 @@ struct Refinement {
 
   void include_between(const IntervalMotion& motion, const State<double>& end, double least,
                        double greatest) {
-    if (!beats(least, greatest, overshoot_bound(law.law, law.watched, motion, law.step))) return;
-    include_inside(law.law, law.watched, motion, end, law.step, best);
+    if (!beats(least, greatest, overshoot_bound(law.law, law.quantity, motion, law.step))) return;
+    include_inside(law.law, law.quantity, motion, end, law.step, best);
     settle();
   }
 
@@ -262,10 +262,10 @@ State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, co
 
 double period_of(const LinearLaw<double>& law) { return 2 * std::numbers::pi / std::sqrt(law.stiffness); }
 
-Watched<double> watched_of(const LinearLaw<double>& law, ResponseOf quantity) {
+ResponseQuantity<double> quantity_of(const LinearLaw<double>& law, ResponseOf of) {
   // On the mirrored motion, driven by +a: the absolute acceleration is what spring and damper give it.
-  return quantity == ResponseOf::displacement ? Watched<double>{1, 0}
-                                              : Watched<double>{law.stiffness, 2 * law.decay_rate};
+  return of == ResponseOf::displacement ? ResponseQuantity<double>{1, 0}
+                                        : ResponseQuantity<double>{law.stiffness, 2 * law.decay_rate};
 }
 
 /// Blocks of about 32 steps, and not too many of them.
@@ -284,10 +284,10 @@ struct Group {
     filters = {};
     laws.clear();
   }
-  void add(const LinearLaw<double>& law, const Watched<double>& watched, double step, bool hold,
+  void add(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity, double step, bool hold,
            double force) {
     const IntervalMap<double> map = interval_map(law, step, hold);
-    const ResponseFilter<double> filter = response_filter(map, watched);
+    const ResponseFilter<double> filter = response_filter(map, quantity);
     const FilterState<double> start = at_rest(map, force);
     const std::size_t lane = laws.size();
     filters.decay.of[lane] = filter.decay;
@@ -296,7 +296,7 @@ struct Group {
     filters.e2.of[lane] = filter.e2;
     filters.u.of[lane] = start.u;
     filters.d.of[lane] = start.d;
-    laws.push_back({law, watched, map, filter, step});
+    laws.push_back({law, quantity, map, filter, step});
   }
   /// Lanes without a law rest: their filters are 0.
   void walk(const cromer_walk::Walk& walk, cromer_walk::Function function) {
@@ -315,13 +315,13 @@ ResponsePeaks peaks_of(const Group& group, std::size_t lane_of, const cromer_wal
                       {0, 0}};
   if (!search.after_the_end) return found;
   const State<double> last = last_state(walk, law, lane);
-  const double q = law.watched.x * last.x + law.watched.v * last.v;
+  const double q = law.quantity.x * last.x + law.quantity.v * last.v;
   found.after = {q, q};
   // The energy of a free motion only falls: it may be clear that it cannot swing as far again.
   const double farthest = std::hypot(last.x, last.v / std::sqrt(law.law.stiffness));
-  const bool no_farther = search.largest_alone && law.watched.v == 0 &&
-                          std::abs(law.watched.x) * farthest <= found.during.magnitude();
-  if (!no_farther) include_free(law.law, law.watched, last, found.after);
+  const bool no_farther = search.largest_alone && law.quantity.v == 0 &&
+                          std::abs(law.quantity.x) * farthest <= found.during.magnitude();
+  if (!no_farther) include_free(law.law, law.quantity, last, found.after);
   return found;
 }
 
@@ -364,7 +364,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
     group.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const LinearLaw<double>& law = laws[order[i]];
-      group.add(law, watched_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,
+      group.add(law, quantity_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,
                 samples.front());
     }
     group.walk(walk, walk_filters);

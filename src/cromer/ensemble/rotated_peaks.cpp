@@ -9,7 +9,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr Watched<double> displacement{1, 0};
+constexpr ResponseQuantity<double> displacement{1, 0};
 
 struct Direction {
   double cosine, sine;
