@@ -70,8 +70,8 @@ int show(const SweepResult& result, const OutputOptions& output, const std::stri
   if (result.interrupted)
     answer.failures.push_back(fmt::format("interrupted after {} of {} points{}", result.done,
                                           result.plan.rows.rows, into_file ? "; --resume goes on" : ""));
-  if (const std::vector<Notice> trouble = trouble_of(result); !trouble.empty())
-    answer.failures.push_back(in_words(Error{"points_in_trouble", {{"points", trouble}}}));
+  if (const std::vector<Notice> points = failure_notices(result); !points.empty())
+    answer.failures.push_back(in_words(Error{"points_in_trouble", {{"points", points}}}));
   return give(answer, output);
 }
 

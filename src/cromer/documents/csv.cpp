@@ -375,7 +375,7 @@ std::string sweep_csv(const SweepResult& result, const std::string& command) {
   for (std::size_t column = 0; column < width; ++column)
     columns.push_back({result.plan.rows.columns[column], std::span<const double>(cells[column])});
   std::vector<std::string> comments;
-  if (!command.empty()) comments = {command, "by " + how(result.plan), status_counts(result)};
+  if (!command.empty()) comments = {command, "by " + sweep_method_text(result.plan), status_counts(result)};
   std::string out;
   append_csv(out, columns, comments, true);
   return out;

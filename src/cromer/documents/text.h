@@ -40,7 +40,7 @@ std::string component_name(const SpectrumResult& result, std::size_t c);
 std::string sweep_text(const SweepResult& result);
 
 /// How the points are found: "euler-cromer, closed form, steps of 0.01 s".
-std::string how(const SweepPlan& plan);
+std::string sweep_method_text(const SweepPlan& plan);
 
 /// The holds, and the spring constant that they give.
 std::string static_text(const StaticStiffness& found);

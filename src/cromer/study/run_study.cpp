@@ -226,7 +226,7 @@ Result<TaskReport> run_sweep(const Work& work) {
   const auto result = sweep(options, work.watch);
   if (!result) return work.error(result.error());
   TaskReport report{result->plan.notices, {}};
-  for (const Notice& each : trouble_of(*result)) report.notices.push_back(each);
+  for (const Notice& each : failure_notices(*result)) report.notices.push_back(each);
   if (result->interrupted) return TaskReport{report.notices, Notice{"task_interrupted"}};
   if (result->counts.not_settled == result->plan.rows.rows)
     return TaskReport{report.notices, Notice{"no_point_settled"}};

@@ -59,15 +59,15 @@ std::string extremes(const SweepResult& result) {
 
 }  // namespace
 
-std::string how(const SweepPlan& plan) {
+std::string sweep_method_text(const SweepPlan& plan) {
   return fmt::format("{}, {}{}{}", plan.method, in_words(plan.way), plan.steps.empty() ? "" : ", ",
                      in_words(plan.steps));
 }
 
 std::string sweep_text(const SweepResult& result) {
   const SweepPlan& plan = result.plan;
-  std::string text =
-      fmt::format("{} point{} by {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s", how(plan));
+  std::string text = fmt::format("{} point{} by {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s",
+                                 sweep_method_text(plan));
   for (const SweptOption& option : plan.swept)
     text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
   if (result.interrupted) text += fmt::format("interrupted: {} of {} points\n", result.done, plan.rows.rows);

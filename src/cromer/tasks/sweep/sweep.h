@@ -116,7 +116,7 @@ std::string status_counts(const SweepResult& result);
 std::vector<Notice> notices_of(const SweepResult& result);
 
 /// How many points failed: one notice for each way in which they did.
-std::vector<Notice> trouble_of(const SweepResult& result);
+std::vector<Notice> failure_notices(const SweepResult& result);
 
 /// Why a sweep does not take this option of simulate, or this grid for one of its own; empty if there is
 /// nothing particular to say.

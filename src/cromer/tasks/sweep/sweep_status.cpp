@@ -169,7 +169,7 @@ std::vector<Notice> notices_of(const SweepResult& result) {
   return notices;
 }
 
-std::vector<Notice> trouble_of(const SweepResult& result) {
+std::vector<Notice> failure_notices(const SweepResult& result) {
   const SweepCounts& counts = result.counts;
   const std::uint64_t all = result.plan.rows.rows;
   std::vector<Notice> points;
