@@ -17,6 +17,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/methods/all.h"
 #include "cromer/run/solve.h"
+#include "tests/support/every_method.h"
 #include "tests/support/problems.h"
 
 namespace cromer::core {

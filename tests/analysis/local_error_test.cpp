@@ -6,6 +6,7 @@
 
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
+#include "tests/support/every_method.h"
 
 namespace cromer::core {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "cromer/analysis/effective_oscillator.h"
 #include "cromer/methods/all.h"
+#include "tests/support/every_method.h"
 
 namespace cromer::core {
 namespace {

@@ -16,12 +16,10 @@ const Oscillator<double> mount{.mass = 3, .stiffness = 108, .damping = 5};  // w
 TEST(Transmissibility, IsTheRatioOfPhasors) {
   for (const double w : {0.1, 3.0, 5.9, 6.0, 6.1, 20.0}) {
     const std::complex<double> coupling = 108.0 + 5i * w, all = coupling - 3 * w * w;
-    const auto check = [&](const Transmission& t, std::complex<double> truth) {
-      EXPECT_NEAR(t.amplitude / std::abs(truth), 1, 1e-14) << w;
-      EXPECT_NEAR(t.phase_lag, -std::arg(truth), 1e-14) << w;
-    };
-    check(transmissibility(mount, w), coupling / all);
-    check(relative_transmissibility(mount, w), 3 * w * w / all);
+    const std::complex<double> truth = coupling / all;
+    const Transmission found = transmissibility(mount, w);
+    EXPECT_NEAR(found.amplitude / std::abs(truth), 1, 1e-14) << w;
+    EXPECT_NEAR(found.phase_lag, -std::arg(truth), 1e-14) << w;
   }
 }
 
@@ -32,8 +30,6 @@ TEST(Transmissibility, MeetsItsLandmarks) {
     EXPECT_NEAR(transmissibility({.mass = 3, .stiffness = 108, .damping = c}, 6 * std::sqrt(2)).amplitude, 1,
                 1e-14);
   EXPECT_GT(transmissibility(mount, 6).amplitude, 3);
-  // Far above, a base shakes around a mass at rest.
-  EXPECT_NEAR(relative_transmissibility(mount, 6000).amplitude, 1, 2e-6);
 }
 
 TEST(Transmissibility, FollowsFromTheMotionThatPassesItOn) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cromer/methods/all.h"
+#include "tests/support/every_method.h"
 
 namespace cromer::core {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "cromer/report/layout.h"
 #include "tests/report/example_figures.h"
+#include "tests/report/overlap.h"
 
 namespace cromer::core {
 namespace {
@@ -32,7 +33,7 @@ TEST(FigureLayout, NoTwoWordsOverlapAndNoneIsClipped) {
         for (std::size_t j = 0; j < i; ++j) {
           Box b = texts[j].box;  // lines of one block touch
           b.y += 0.5, b.height -= 1;
-          EXPECT_FALSE(a.overlaps(b)) << texts[i].text << " / " << texts[j].text;
+          EXPECT_FALSE(overlap(a, b)) << texts[i].text << " / " << texts[j].text;
         }
       }
     }

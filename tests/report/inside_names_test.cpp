@@ -7,6 +7,7 @@
 #include "cromer/report/layout.h"
 #include "cromer/report/place_curve.h"
 #include "cromer/report/place_names.h"
+#include "tests/report/overlap.h"
 
 namespace cromer::core {
 namespace {
@@ -75,7 +76,7 @@ TEST(InsideNames, KeepClearOfDotsAndOfEachOther) {
   ASSERT_EQ(placed.texts.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Box& box = placed.texts[i].box;
-    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(box.overlaps(placed.texts[k].box));
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(box, placed.texts[k].box));
     for (std::size_t k = 0; k < panel.curves[0].x.size(); ++k) {
       const Spot dot{50 + 400 * panel.curves[0].x[k], 340 - 300 * panel.curves[0].y[k]};
       EXPECT_GT(distance(box, dot), 1) << i;

@@ -129,12 +129,6 @@ TEST(Box, NearestIsInsideItOrAtItsEdge) {
   EXPECT_EQ(box.nearest({0, 0}), (Spot{10, 20}));
   EXPECT_EQ(box.nearest({50, 70}), (Spot{40, 60}));
   EXPECT_EQ(box.nearest({15, 30}), (Spot{15, 30}));
-  EXPECT_TRUE(box.overlaps({39, 59, 1, 1}));
-  EXPECT_TRUE(box.overlaps({5, 10, 6, 11}));
-  EXPECT_FALSE(box.overlaps({40, 30, 5, 5}));
-  EXPECT_FALSE(box.overlaps({5, 30, 5, 5}));
-  EXPECT_FALSE(box.overlaps({20, 60, 5, 5}));
-  EXPECT_FALSE(box.overlaps({20, 10, 5, 10}));
 }
 
 TEST(Occupancy, WhatIsDrawnIsTakenAndNothingElse) {

@@ -1,4 +1,4 @@
-// A test over the registry: the fixture that is given the name of one method.
+// Tests over the registry: a loop over all methods, and the fixture that is given the name of one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,12 +6,21 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 
 #include "cromer/methods/all.h"
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
+
+/// Calls f(method) for every method, in the order of the list.
+template <class F>
+void for_each_method(const MethodSettings& settings, F&& f) {
+  [&]<class... M>(std::type_identity<std::tuple<M...>>) {
+    (f(make_method<M>(settings)), ...);
+  }(std::type_identity<AllMethods>{});
+}
 
 class EveryMethod : public testing::TestWithParam<std::string_view> {
  protected:

@@ -58,13 +58,6 @@ inline Transmission transmissibility(const Oscillator<double>& oscillator, doubl
           std::atan2(quadrature, in_phase) - std::atan2(quadrature, k)};
 }
 
-/// |m w^2|/|k - m w^2 + i c w|: the displacement relative to a shaking base over the base's own; of a
-/// rotating unbalance m x/(m_u e).
-inline Transmission relative_transmissibility(const Oscillator<double>& oscillator, double w) {
-  const SteadyState answer = frequency_response(oscillator, oscillator.mass * (w * w), w);
-  return {answer.amplitude, answer.phase_lag};
-}
-
 /// What becomes of a shaking base's Y cos u, Y > 0, where the mass moves X cos(u - delta) relative to it: the
 /// mass's own displacement over the base's. However X and delta were found: exactly, by a method, measured.
 inline Transmission transmitted_motion(double base_amplitude, const SteadyState& relative) {

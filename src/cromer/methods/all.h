@@ -41,14 +41,6 @@ constexpr M make_method(const MethodSettings& settings) {
   return method;
 }
 
-/// Calls f(method) for every method, in the order of the list.
-template <class F>
-constexpr void for_each_method(const MethodSettings& settings, F&& f) {
-  [&]<class... M>(std::type_identity<std::tuple<M...>>) {
-    (f(make_method<M>(settings)), ...);
-  }(std::type_identity<AllMethods>{});
-}
-
 /// Names in the order of the list.
 inline constexpr auto method_names = []<class... M>(std::type_identity<std::tuple<M...>>) {
   return std::array<std::string_view, sizeof...(M)>{M::info.name...};

@@ -21,9 +21,6 @@ struct Box {
 
   double right() const { return x + width; }
   double bottom() const { return y + height; }
-  bool overlaps(const Box& other) const {
-    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
-  }
   Spot nearest(Spot p) const;
 };
 
