@@ -23,5 +23,10 @@ TEST(Ascii, BlanksAtBothEndsGo) {
   EXPECT_EQ(trimmed(""), "");
 }
 
+TEST(OptionName, IsSpeltInTwoWays) {
+  EXPECT_EQ(with_underscores("drive-frequency"), "drive_frequency");
+  EXPECT_EQ(with_hyphens("drive_frequency"), "drive-frequency");
+}
+
 }  // namespace
 }  // namespace cromer::core

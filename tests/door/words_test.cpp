@@ -79,11 +79,6 @@ TEST(InArguments, NoticesAreSaidOfArrays) {
   EXPECT_EQ(message_of(Notice{}), "");
 }
 
-TEST(OptionOf, IsArgumentOfBack) {
-  EXPECT_EQ(option_of("drive_frequency"), "drive-frequency");
-  EXPECT_EQ(option_of(argument_of("rho-inf")), "rho-inf");
-}
-
 TEST(Observed, TheErrorNamesTheWord) {
   const auto wrong = observed_of("colour");
   ASSERT_FALSE(wrong);

@@ -55,4 +55,11 @@ inline std::string with_underscores(std::string_view option) {
   return name;
 }
 
+/// The option's name of it: with_underscores() back.
+inline std::string with_hyphens(std::string_view name) {
+  std::string option(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
 }  // namespace cromer::core

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
 #include "cromer/documents/json.h"
@@ -380,7 +381,7 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
   const std::vector<Option> table = options_of(options);
   std::vector<TypedOption> grids;
   for (const cromer_array* array : call.take_all()) {
-    const std::string option = option_of(array->name);
+    const std::string option = with_hyphens(array->name);
     if (std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == option; }))
       return Error{Notice{"not_an_array_of", {{"array", array->name}, {"verb", call.verb()}}}, array->name};
     grids.emplace_back(option, list_of({array->values, array->length}));

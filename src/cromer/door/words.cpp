@@ -1,6 +1,7 @@
 #include "cromer/door/words.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -19,12 +20,6 @@ bool is_about(const Notice& notice, std::string_view array) {
 }
 
 }  // namespace
-
-std::string option_of(std::string_view argument) {
-  std::string option(argument);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
-}
 
 Notice in_arguments(Notice notice, bool of_arrays) {
   notice.of_arrays = notice.of_arrays || of_arrays;

@@ -3,16 +3,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
-
-/// "drive_frequency" becomes "drive-frequency": argument_of() back.
-std::string option_of(std::string_view argument);
 
 /// The message as callers get it; `of_arrays` where they passed arrays. The Error's argument is the one that
 /// its sentence begins with or, where arrays were passed, the one that it is about.

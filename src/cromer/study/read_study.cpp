@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/quantity.h"
 #include "cromer/study/study_file.h"
@@ -256,18 +257,12 @@ Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tab
   return specs;
 }
 
-std::string with_hyphens(std::string text) {
-  for (char& c : text)
-    if (c == '_') c = '-';
-  return text;
-}
-
 TaskSpec read_task(TomlReader& toml) {
   TaskSpec task;
   task.place = toml.place();
   for (const auto command : commands)
     if (toml.has(command)) {
-      task.command = with_hyphens(std::string(command));
+      task.command = with_hyphens(command);
       task.id = toml.text(command);
     }
   task.shows = toml.text("shows");
