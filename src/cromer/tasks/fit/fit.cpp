@@ -125,7 +125,7 @@ FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
 
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  if (const Result<void> checked = check_fit_options(options); !checked) return checked.error();
   Result<Series> used = samples_in_use(series, options);
   if (!used) return used.error();
   if (const Result<void> checked = check_pauses(*used); !checked) return checked.error();
@@ -258,7 +258,7 @@ bool needs_a_file(const Notice& what) {
 
 Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOptions& options,
                                          const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  if (const Result<void> checked = check_fit_options(options); !checked) return checked.error();
   const std::string& file = recording.file;
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(recording);
   std::vector<FittedRecording> fits;

@@ -120,7 +120,8 @@ struct FittedRecording {
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
 
-/// Checks what can be checked of the options without a recording.
+/// Checks what can be checked of the options without a recording: the range of each, what they require of
+/// each other, and the law's name. An Error names option, value and constraint.
 Result<void> check_fit_options(const FitOptions& options);
 
 /// The row of a recording that could not be read. Its message is `why` without the file's name.

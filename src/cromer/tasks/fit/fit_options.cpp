@@ -68,7 +68,7 @@ bool is_driven(const FitOptions& options) {
   return !options.force_column.empty() || !options.drive_frequency.empty();
 }
 
-Result<void> check_options(const FitOptions& given) {
+Result<void> check_fit_options(const FitOptions& given) {
   FitOptions options = given;
   for (const Option& option : options_of(options))
     if (auto good = check(option); !good) return good;
@@ -82,11 +82,6 @@ Result<void> check_options(const FitOptions& given) {
   if (const Result<void> good = check_forced_options(options); !good) return good;
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
-  return {};
-}
-
-Result<void> check_fit_options(const FitOptions& options) {
-  if (const Result<void> checked = check_options(options); !checked) return checked;
   if (const auto law = law_of(options); !law) return law.error();
   return {};
 }

@@ -9,10 +9,6 @@
 
 namespace cromer::core {
 
-/// Checks the range of each option, and what options require of each other. An Error names option, value and
-/// constraint.
-Result<void> check_options(const FitOptions& options);
-
 /// Whether a driven fit is asked for.
 bool is_driven(const FitOptions& options);
 
