@@ -196,7 +196,7 @@ void append_row(std::string& out, const FittedRecording& fitted, const std::vect
 
 }  // namespace
 
-std::string fit_csv(const std::vector<FittedRecording>& fits) {
+std::string fit_csv(std::span<const FittedRecording> fits) {
   std::vector<NamedQuantity> head;
   for (const auto& fitted : fits) add_quantities(head, fitted);
   std::string out;
@@ -219,7 +219,7 @@ std::vector<double> set_aside(const FittedRecording& fitted, const std::vector<d
 
 }  // namespace
 
-std::string motion_csv(const std::vector<FittedRecording>& fits) {
+std::string motion_csv(std::span<const FittedRecording> fits) {
   std::string out;
   for (const auto& fitted : fits) {
     if (fitted.parameters.empty()) continue;
@@ -242,7 +242,7 @@ std::string motion_csv(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
-std::string compare_csv(const std::vector<CompareResult>& comparisons) {
+std::string compare_csv(std::span<const CompareResult> comparisons) {
   std::string out;
   for (const auto& comparison : comparisons) {
     const Series& series = comparison.recording.series;

@@ -45,15 +45,15 @@ std::string simulate_csv(const SimulateResult& result, const std::string& comman
 /// One row per recording and run: "file,run,column,law,status", then every quantity that any of the fits has,
 /// each with its standard error and its 95 % interval ("stiffness (N/m),stiffness standard error (N/m)"),
 /// then the residual and the message. A cell is empty where a fit does not have the quantity.
-std::string fit_csv(const std::vector<FittedRecording>& fits);
+std::string fit_csv(std::span<const FittedRecording> fits);
 
 /// The fitted motions, sample by sample: "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),
 /// v from the samples (m/s),set aside". The units depend on the column. A fit without values has no rows.
-std::string motion_csv(const std::vector<FittedRecording>& fits);
+std::string motion_csv(std::span<const FittedRecording> fits);
 
 /// "run,curve,t (s),measured displacement (m),simulated displacement (m)". Displacements are from the fitted
 /// equilibrium, in the SI unit of the column.
-std::string compare_csv(const std::vector<CompareResult>& comparisons);
+std::string compare_csv(std::span<const CompareResult> comparisons);
 
 /// The periods and the spectral values at them, accelerations in the unit asked for.
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum);

@@ -1,5 +1,6 @@
 #include "cromer/document.h"
 
+#include <memory>
 #include <span>
 
 #include "cromer/documents/csv.h"
@@ -14,19 +15,24 @@ core::Voice voice_of(Language language) { return {language, core::Audience::call
 /// An SVG is drawn without any library, and cannot fail.
 std::string drawn(const core::Figure& figure) { return *core::draw(figure, core::FigureFormat::svg); }
 
+/// For what writes several results.
+template <class Detail>
+std::span<const Detail> alone(const std::shared_ptr<const Detail>& detail) {
+  return {detail.get(), 1};
+}
+
 constexpr const char* no_command = "";  // nothing to say of where the numbers come from
 
 }  // namespace
 
 std::string json(const LawFit& fit, Language language) {
   if (!fit.detail) return "";
-  return core::to_json(std::span<const core::FittedRecording>(fit.detail.get(), 1), false,
-                       voice_of(language));
+  return core::to_json(alone(fit.detail), false, voice_of(language));
 }
 
 std::string json(const Comparison& comparison, Language language) {
   if (!comparison.detail) return "";
-  return core::to_json(std::span<const core::CompareResult>(comparison.detail.get(), 1), voice_of(language));
+  return core::to_json(alone(comparison.detail), voice_of(language));
 }
 
 std::string json(const ResponseSpectrum& spectrum, Language language) {
@@ -41,10 +47,10 @@ std::string json(const Simulation& simulation, bool with_states, Language langua
   return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
 }
 
-std::string csv(const LawFit& fit) { return fit.detail ? core::fit_csv({*fit.detail}) : ""; }
+std::string csv(const LawFit& fit) { return fit.detail ? core::fit_csv(alone(fit.detail)) : ""; }
 
 std::string csv(const Comparison& comparison) {
-  return comparison.detail ? core::compare_csv({*comparison.detail}) : "";
+  return comparison.detail ? core::compare_csv(alone(comparison.detail)) : "";
 }
 
 std::string csv(const ResponseSpectrum& spectrum) {
@@ -59,10 +65,10 @@ std::string csv(const Simulation& simulation) {
   return simulation.detail ? core::simulate_csv(*simulation.detail, no_command) : "";
 }
 
-std::string svg(const LawFit& fit) { return fit.detail ? drawn(core::fit_figure({*fit.detail})) : ""; }
+std::string svg(const LawFit& fit) { return fit.detail ? drawn(core::fit_figure(alone(fit.detail))) : ""; }
 
 std::string svg(const Comparison& comparison) {
-  return comparison.detail ? drawn(core::compare_figure({*comparison.detail})) : "";
+  return comparison.detail ? drawn(core::compare_figure(alone(comparison.detail))) : "";
 }
 
 std::string svg(const ResponseSpectrum& spectrum) {

@@ -41,7 +41,7 @@ Curve look_of(const ComparedCurve& compared) {
 
 }  // namespace
 
-Figure compare_figure(const std::vector<CompareResult>& comparisons) {
+Figure compare_figure(std::span<const CompareResult> comparisons) {
   Figure figure;
   figure.id = "compare";
   figure.title = "Measured motion and simulations of it";

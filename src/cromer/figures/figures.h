@@ -1,7 +1,7 @@
 // The figure of each task.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "cromer/report/figure.h"
 #include "cromer/result.h"
@@ -22,10 +22,10 @@ Figure simulate_figure(const SimulateResult& result);
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three
 /// recordings share a grid, one panel each.
-Figure fit_figure(const std::vector<FittedRecording>& fits);
+Figure fit_figure(std::span<const FittedRecording> fits);
 
 /// One panel for each recording: its simulations over the measured motion.
-Figure compare_figure(const std::vector<CompareResult>& comparisons);
+Figure compare_figure(std::span<const CompareResult> comparisons);
 
 /// One panel for each measure: a curve over one swept option; over two, a curve for each value of the outer
 /// one, or a map if it takes more than five. An Error if more than two options are swept.

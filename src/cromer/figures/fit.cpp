@@ -156,7 +156,7 @@ Panel small_panel(const FittedRecording& fitted) {
 }
 
 /// A grid of as many recordings as fit on a page.
-void append_grid(Figure& figure, const std::vector<FittedRecording>& fits) {
+void append_grid(Figure& figure, std::span<const FittedRecording> fits) {
   constexpr std::size_t most_panels = 24;
   std::size_t drawable = 0;
   for (const auto& fitted : fits) {
@@ -172,7 +172,7 @@ void append_grid(Figure& figure, const std::vector<FittedRecording>& fits) {
 
 }  // namespace
 
-Figure fit_figure(const std::vector<FittedRecording>& fits) {
+Figure fit_figure(std::span<const FittedRecording> fits) {
   constexpr std::ptrdiff_t most_in_full = 3;  // recordings
   Figure figure;
   figure.id = "fit";
