@@ -133,7 +133,7 @@ TEST(EffectiveOscillator, EveryMethodOfTheRegistryMeetsAnIndependentTruth) {
 }
 
 TEST(EffectiveOscillator, SaysWhatTheTheorySays) {
-  // theory.md: w = 6, b = 0.15, h = 0.01.
+  // docs/theory.md: w = 6, b = 0.15, h = 0.01.
   const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};
   EXPECT_NEAR(*effective("forward-euler", law, 0.01).decay_rate, -0.030, 5e-4);
   EXPECT_NEAR(*effective("euler-cromer", law, 0.01).decay_rate, 0.1502, 5e-5);

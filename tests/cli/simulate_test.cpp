@@ -1,4 +1,4 @@
-// cromer simulate as contract.md says, early ends included.
+// cromer simulate: its options, what it prints, its exit status, early ends included.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

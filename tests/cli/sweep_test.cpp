@@ -1,4 +1,4 @@
-// cromer sweep as contract.md says.
+// cromer sweep: its options, what it prints, its exit status.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -108,7 +108,7 @@ TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
     covered_x += covers(fit.position(), truth.position);
     covered_E += covers(fit.equilibrium(), truth.equilibrium);
   }
-  EXPECT_NEAR(bound / truth.g, 0.0037, 0.0001);            // theory.md: 0.37 % after 20 s
+  EXPECT_NEAR(bound / truth.g, 0.0037, 0.0001);            // the Cramér-Rao bound after 20 s
   EXPECT_NEAR(std::sqrt(scatter_g), bound, 0.12 * bound);  // sampling error of 400 fits: 3.5 %
   EXPECT_NEAR(std::sqrt(scatter_w), bound, 0.12 * bound);
   EXPECT_NEAR(stated, bound, 0.05 * bound);

@@ -78,7 +78,7 @@ TEST(Axes, EveryTickStandsAtItsValueWithItsNumberBeside) {
   EXPECT_NEAR(panel.y_ticks[4].at, f.y, 1e-9);
 }
 
-TEST(Axes, NamesStandAsLookMdHasThem) {
+TEST(Axes, NamesStandAtTheirEnds) {
   const PlacedPanel plain = sole(line({0, 10}, {-0.9, 0.9}));
   const PlacedText &x = *find(plain, "time t (s)"), &y = *find(plain, "position x (cm)");
   EXPECT_EQ(x.align, Align::right);
@@ -381,7 +381,7 @@ Figure of(FigureSize size, int columns, std::vector<int> spans) {
   return figure;
 }
 
-TEST(FigureGrid, SizesAreThoseOfLookMd) {
+TEST(FigureGrid, HasItsSizes) {
   const auto size = [](FigureSize s, int rows, int columns = 1) {
     const Canvas canvas = canvas_of(of(s, columns, {1}), rows);
     return std::pair(canvas.width, canvas.row_height);

@@ -1,4 +1,4 @@
-// The style sheet against look/LOOK.md: its colours, its sizes, both themes complete.
+// The style sheet: its colours, its sizes, both themes complete.
 #include "cromer/report/page.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ std::vector<Colours> themes(const std::string& css) {
   return all;
 }
 
-TEST(PageStyle, HasTheColoursOfLookMdInBothThemes) {
+TEST(PageStyle, HasItsColoursInBothThemes) {
   const std::string css = page_style();
   const std::vector<Colours> both = themes(css);
   ASSERT_EQ(both.size(), 2u);
@@ -90,7 +90,7 @@ TEST(PageStyle, EveryColourOfAFigureHasItsPartnerInTheDark) {
   expect(light_surface.zero_line, dark_surface.zero_line);
 }
 
-TEST(PageStyle, HasTheTypeOfLookMd) {
+TEST(PageStyle, HasItsTypography) {
   const std::string css = page_style();
   for (const char* rule :
        {"h1{font-size:34px;line-height:41px;", ".summary p{font-size:17.5px;line-height:28px}",

@@ -25,10 +25,10 @@ double contrast(std::string_view a, std::string_view b) {
 
 TEST(Palette, ContrastIsMeasuredAsWcagDefinesIt) {
   EXPECT_NEAR(contrast("#000000", "#FFFFFF"), 21, 1e-9);
-  EXPECT_NEAR(contrast("#171C24", "#FFFFFF"), 17.1, 0.05);  // the ink, as LOOK.md says
+  EXPECT_NEAR(contrast("#171C24", "#FFFFFF"), 17.1, 0.05);  // the ink
 }
 
-TEST(Palette, HasTheColoursOfLookMd) {
+TEST(Palette, HasItsColours) {
   struct Row {
     const char *role, *line, *word, *line_dark, *word_dark;
     double width;
@@ -99,7 +99,7 @@ TEST(Palette, NoTwoRolesLookTheSame) {
   for (const RoleStyle& style : palette()) {
     std::string look(style.line);
     for (const double d : style.dash) look += ' ' + std::to_string(d);
-    if (style.role != "family:2") {  // Euler-Cromer's own blue, as LOOK.md has it
+    if (style.role != "family:2") {  // Euler-Cromer's own blue
       EXPECT_TRUE(looks.insert(look).second) << style.role;
     }
   }

@@ -8,8 +8,8 @@
 namespace cromer::core {
 namespace {
 
-// Typography of LOOK.md: 34/41 title, 17.5/28 summary, 16/25 text, 20/27 headings, 14/21 captions; a grid of
-// 4 px; column 860 px.
+// Typography, size and line height in px: 34/41 title, 17.5/28 summary, 16/25 text, 20/27 headings, 14/21
+// captions; a grid of 4 px; column 860 px.
 constexpr std::string_view layout = R"css(
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%;text-size-adjust:100%}

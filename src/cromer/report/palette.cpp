@@ -13,8 +13,8 @@ namespace {
 constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
     dash_dot{8, 3, 2, 3};
 
-// The hue is the family, the dash the member. If LOOK.md gives one colour only, the word's is that one
-// darkened (lightened) to 4.5:1.
+// The hue is the family, the dash the member. Where a line's colour is too faint for a word,
+// the word's is that one darkened (lightened) to 4.5:1.
 constexpr std::array<RoleStyle, 27> roles{{
     {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
     {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},

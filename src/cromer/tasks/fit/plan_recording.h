@@ -1,7 +1,7 @@
 // How long to record until a quantity is known well enough.
 //
 // The fitted law itself (the normal equations of its motion) says how much a record of any length tells: in
-// the long run the bounds of theory.md, with all correlations. The present record's errors exceed this by
+// the long run the Cramér-Rao bounds, with all correlations. The present record's errors exceed this by
 // some factor (noise that is correlated or rounded), which is assumed to stay.
 #pragma once
 
