@@ -8,9 +8,9 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "cromer/documents/words/words.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -26,11 +26,6 @@ class ReplacementOf : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string content(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path(name)).rdbuf();
-    return text.str();
-  }
   std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
@@ -51,9 +46,9 @@ TEST_F(ReplacementOf, AFileTakesItsPlaceOnceItIsWhole) {
     auto fresh = make(file);
     ASSERT_TRUE(fresh.ok());
     ASSERT_EQ(::write(fresh->descriptor(), "new", 3), 3);
-    EXPECT_EQ(content("file"), "old");
+    EXPECT_EQ(bytes_of(path("file")), "old");
     ASSERT_TRUE(fresh->take_place().ok());
-    EXPECT_EQ(content("file"), "new");
+    EXPECT_EQ(bytes_of(path("file")), "new");
     EXPECT_EQ(mode("file"), 0604u);
     EXPECT_EQ(entries(), 1u);
     fs::remove(file);

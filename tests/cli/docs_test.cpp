@@ -3,12 +3,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "program.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
 namespace {
@@ -54,10 +54,8 @@ TEST(Docs, EveryCommandOfIdentifyWorks) { expect_all_work("identify.md", 6); }
 TEST(Docs, EveryCommandOfSweepWorks) { expect_all_work("sweep.md", 6); }
 
 TEST(Docs, EveryCommandOfSpectraWorks) { expect_all_work("spectra.md", 9); }
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(CROMER_SOURCE_DIR) + "/" + path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+
+std::string text_of(const std::string& path) { return bytes_of(std::string(CROMER_SOURCE_DIR) + "/" + path); }
 
 TEST(Docs, TheExampleOfStudiesIsAStudy) {
   const std::string page = text_of("docs/studies.md"), begin = "```toml\n";

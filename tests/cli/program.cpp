@@ -13,20 +13,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "tests/support/xml.h"
+
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
 namespace {
 
 constexpr const char* out_name = ".standard-output";
 constexpr const char* err_name = ".standard-error";
-
-std::string slurp(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void redirect(int descriptor, const std::string& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -47,7 +43,7 @@ Folder::~Folder() {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(path_, ignored)) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".svg" && ending != ".html") continue;
-    const std::string document = slurp(entry.path().string());
+    const std::string document = bytes_of(entry.path());
     EXPECT_EQ(ending == ".svg" ? xml_fault(document) : html_fault(document), "") << entry.path();
   }
   std::filesystem::remove_all(path_, ignored);
@@ -57,7 +53,7 @@ void Folder::write(const std::string& name, const std::string& bytes) const {
   std::ofstream(path(name), std::ios::binary) << bytes;
 }
 
-std::string Folder::read(const std::string& name) const { return slurp(path(name)); }
+std::string Folder::read(const std::string& name) const { return bytes_of(path(name)); }
 
 bool Folder::has(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
@@ -101,13 +97,13 @@ Finished Folder::wait(pid_t process) const {
     waitpid(process, &status, 0);
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return {code, slurp(path(out_name)), slurp(path(err_name))};
+  return {code, bytes_of(path(out_name)), bytes_of(path(err_name))};
 }
 
 bool wait_for_handler(pid_t process, int signal) {
   const std::string file = "/proc/" + std::to_string(process) + "/status";
   for (int i = 0; i < 2000; ++i) {
-    const std::string text = slurp(file);
+    const std::string text = bytes_of(file);
     const auto at = text.find("SigCgt:");
     if (at != std::string::npos) {
       const unsigned long long caught = std::strtoull(text.c_str() + at + 7, nullptr, 16);

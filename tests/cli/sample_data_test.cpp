@@ -2,20 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "program.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
 namespace {
 
 const std::string data = CROMER_SOURCE_DIR "/data/";
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Everything behind the lines that say where it came from.
 std::string samples(const std::string& csv) { return csv.substr(csv.find("Time (s)")); }

@@ -17,17 +17,12 @@
 #include <vector>
 
 #include "program.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
 namespace {
 
 const std::filesystem::path folder_of_transcripts = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts";
-
-std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 /// What a reader sees of a figure or a page: its texts, a line each, but for date, version and compiler.
 std::string words_in(const std::string& markup) {
@@ -102,9 +97,9 @@ std::string spoken_again(const std::string& transcript) {
   const Folder folder;
   for (const char* name :
        {"/data/recording1.csv", "/data/recording2.csv", "/data/ground/shaking.csv", "/data/ground/drop.csv"})
-    folder.write(std::filesystem::path(name).filename(), contents(CROMER_SOURCE_DIR + std::string(name)));
+    folder.write(std::filesystem::path(name).filename(), bytes_of(CROMER_SOURCE_DIR + std::string(name)));
   for (const auto& file : std::filesystem::directory_iterator(folder_of_transcripts / "files"))
-    folder.write(file.path().filename(), contents(file.path()));
+    folder.write(file.path().filename(), bytes_of(file.path()));
   std::istringstream lines(transcript);
   std::string now;
   for (std::string line; std::getline(lines, line);)
@@ -144,7 +139,7 @@ class Transcript : public testing::TestWithParam<std::string> {};
 
 TEST_P(Transcript, IsSpokenAgainWordForWord) {
   const std::filesystem::path path = folder_of_transcripts / (GetParam() + ".txt");
-  const std::string then = contents(path), now = spoken_again(then);
+  const std::string then = bytes_of(path), now = spoken_again(then);
   if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
     std::ofstream(path) << now;
     return;

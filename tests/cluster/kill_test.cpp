@@ -11,11 +11,11 @@
 #include <thread>
 
 #include "tests/cluster/started.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
 
-using test::contents;
 using test::exists;
 using test::on_ranks;
 using testing::HasSubstr;
@@ -35,7 +35,7 @@ std::string undisturbed(const test::Folder& folder) {
   const auto ended = test::run({CROMER_ROWS_PROGRAM, file, "1003", "10", "0", "1"}, folder);
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_FALSE(exists(file + ".journal"));
-  return contents(file);
+  return bytes_of(file);
 }
 
 bool opens(const std::string& file) {
@@ -45,7 +45,7 @@ bool opens(const std::string& file) {
 
 /// Chunks that the journal has as finished.
 long finished(const std::string& file) {
-  const std::string journal = contents(file + ".journal");
+  const std::string journal = bytes_of(file + ".journal");
   return std::count(journal.begin() + static_cast<long>(journal.find('\n')), journal.end(), 'x');
 }
 
@@ -55,7 +55,7 @@ void wait_for_finished_chunks(const std::string& file, test::Started& run) {
 }
 
 void kill_rank(const std::string& file, int rank) {
-  const std::string pid = contents(file + ".rank" + std::to_string(rank));
+  const std::string pid = bytes_of(file + ".rank" + std::to_string(rank));
   if (!pid.empty()) kill(std::atoi(pid.c_str()), SIGKILL);
 }
 
@@ -86,7 +86,7 @@ class Killed : public testing::Test {
     }
     EXPECT_GT(killed, 0);
     EXPECT_FALSE(exists(file + ".journal"));
-    EXPECT_TRUE(contents(file) == expected) << "not the bytes of an undisturbed run";
+    EXPECT_TRUE(bytes_of(file) == expected) << "not the bytes of an undisturbed run";
   }
 
   test::Folder folder{};
@@ -121,7 +121,7 @@ TEST_F(Killed, while_something_is_finished_keeps_it) {
   EXPECT_GT(kept, 0);
   EXPECT_LT(kept, 101);
   EXPECT_EQ(test::run(program(file, 1, {"resume"}), folder).status, 0);
-  EXPECT_TRUE(contents(file) == expected);
+  EXPECT_TRUE(bytes_of(file) == expected);
 }
 
 TEST_F(Killed, by_a_termination_signal_keeps_what_there_is) {
@@ -134,7 +134,7 @@ TEST_F(Killed, by_a_termination_signal_keeps_what_there_is) {
     ASSERT_TRUE(exists(file));
     EXPECT_TRUE(exists(file + ".journal"));
     EXPECT_EQ(test::run(program(file, 1, {"resume"}), folder).status, 0);
-    EXPECT_TRUE(contents(file) == expected);
+    EXPECT_TRUE(bytes_of(file) == expected);
   }
 }
 
@@ -154,7 +154,7 @@ TEST_F(Killed, by_a_full_disk_says_so_and_goes_on_later) {
   EXPECT_NE(on_two.status, 0);
   EXPECT_THAT(on_two.err, HasSubstr("make room and go on with --resume"));
   EXPECT_EQ(test::run(program(file, 1, {"resume"}), folder).status, 0);
-  EXPECT_TRUE(contents(file) == expected);
+  EXPECT_TRUE(bytes_of(file) == expected);
 }
 
 TEST_F(Killed, by_a_full_disk_at_the_beginning_leaves_nothing) {

@@ -10,11 +10,11 @@
 #include <cstdlib>
 
 #include "tests/cluster/started.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
 
-using test::contents;
 using test::on_ranks;
 using testing::HasSubstr;
 
@@ -41,7 +41,7 @@ TEST_F(OnRanks, files_are_the_same_bytes) {
       EXPECT_EQ(ended.status, 0) << ended.err;
       EXPECT_THAT(ended.out, HasSubstr("done"));
       EXPECT_EQ(ended.out.find("done"), ended.out.rfind("done")) << "only the first rank prints";
-      EXPECT_TRUE(contents(file) == contents(alone)) << ranks << " ranks";
+      EXPECT_TRUE(bytes_of(file) == bytes_of(alone)) << ranks << " ranks";
     }
 }
 

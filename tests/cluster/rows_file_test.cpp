@@ -12,11 +12,11 @@
 
 #include "cromer/documents/words/words.h"
 #include "tests/cluster/started.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
 
-using test::contents;
 using test::exists;
 using testing::HasSubstr;
 
@@ -138,7 +138,7 @@ TEST(RowsFile, is_the_same_bytes_in_any_order_and_in_any_number_of_goes) {
     EXPECT_EQ(file->unfinished(), (std::vector<std::uint64_t>{0, 2, 4, 5, 6, 7, 8, 9}));
   }
   ASSERT_TRUE(later.write({0, 2, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ(contents(once.options.path), contents(later.options.path));
+  EXPECT_EQ(bytes_of(once.options.path), bytes_of(later.options.path));
   auto complete = RowsFile::open(later.work, later.options, {});
   ASSERT_TRUE(complete);
   EXPECT_TRUE(complete->complete());
@@ -184,19 +184,19 @@ TEST(RowsFile, may_be_just_rows_with_a_long_description) {
 TEST(RowsFile, does_not_begin_again_where_something_is_unfinished) {
   Sample s;
   ASSERT_TRUE(s.write({1}));
-  const std::string before = contents(s.options.path);
+  const std::string before = bytes_of(s.options.path);
   EXPECT_THAT(s.refusal(), HasSubstr("is unfinished; go on with --resume"));
-  EXPECT_EQ(contents(s.options.path), before);
+  EXPECT_EQ(bytes_of(s.options.path), before);
 }
 
 TEST(RowsFile, goes_on_only_with_the_same_work) {
   Sample s;
   ASSERT_TRUE(s.write({1}));
-  const std::string before = contents(s.options.path);
+  const std::string before = bytes_of(s.options.path);
   s.options.resume = true;
   s.work.description = R"({"stiffness": 10, "drive": {"amplitude": 1}, "step": 0.1})";
   EXPECT_THAT(s.refusal(), HasSubstr("stiffness is 9 there and 10 here; step is missing there"));
-  EXPECT_EQ(contents(s.options.path), before);
+  EXPECT_EQ(bytes_of(s.options.path), before);
 }
 
 TEST(RowsFile, goes_on_only_with_its_own_journal) {

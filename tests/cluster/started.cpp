@@ -8,8 +8,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+
+#include "tests/support/bytes_of.h"
 
 extern char** environ;
 
@@ -68,8 +68,8 @@ bool Started::running() {
 Ended Started::wait() {
   int status = 0;
   if (status_ < 0 && waitpid(child_, &status, 0) == child_) status_ = status;
-  return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), contents(out_),
-          contents(err_)};
+  return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), bytes_of(out_),
+          bytes_of(err_)};
 }
 
 Ended run(const std::vector<std::string>& arguments, const Folder& folder) {
@@ -84,13 +84,6 @@ std::vector<std::string> on_ranks(int ranks, std::vector<std::string> arguments)
 }
 
 bool have_mpirun() { return std::system("command -v mpirun > /dev/null 2>&1") == 0; }
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 bool exists(const std::string& path) { return fs::exists(path); }
 

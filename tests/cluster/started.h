@@ -45,7 +45,6 @@ Ended run(const std::vector<std::string>& arguments, const Folder& folder);
 std::vector<std::string> on_ranks(int ranks, std::vector<std::string> arguments);
 bool have_mpirun();
 
-std::string contents(const std::string& path);
 bool exists(const std::string& path);
 
 }  // namespace cromer::core::test

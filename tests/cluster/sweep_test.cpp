@@ -12,11 +12,11 @@
 
 #include "tests/cluster/datasets.h"
 #include "tests/cluster/started.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
 
-using test::contents;
 using test::datasets;
 using test::exists;
 using test::on_ranks;
@@ -136,7 +136,7 @@ TEST_F(SweepFile, holds_the_direction_and_what_became_of_each_point) {
 TEST_F(SweepFile, csv_comes_from_ranks_too) {
   need_mpirun();
   const auto rows = [&](const std::string& path) {
-    const std::string text = contents(path);
+    const std::string text = bytes_of(path);
     return text.substr(text.find('\n') + 1);  // after the command line
   };
   const std::string one = folder / "one.csv", three = folder / "three.csv";
@@ -237,7 +237,7 @@ TEST_F(SweepFile, that_cannot_be_is_refused_before_it_begins) {
   const auto ended = run(sweep(closed, {"-o", file, "--resume"}));
   EXPECT_EQ(ended.status, 2);
   EXPECT_THAT(ended.err, HasSubstr("cannot be opened as an HDF5 file"));
-  EXPECT_EQ(contents(file), "no HDF5");
+  EXPECT_EQ(bytes_of(file), "no HDF5");
 }
 
 TEST_F(SweepFile, wrong_options_are_told_once_by_all_ranks) {

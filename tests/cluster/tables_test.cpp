@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "tests/cluster/started.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -160,9 +161,9 @@ TEST_F(Tables, AreTheSameBytesEachTime) {
   std::filesystem::create_directory(other);
   const Arguments command{"simulate", "--until", "1", "--step", "0.1", "-o", file};
   ASSERT_EQ(run(command).status, 0);
-  const std::string first = test::contents(file);
+  const std::string first = bytes_of(file);
   ASSERT_EQ(run(command).status, 0);
-  EXPECT_EQ(test::contents(file), first);
+  EXPECT_EQ(bytes_of(file), first);
 }
 
 TEST_F(Tables, WhereTheyCannotBeWrittenNothingIsLeft) {

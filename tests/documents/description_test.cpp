@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 
 #include "apps/web/core/described.h"
@@ -15,6 +14,7 @@
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/described/spring.h"
 #include "cromer/documents/described/sweep.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -228,8 +228,7 @@ void expect_in(const std::string& file, const std::string& now) {
     std::ofstream(path) << now;
     return;
   }
-  std::ifstream in(path);
-  const std::string then{std::istreambuf_iterator<char>(in), {}};
+  const std::string then = bytes_of(path);
   EXPECT_EQ(then, now) << file << " is not what the descriptions say: run test_documents with "
                        << "CROMER_WRITE_DESCRIPTIONS=1";
 }

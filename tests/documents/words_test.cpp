@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
@@ -22,6 +20,7 @@
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -92,11 +91,6 @@ TEST(Words, WorstComesFirst) {
 }
 
 // ---- the catalogue and the sources
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The names between braces: {rate:.3g} is rate. Options and doubled braces are none.
 std::set<std::string> places_of(std::string_view words) {
@@ -215,7 +209,7 @@ std::vector<Raised> all_raised() {
   const std::regex comment("//[^\n]*"), made(R"(\b(Notice|Error)\s*[{(])"),
       name(R"re(\{\s*"([a-z0-9_]+)"\s*,)re"), values(R"(,\s*\{)");
   for (const auto& path : sources()) {
-    const std::string text = std::regex_replace(content(path), comment, "");
+    const std::string text = std::regex_replace(bytes_of(path), comment, "");
     for (std::sregex_iterator found(text.begin(), text.end(), made), end; found != end; ++found) {
       const auto open = static_cast<std::size_t>(found->position() + found->length() - 1);
       const std::string body = text.substr(open + 1, closing(text, open) - open - 1);
@@ -250,7 +244,7 @@ TEST(Catalogue, HasASentenceForEverythingThatIsRaised) {
 
 TEST(Catalogue, HasNothingThatNobodyRaises) {
   std::string all;
-  for (const auto& path : sources()) all += content(path);
+  for (const auto& path : sources()) all += bytes_of(path);
   for (const auto& part : catalogue())
     for (const Entry& entry : part)
       EXPECT_NE(all.find("\"" + std::string(entry.code) + "\""), std::string::npos) << entry.code;

@@ -7,12 +7,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/live/recorder.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -45,10 +44,7 @@ class FullDisk : public ::testing::Test {
     fs::remove(path_);
   }
   ~FullDisk() override { fs::remove(path_); }
-  std::string content() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string content() const { return bytes_of(path_); }
   fs::path path_;
 };
 

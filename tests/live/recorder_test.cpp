@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <new>
 #include <thread>
 
 #include "cromer/documents/words/words.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -161,8 +160,7 @@ struct Recorded {
     started = recorder.start();
     while (recorder.status().running) ::usleep(500);
     recorder.stop();
-    std::ifstream file(path, std::ios::binary);
-    content.assign(std::istreambuf_iterator<char>(file), {});
+    content = bytes_of(path);
   }
   ~Recorded() { fs::remove(path); }
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "cromer/documents/words/words.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -24,10 +24,7 @@ class RecordingFiles : public ::testing::Test {
     fs::remove(path_);
   }
   ~RecordingFiles() override { fs::remove(path_); }
-  std::string content() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string content() const { return bytes_of(path_); }
   void put(const std::string& text) const { std::ofstream(path_, std::ios::binary) << text; }
   fs::path path_;
 };

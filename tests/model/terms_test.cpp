@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <span>
 #include <string>
@@ -14,6 +12,7 @@
 #include "cromer/model/law.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms/term.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -117,8 +116,7 @@ std::string terms_in_markdown() {
 }
 
 TEST(Terms, StandInTheTableOfTheMethodsPage) {
-  std::ifstream file(CROMER_SOURCE_DIR "/docs/methods.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string page = bytes_of(CROMER_SOURCE_DIR "/docs/methods.md");
   EXPECT_NE(page.find(terms_in_markdown()), std::string::npos) << "put this table into docs/methods.md:\n"
                                                                << terms_in_markdown();
 }

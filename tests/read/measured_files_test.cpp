@@ -7,8 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -338,11 +337,6 @@ using testing::Contains;
 using testing::HasSubstr;
 
 const std::filesystem::path folder = std::filesystem::path(CROMER_SOURCE_DIR) / ".." / "shared" / "data";
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The file's name in letters and digits.
 std::string test_name(const testing::TestParamInfo<Known>& test) {

@@ -5,14 +5,13 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -35,11 +34,7 @@ std::string as_csv(const Table& table) {
 }
 
 /// Without the fuzzer's first byte, its choice of options.
-std::string seed(const std::string& name) {
-  std::ifstream file(seeds / name, std::ios::binary);
-  file.get();
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string seed(const std::string& name) { return bytes_of(seeds / name).substr(1); }
 
 /// Those that are read without options.
 std::vector<std::string> readable_seeds() {

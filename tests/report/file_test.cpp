@@ -14,10 +14,10 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "cromer/documents/words/words.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -36,11 +36,6 @@ class WriteFile : public testing::Test {
     fs::remove_all(folder_);
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  static std::string content(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-  }
   std::size_t entries() const {
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
@@ -54,9 +49,9 @@ TEST_F(WriteFile, WritesTheBytesAndNothingElse) {
   ASSERT_TRUE(check_writable(path("new.csv")).ok());
   EXPECT_EQ(entries(), 0u);
   ASSERT_TRUE(write_file(path("new.csv"), bytes).ok());
-  EXPECT_EQ(content(path("new.csv")), bytes);
+  EXPECT_EQ(bytes_of(path("new.csv")), bytes);
   ASSERT_TRUE(write_file(path("new.csv"), "shorter").ok());
-  EXPECT_EQ(content(path("new.csv")), "shorter");
+  EXPECT_EQ(bytes_of(path("new.csv")), "shorter");
   EXPECT_EQ(entries(), 1u);
 }
 
@@ -107,7 +102,7 @@ TEST_F(WriteFile, AFullDiskLeavesTheOldFileAndNothingElse) {
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(written.ok());
   EXPECT_NE(in_words(written.error()).find("old.csv"), std::string::npos);
-  EXPECT_EQ(content(path("old.csv")), "old");
+  EXPECT_EQ(bytes_of(path("old.csv")), "old");
   EXPECT_EQ(entries(), 1u);
 }
 
@@ -127,7 +122,7 @@ TEST_F(WriteFile, ALinkStaysALink) {
   fs::create_symlink(path("target"), path("link"));
   ASSERT_TRUE(write_file(path("link"), "2").ok());
   EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("target")), "2");
+  EXPECT_EQ(bytes_of(path("target")), "2");
 }
 
 TEST_F(WriteFile, ALinkToNothingIsFollowedToo) {
@@ -137,7 +132,7 @@ TEST_F(WriteFile, ALinkToNothingIsFollowedToo) {
   ASSERT_TRUE(write_file(path("link to the link"), "1").ok());
   EXPECT_TRUE(fs::is_symlink(path("link to the link")));
   EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("sub/target")), "1");
+  EXPECT_EQ(bytes_of(path("sub/target")), "1");
 }
 
 TEST_F(WriteFile, AKilledProgramLeavesNothing) {
@@ -188,7 +183,7 @@ TEST_F(WriteFile, AFileIsNoFolder) {
             "cannot write " + path("no/b") + ": there is no folder " + path("no"));
   EXPECT_TRUE(check_writable("-").ok());
   EXPECT_TRUE(check_writable(path("a")).ok());
-  EXPECT_EQ(content(path("a")), "1");
+  EXPECT_EQ(bytes_of(path("a")), "1");
 }
 
 TEST_F(WriteFile, AnErrorOfTheMakersLeavesTheOldFile) {
@@ -199,7 +194,7 @@ TEST_F(WriteFile, AnErrorOfTheMakersLeavesTheOldFile) {
   });
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(in_words(written.error()), "no more");
-  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(bytes_of(path("a")), "old");
   EXPECT_EQ(entries(), 1u);
 }
 

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "cromer/analysis/frequency_response.h"
@@ -12,6 +10,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
+#include "tests/support/bytes_of.h"
 #include "tests/support/simulated.h"
 #include "tests/tasks/of_bytes.h"
 
@@ -26,11 +25,6 @@ SimulateOptions recorded(std::vector<double> values, double spacing) {
   options.drive_file = "force.csv";
   options.drive_record = DriveRecord{std::move(values), spacing, {}};
   return options;
-}
-
-std::string measured(const std::string& name) {
-  std::ifstream file(std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 double peak(const SimulatedRun& of) {
@@ -108,7 +102,7 @@ TEST(Drive, TwoRowsAreARamp) {
 }
 
 TEST(Drive, MeetsChoprasPeaksOfElCentro) {
-  const std::string bytes = measured("ground-motion/elcentro_chopra.csv");
+  const std::string bytes = bytes_of(CROMER_SOURCE_DIR "/../shared/data/ground-motion/elcentro_chopra.csv");
   if (bytes.empty()) GTEST_SKIP() << "no ../shared/data";
   const auto record = drive_record(bytes, "elcentro_chopra.csv", {.quantity = "acceleration"}, {});
   ASSERT_TRUE(record.ok()) << in_words(record.error());

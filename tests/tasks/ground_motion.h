@@ -2,21 +2,17 @@
 #pragma once
 
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/tasks/of_bytes.h"
 
+#include "tests/support/bytes_of.h"
+
 namespace cromer::core::test {
 
 inline const std::string shared = CROMER_SOURCE_DIR "/../shared/data/";
-
-inline std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 inline SpectrumFile ground_motion(const std::string& name) {
   return {name, bytes_of(shared + "ground-motion/" + name)};

@@ -5,11 +5,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "tests/support/bytes_of.h"
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
@@ -137,8 +136,7 @@ TEST(Inspect, TheFuzzersCorpusEndsInAnswers) {
   std::size_t files = 0, read = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus)) {
     if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = bytes_of(entry.path());
     ASSERT_FALSE(bytes.empty());
     ReadOptions options;
     const auto choice = static_cast<unsigned char>(bytes[0]);

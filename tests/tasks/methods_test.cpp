@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core {
 namespace {
@@ -169,9 +168,7 @@ TEST(ListMethods, RefusesWhatItCannotUse) {
 }
 
 TEST(MethodsPage, HasTheTableOfTheRegistry) {
-  std::ifstream file(CROMER_SOURCE_DIR "/docs/methods.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_THAT(page, testing::HasSubstr(methods_in_markdown()))
+  EXPECT_THAT(bytes_of(CROMER_SOURCE_DIR "/docs/methods.md"), testing::HasSubstr(methods_in_markdown()))
       << "put the output of `cromer methods --markdown` into docs/methods.md";
 }
 
