@@ -1,13 +1,13 @@
 // Files made to cost time or memory that their size does not announce: read or refused, in memory
 // proportional to their size. A loop that is quadratic in their length does not end within the test's time.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cstdint>
 #include <string>
 
 #include "cromer/base/concat.h"
 #include "memory_meter.h"
+#include "tests/support/archive_of.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -46,34 +46,8 @@ TEST_P(HostileFiles, CostMemoryInProportion) {
   RecordProperty("times_its_size", static_cast<int>(most / bytes.size()));
 }
 
-std::string little(std::size_t value, int bytes) {
-  std::string text;
-  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xFFu);
-  return text;
-}
-
-/// An archive of one entry, deflated: a bomb where the text repeats itself.
-std::string zipped(std::string text) {
-  std::string packed(compressBound(text.size()), '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(text.data());
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
-  const std::string about =
-      concat({little(20, 2), little(0, 2), little(8, 2), little(0, 4), little(sum, 4),
-              little(packed.size(), 4), little(text.size(), 4), little(5, 2), little(0, 2)});
-  const std::string data = concat({"PK\x03\x04", about, "a.csv", packed});
-  const std::string directory =
-      concat({"PK\x01\x02", little(20, 2), about, little(0, 6), little(0, 4), little(0, 4), "a.csv"});
-  return concat({data, directory, "PK\x05\x06", little(0, 4), little(1, 2), little(1, 2),
-                 little(directory.size(), 4), little(data.size(), 4), little(0, 2)});
-}
+/// A bomb where the text repeats itself.
+std::string zipped(const std::string& text) { return archive_of({{"a.csv", text}}); }
 
 /// Dataset 58 that announces a million million points and holds two, as text or as binary.
 std::string uff(bool binary) {

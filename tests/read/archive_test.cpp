@@ -3,66 +3,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <zlib.h>
+
 #include <string>
 #include <vector>
 
-#include "cromer/base/concat.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
-
-namespace cromer::core {
-namespace {
-
-std::string little(std::size_t value, int bytes) {
-  std::string text;
-  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xFFu);
-  return text;
-}
-
-std::string deflated(const std::string& text) {
-  std::string packed(text.size() + 100, '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string input = text;
-  stream.next_in = reinterpret_cast<Bytef*>(input.data());
-  stream.avail_in = static_cast<uInt>(input.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-struct File {
-  std::string name, text;
-};
-
-/// An archive by the specification: local headers with their data, the directory, its end.
-std::string zipped(const std::vector<File>& files, bool pack = true, std::size_t flags = 0) {
-  std::string data, directory;
-  for (const File& file : files) {
-    const std::string packed = pack ? deflated(file.text) : file.text;
-    const auto* bytes = reinterpret_cast<const Bytef*>(file.text.data());
-    const std::string about =
-        concat({little(20, 2), little(flags, 2), little(pack ? 8 : 0, 2), little(0, 4),
-                little(crc32(0, bytes, static_cast<uInt>(file.text.size())), 4), little(packed.size(), 4),
-                little(file.text.size(), 4), little(file.name.size(), 2), little(0, 2)});
-    directory += concat({"PK\x01\x02", little(20, 2), about, little(0, 2), little(0, 2), little(0, 2),
-                         little(0, 4), little(data.size(), 4), file.name});
-    data += concat({"PK\x03\x04", about, file.name, packed});
-  }
-  const std::string end =
-      concat({"PK\x05\x06", little(0, 4), little(files.size(), 2), little(files.size(), 2),
-              little(directory.size(), 4), little(data.size(), 4), little(0, 2)});
-  return data + directory + end;
-}
-
-}  // namespace
-}  // namespace cromer::core
+#include "tests/support/archive_of.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -92,21 +41,21 @@ std::string with(std::string bytes, std::size_t at, const std::string& written) 
   return bytes.replace(at, written.size(), written);
 }
 
-const std::string abc = zipped({{"a.csv", "0,1\n1,2\n"}, {"b.csv", "0,3\n"}, {"c.csv", "5\n"}}, false);
+const std::string abc = archive_of({{"a.csv", "0,1\n1,2\n"}, {"b.csv", "0,3\n"}, {"c.csv", "5\n"}}, false);
 const std::string damaged = "the ZIP archive is damaged or not complete: export it again";
 
 TEST(Zip, BeginsWithAFileOrIsEmpty) {
   EXPECT_TRUE(is_zip(abc));
-  EXPECT_TRUE(is_zip(zipped({})));
+  EXPECT_TRUE(is_zip(archive_of({})));
   EXPECT_FALSE(is_zip(abc.substr(1)));
-  EXPECT_EQ(names_of(zipped({})), "");
+  EXPECT_EQ(names_of(archive_of({})), "");
 }
 
 TEST(Zip, AThousandFilesAreRead) {
-  std::vector<File> files(1000, {"a", ""});
-  EXPECT_EQ(zip_directory(zipped(files))->size(), 1000u);
+  std::vector<ArchivedFile> files(1000, {"a", ""});
+  EXPECT_EQ(zip_directory(archive_of(files))->size(), 1000u);
   files.push_back({"a", ""});
-  EXPECT_EQ(names_of(zipped(files)), "the ZIP archive holds more than 1000 files: unpack it");
+  EXPECT_EQ(names_of(archive_of(files)), "the ZIP archive holds more than 1000 files: unpack it");
 }
 
 TEST(Zip, ACommentMayEndIt) {
@@ -145,7 +94,7 @@ TEST(Zip, ExtrasAndCommentsOfFilesArePassedOver) {
 }
 
 TEST(Zip, EachFileHasWhatItsEntrySays) {
-  const std::string bytes = zipped({{"folder/a.csv", std::string(300, 'a')}, {"b", "0,3\n"}}, true, 1);
+  const std::string bytes = archive_of({{"folder/a.csv", std::string(300, 'a')}, {"b", "0,3\n"}}, true, 1);
   const auto entries = *zip_directory(bytes);
   EXPECT_EQ(entries[0].name, "folder/a.csv");
   EXPECT_EQ(entries[0].method, 8u);
@@ -154,14 +103,14 @@ TEST(Zip, EachFileHasWhatItsEntrySays) {
   EXPECT_EQ(entries[0].offset, 0u);
   EXPECT_EQ(entries[1].offset, 30 + 12 + entries[0].packed);
   EXPECT_TRUE(entries[1].encrypted);
-  EXPECT_FALSE((*zip_directory(zipped({{"b", "1"}}, true, 2)))[0].encrypted);
+  EXPECT_FALSE((*zip_directory(archive_of({{"b", "1"}}, true, 2)))[0].encrypted);
   EXPECT_EQ(entries[1].checksum, crc32(0, reinterpret_cast<const Bytef*>("0,3\n"), 4));
 }
 
 TEST(Zip, FilesAreStoredOrDeflated) {
   const std::string text = "0,1\n1,2\n";
-  for (const bool pack : {true, false}) EXPECT_EQ(content_of(zipped({{"a", text}}, pack)), text);
-  const std::string one = zipped({{"a", text}}, false);
+  for (const bool pack : {true, false}) EXPECT_EQ(content_of(archive_of({{"a", text}}, pack)), text);
+  const std::string one = archive_of({{"a", text}}, false);
   const std::size_t directory = directory_of(one);
   EXPECT_EQ(content_of(with(one, directory + 10, little(9, 2))),
             "the ZIP archive is packed by a method other than deflate: unpack it");
@@ -175,7 +124,7 @@ TEST(Zip, FilesAreStoredOrDeflated) {
   std::string extra = with(one, 28, little(300, 2));
   extra.insert(31, std::string(300, 'x'));
   EXPECT_EQ(content_of(with(extra, extra.size() - 6, little(directory + 300, 4))), text);
-  const std::string packed = zipped({{"a", text}});
+  const std::string packed = archive_of({{"a", text}});
   EXPECT_EQ(content_of(with(packed, directory_of(packed) + 24, little(9, 4))), damaged);
   EXPECT_EQ(content_of(with(packed, 31, "\xFF\xFF")), damaged);
 }
@@ -232,7 +181,7 @@ using testing::HasSubstr;
 const std::string gyro =
     "\"Time (s)\",\"Gyroscope x (rad/s)\"\n0.0E0,1.5E0\n1.0E-1,-2.5E0\n2.0E-1,NaN\n3.0E-1,1.0E0\n";
 const std::string acceleration = "\"Time (s)\";\"Acceleration x (m/s^2)\"\n0,0E0;1,5E0\n1,0E-1;2,5E0\n";
-const File meta{"meta/device.csv", "\"property\",\"value\"\n\"version\",\"1.1\"\n"};
+const ArchivedFile meta{"meta/device.csv", "\"property\",\"value\"\n\"version\",\"1.1\"\n"};
 
 std::string refusal(const std::string& bytes) {
   const auto recording = read_recording(bytes, "export.zip", {});
@@ -241,7 +190,7 @@ std::string refusal(const std::string& bytes) {
 
 TEST(Archive, OneDataSetIsOneRecording) {
   for (const bool pack : {true, false}) {
-    const auto r = read_recording(zipped({{"Raw Data.csv", gyro}, meta}, pack), "export.zip", {});
+    const auto r = read_recording(archive_of({{"Raw Data.csv", gyro}, meta}, pack), "export.zip", {});
     ASSERT_TRUE(r.ok()) << in_words(r.error());
     EXPECT_EQ(r->dialect.name, "phyphox ZIP");
     EXPECT_EQ(runs(*r).size(), 1u);
@@ -253,10 +202,10 @@ TEST(Archive, OneDataSetIsOneRecording) {
 }
 
 TEST(Archive, DataSetsAreRunsCalledByTheirFiles) {
-  const auto r = read_recording(zipped({{"a/Accelerometer.csv", acceleration},
-                                        {"a/Gyroscope.csv", gyro},
-                                        {"a/Results.csv", "\"f (Hz)\"\n1.5E0\n"},
-                                        {"a/meta/time.csv", "\"event\"\n\"START\"\n"}}),
+  const auto r = read_recording(archive_of({{"a/Accelerometer.csv", acceleration},
+                                            {"a/Gyroscope.csv", gyro},
+                                            {"a/Results.csv", "\"f (Hz)\"\n1.5E0\n"},
+                                            {"a/meta/time.csv", "\"event\"\n\"START\"\n"}}),
                                 "export.zip", {});
   ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_THAT(runs(*r), ElementsAre(1, 2));
@@ -267,39 +216,39 @@ TEST(Archive, DataSetsAreRunsCalledByTheirFiles) {
 }
 
 TEST(Archive, WhatCannotBeReadIsRefused) {
-  const std::string good = zipped({{"Raw Data.csv", gyro}});
+  const std::string good = archive_of({{"Raw Data.csv", gyro}});
   EXPECT_THAT(refusal(good.substr(0, good.size() - 30)), HasSubstr("damaged"));
   std::string flipped = good;
   flipped[60] = static_cast<char>(flipped[60] ^ 0x40);
   EXPECT_THAT(refusal(flipped), HasSubstr("damaged"));
-  EXPECT_THAT(refusal(zipped({{"Raw Data.csv", gyro}}, true, 1)), HasSubstr("password"));
-  EXPECT_THAT(refusal(zipped({{"[Content_Types].xml", "<x/>"}})),
+  EXPECT_THAT(refusal(archive_of({{"Raw Data.csv", gyro}}, true, 1)), HasSubstr("password"));
+  EXPECT_THAT(refusal(archive_of({{"[Content_Types].xml", "<x/>"}})),
               HasSubstr("spreadsheet: export the sheet as CSV"));
-  EXPECT_THAT(refusal(zipped({meta})), HasSubstr("holds no CSV file"));
-  EXPECT_THAT(refusal(zipped({{"Raw Data.csv", std::string(2'000'000, ' ')}})),
+  EXPECT_THAT(refusal(archive_of({meta})), HasSubstr("holds no CSV file"));
+  EXPECT_THAT(refusal(archive_of({{"Raw Data.csv", std::string(2'000'000, ' ')}})),
               HasSubstr("far more than its size"));
-  EXPECT_THAT(refusal(zipped({{"Raw Data.csv", "t,x\n0,1\n1,abc\n2,3\n"}})),
+  EXPECT_THAT(refusal(archive_of({{"Raw Data.csv", "t,x\n0,1\n1,abc\n2,3\n"}})),
               HasSubstr("export.zip: \"Raw Data\":3: column \"x\": \"abc\" is not a number"));
 }
 
 const std::string table = "t (s),x (m)\n0,1\n1,2\n2,4\n";
 
-std::vector<std::string> warnings_of(const std::vector<File>& files) {
-  const auto recording = read_recording(zipped(files), "export.zip", {});
+std::vector<std::string> warnings_of(const std::vector<ArchivedFile>& files) {
+  const auto recording = read_recording(archive_of(files), "export.zip", {});
   EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? in_words(recording->notices) : std::vector<std::string>{};
 }
 
-std::string dialect_of(const std::vector<File>& files) {
-  return read_recording(zipped(files), "export.zip", {})->dialect.name;
+std::string dialect_of(const std::vector<ArchivedFile>& files) {
+  return read_recording(archive_of(files), "export.zip", {})->dialect.name;
 }
 
 TEST(Archive, OnlyFilesThatEndAsTextAreLookedAt) {
   for (const char* name : {"a.csv", "a.TXT", "a.tsv", "b/a.dat", "csv.csv.txt", ".csv"})
     EXPECT_EQ(dialect_of({{name, table}, {"b.png", "\x89PNG"}, {"csv", "?"}}), "plain in ZIP") << name;
   for (const char* name : {"a.png", "csv", "acsv", ""})
-    EXPECT_EQ(refusal(zipped({{name, table}})), "export.zip: the ZIP archive holds no CSV file") << name;
-  EXPECT_EQ(refusal(zipped({{"content.xml", "<x/>"}})),
+    EXPECT_EQ(refusal(archive_of({{name, table}})), "export.zip: the ZIP archive holds no CSV file") << name;
+  EXPECT_EQ(refusal(archive_of({{"content.xml", "<x/>"}})),
             "export.zip: this is a spreadsheet: export the sheet as CSV");
 }
 
@@ -315,7 +264,7 @@ TEST(Archive, WhatCannotBeReadBesideTheOthersIsSaid) {
               ElementsAre("left out of the archive: \"bad\":3: column \"x\": \"abc\" is not a number; "
                           "--skip-bad-rows drops such rows",
                           "left out of the archive: \"empty\": the file is empty"));
-  EXPECT_THAT(refusal(zipped({{"a.csv", ""}, {"b.csv", "abc"}})), HasSubstr("\"a\": the file is empty"));
+  EXPECT_THAT(refusal(archive_of({{"a.csv", ""}, {"b.csv", "abc"}})), HasSubstr("\"a\": the file is empty"));
 }
 
 TEST(Archive, WarningsNameTheFileWhereThereAreSeveral) {
@@ -331,7 +280,7 @@ TEST(Archive, WarningsNameTheFileWhereThereAreSeveral) {
 
 TEST(Archive, FilesWithoutTimesAreReadWhereNoneHasThem) {
   const auto r =
-      read_recording(zipped({{"a.csv", "x (m)\n5\n6\n"}, {"b.csv", "x (m)\n7\n6\n"}}), "e.zip", {});
+      read_recording(archive_of({{"a.csv", "x (m)\n5\n6\n"}, {"b.csv", "x (m)\n7\n6\n"}}), "e.zip", {});
   ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_THAT(runs(*r), ElementsAre(1, 2));
   EXPECT_TRUE(r->named);
