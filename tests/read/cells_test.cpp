@@ -9,6 +9,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -112,13 +113,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string refusal(std::string_view text, bool skip = false) {
-  ReadOptions options;
-  options.skip_bad_rows = skip;
-  const auto recording = read_recording(text, "lab.csv", options);
-  return recording ? "read" : in_words(recording.error());
-}
-
 std::string bad_cell(std::string_view cell, char decimal) {
   return in_words(dialects::bad_cell(cell, decimal));
 }
@@ -172,27 +166,29 @@ TEST(BadCell, ExponentsAndDecimalMarksAreTold) {
 
 TEST(BadCell, IsNamedInAColumn) {
   EXPECT_THAT(refusal("t;x\n0;1.5\n1;1,000.0\n2;2.5\n"),
-              AllOf(StartsWith("lab.csv:3: column \"x\": \"1,000.0\""), HasSubstr("write 1000.0")));
+              AllOf(StartsWith("lab.txt:3: column \"x\": \"1,000.0\""), HasSubstr("write 1000.0")));
   EXPECT_THAT(refusal("t,x\n0,1.5\n1,-1e309\n2,2.5\n"),
-              AllOf(StartsWith("lab.csv:3: column \"x\": \"-1e309\""), HasSubstr("too large")));
+              AllOf(StartsWith("lab.txt:3: column \"x\": \"-1e309\""), HasSubstr("too large")));
 }
 
 TEST(BadCell, IsNamedWhereNoRowIsLeft) {
   for (const bool skip : {false, true}) {
+    ReadOptions options;
+    options.skip_bad_rows = skip;
     EXPECT_THAT(
-        refusal("t,x\n12:00:00.50,1.5\n12:00:00.60,2.5\n", skip),
-        AllOf(StartsWith("lab.csv:2: "), HasSubstr("\"12:00:00.50\" is not a number; it is a clock time")));
-    EXPECT_THAT(refusal("t;x\n0;1,001.0\n1;1,000.0\n", skip),
-                AllOf(StartsWith("lab.csv:2: "), HasSubstr("write 1001.0")));
-    EXPECT_THAT(refusal("t x\n0.0D0 1.5D-03\n1.0D0 2.5D-03\n", skip),
-                AllOf(StartsWith("lab.csv:2: "), HasSubstr("Fortran")));
+        refusal("t,x\n12:00:00.50,1.5\n12:00:00.60,2.5\n", options),
+        AllOf(StartsWith("lab.txt:2: "), HasSubstr("\"12:00:00.50\" is not a number; it is a clock time")));
+    EXPECT_THAT(refusal("t;x\n0;1,001.0\n1;1,000.0\n", options),
+                AllOf(StartsWith("lab.txt:2: "), HasSubstr("write 1001.0")));
+    EXPECT_THAT(refusal("t x\n0.0D0 1.5D-03\n1.0D0 2.5D-03\n", options),
+                AllOf(StartsWith("lab.txt:2: "), HasSubstr("Fortran")));
   }
 }
 
 TEST(BadCell, HalfOfTheRowsAreNotMost) {
   ReadOptions options;
   options.skip_bad_rows = true;
-  const auto recording = read_recording("t;x\n0;1\n1;2\n2;abc\n3;abc\n", "lab.csv", options);
+  const auto recording = read_recording("t;x\n0;1\n1;2\n2;abc\n3;abc\n", "lab.txt", options);
   ASSERT_TRUE(recording.ok());
   EXPECT_EQ(in_words(recording->notices).at(0), "2 bad rows left out, the first in line 4");
 }
@@ -202,7 +198,7 @@ TEST(BadCell, MostRowsLostIsSaidFirst) {
   for (int i = 3; i < 7; ++i) text += concat({std::to_string(i), ";1,000.5\n"});
   ReadOptions options;
   options.skip_bad_rows = true;
-  const auto recording = read_recording(text, "lab.csv", options);
+  const auto recording = read_recording(text, "lab.txt", options);
   ASSERT_TRUE(recording.ok());
   EXPECT_THAT(in_words(recording->notices).at(0),
               AllOf(StartsWith("MOST ROWS ARE LOST: 4 bad rows left out, 3 rows kept, the first in line 5"),

@@ -10,6 +10,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
@@ -79,17 +80,6 @@ TEST(ColumnKind, FactorsAreKnownOrOne) {
   EXPECT_DOUBLE_EQ(factor("frequency", "rad/s"), 1 / 6.283185307179586);
 }
 
-Recording read(std::string_view text, const ReadOptions& options = {}) {
-  auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(std::string_view text, const ReadOptions& options = {}) {
-  const auto recording = read_recording(text, "lab.csv", options);
-  return recording ? "read" : in_words(recording.error());
-}
-
 /// The quantity of the first column of a table without names.
 std::string first_of(const std::string& values, double rate = 0) {
   std::string text;
@@ -154,16 +144,16 @@ TEST(TimeColumn, ThatIsAskedForIsTheOnlyOne) {
   EXPECT_EQ(r.table.columns[1].quantity, "position");
   EXPECT_EQ(r.table.columns[2].quantity, "time");
   EXPECT_EQ(refusal("t (s),x (m)\n0,5\n1,6\n", named),
-            "lab.csv: --time-column: no column is called \"clock\"; there are \"t (s)\", \"x (m)\"");
+            "lab.txt: --time-column: no column is called \"clock\"; there are \"t (s)\", \"x (m)\"");
   EXPECT_EQ(
       refusal("t (s),clock (foo)\n0,5\n1,6\n", named),
-      "lab.csv: column \"clock (foo)\": the unit \"foo\" is not known: write s, ms, us, min or h behind the "
+      "lab.txt: column \"clock (foo)\": the unit \"foo\" is not known: write s, ms, us, min or h behind the "
       "time's name (seconds need none)");
   named.time_column = "t";
   EXPECT_EQ(refusal("t (s),time (foo)\n0,5\n1,6\n", named), "read");
   EXPECT_EQ(
       refusal("Time (m),x\n0,5\n1,6\n"),
-      "lab.csv: column \"Time (m)\": the unit \"m\" is no unit of time: write s, ms, us, min or h behind the "
+      "lab.txt: column \"Time (m)\": the unit \"m\" is no unit of time: write s, ms, us, min or h behind the "
       "time's name (seconds need none), or name another column with --time-column");
 }
 
@@ -251,7 +241,7 @@ TEST(CleanTable, SensorsKeepTheirOwnTimes) {
   EXPECT_THAT(heads(*timed), ElementsAre("Time (s) 3", "x (m) 3", "y (m) 3"));
   EXPECT_THAT(timed->columns[0].values, ElementsAre(0, 0.25, 0.5));
   EXPECT_THAT(in_words(clean_table(read("t,x\n3,1\n2,2\n1,4\n"), {}).error()),
-              HasSubstr("lab.csv: the time runs"));
+              HasSubstr("lab.txt: the time runs"));
 }
 
 }  // namespace

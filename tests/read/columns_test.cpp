@@ -7,6 +7,7 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 #include "cromer/read/time.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
@@ -14,12 +15,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-Recording read(std::string_view text, const ReadOptions& options = {}) {
-  auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
 
 std::vector<int> run_of_columns(const Recording& recording) {
   std::vector<int> all;
@@ -136,10 +131,10 @@ TEST(Commas, WholeNumbersAmongDecimalCommasAreRefused) {
   ReadOptions comma;
   comma.decimal = ",";
   const std::string text = "0,1,1,6\n0,1,5\n0,2,1,7\n0,3,1,7\n";
-  const auto refused = read_recording(text, "lab.csv", comma);
+  const auto refused = read_recording(text, "lab.txt", comma);
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(in_words(refused.error()),
-              HasSubstr("lab.csv:2: \"0,1,5\": it is open which commas are decimal marks"));
+              HasSubstr("lab.txt:2: \"0,1,5\": it is open which commas are decimal marks"));
   comma.skip_bad_rows = true;
   EXPECT_THAT(read(text, comma).table.columns.at(1).values, ElementsAre(1.6, 1.7, 1.7));
 }

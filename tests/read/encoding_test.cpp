@@ -4,6 +4,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
@@ -30,18 +31,13 @@ std::string utf16(std::u16string_view text, const Form& form) {
   return bytes;
 }
 
-std::string refusal(const std::string& bytes) {
-  const auto recording = read_recording(bytes, "lab.csv", {});
-  return recording ? "read" : in_words(recording.error());
-}
-
 class Utf16 : public testing::TestWithParam<Form> {};
 
 TEST_P(Utf16, IsReadAsUtf8Is) {
   // One, two, three and four bytes in UTF-8: letters, µ and Ü, a true minus sign, a letter beyond U+FFFF.
   const auto r = read_recording(
       utf16(u"Übung \U0001D703\r\nZeit (s);Auslenkung (µm)\r\n0;1,5\r\n0,5;\u22122\r\n1;2\r\n", GetParam()),
-      "lab.csv", {});
+      "lab.txt", {});
   ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_EQ(r->dialect.encoding, GetParam().name);
   ASSERT_EQ(r->table.columns.size(), 2u);
@@ -70,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, Utf16,
                                          Form{"UTF-16 LE", false, false}, Form{"UTF-16 BE", true, false}));
 
 TEST(Encoding, WhatIsNoTextOfTwoBytes) {
-  EXPECT_EQ(refusal("\xFF\xFE"), "lab.csv: the file is empty");
+  EXPECT_EQ(refusal("\xFF\xFE"), "lab.txt: the file is empty");
   EXPECT_THAT(refusal(std::string(1000, '\0')), HasSubstr("binary"));
   // Four bytes a character.
   EXPECT_THAT(refusal(std::string("\xFF\xFE\0\0t\0\0\0,\0\0\0", 12)),
@@ -78,7 +74,7 @@ TEST(Encoding, WhatIsNoTextOfTwoBytes) {
 }
 
 std::string encoding_of(const std::string& bytes) {
-  const auto recording = read_recording(bytes, "lab.csv", {});
+  const auto recording = read_recording(bytes, "lab.txt", {});
   return recording ? recording->dialect.encoding : in_words(recording.error());
 }
 
@@ -105,7 +101,7 @@ TEST(Encoding, SurrogatesReachFromEndToEnd) {
   for (const char16_t* letter : {u"\U00010000", u"\U0010FFFF", u"\uD7FF", u"\uE000"})
     EXPECT_EQ(encoding_of(utf16(std::u16string(u"x ") + letter + u"\n1\n2\n", {"", false, true})),
               "UTF-16 LE with BOM");
-  const auto read = read_recording(utf16(u"x \U0010FFFF\n1\n2\n", {"", false, true}), "lab.csv", {});
+  const auto read = read_recording(utf16(u"x \U0010FFFF\n1\n2\n", {"", false, true}), "lab.txt", {});
   EXPECT_EQ(read->table.columns[0].name, "x \xF4\x8F\xBF\xBF");
   for (const std::u16string& half : {std::u16string{0xD800, 0xDBFF}, std::u16string{0xD800, 0xE000},
                                      std::u16string{0xDFFF, 0xDC00}, std::u16string{0xDBFF}})
@@ -115,7 +111,7 @@ TEST(Encoding, SurrogatesReachFromEndToEnd) {
 
 TEST(Encoding, WindowsLettersAreRead) {
   const auto name = [](const std::string& letter) {
-    return read_recording("Weg " + letter + "\n1\n2\n", "lab.csv", {})->table.columns[0].name;
+    return read_recording("Weg " + letter + "\n1\n2\n", "lab.txt", {})->table.columns[0].name;
   };
   EXPECT_EQ(name("\x80"), "Weg \u20AC");
   EXPECT_EQ(name("\x81"), "Weg \uFFFD");
@@ -123,7 +119,7 @@ TEST(Encoding, WindowsLettersAreRead) {
   EXPECT_EQ(name("\xA1"), "Weg \u00A1");
   EXPECT_EQ(name("\xFF"), "Weg \u00FF");
   EXPECT_EQ(encoding_of(std::string("1 2\n3 4\n\0", 9)),
-            "lab.csv: this is a binary file (a zero byte at offset 8): a text or CSV file is expected");
+            "lab.txt: this is a binary file (a zero byte at offset 8): a text or CSV file is expected");
 }
 
 }  // namespace

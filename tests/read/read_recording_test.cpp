@@ -7,23 +7,13 @@
 #include "cromer/base/concat.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-Recording read(std::string_view text, const ReadOptions& options = {}) {
-  auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(std::string_view text, const ReadOptions& options = {}) {
-  const auto recording = read_recording(text, "lab.csv", options);
-  return recording ? "read" : in_words(recording.error());
-}
 
 const Column& column(const Recording& recording, std::size_t j) { return recording.table.columns.at(j); }
 
@@ -180,19 +170,19 @@ TEST(ReadRecording, MissingValuesAreCounted) {
 TEST(ReadRecording, AWordNamesLineColumnAndCure) {
   const std::string text = "Time (s),Position (m)\n0.5,1\n1.5,abc\n2.5,3\n";
   EXPECT_EQ(refusal(text),
-            "lab.csv:3: column \"Position (m)\": \"abc\" is not a number; --skip-bad-rows drops such rows");
+            "lab.txt:3: column \"Position (m)\": \"abc\" is not a number; --skip-bad-rows drops such rows");
   const Recording r =
       read(text, {.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 0, .skip_bad_rows = true});
   EXPECT_THAT(column(r, 1).values, ElementsAre(1, 3));
   EXPECT_THAT(r.lines, ElementsAre(2, 4));
   EXPECT_THAT(in_words(r.notices), ElementsAre("1 bad row left out, the first in line 3"));
   EXPECT_THAT(refusal("t,x\n0.1,abc\n0.2,2\n0.3,3\n"),
-              HasSubstr("lab.csv:2: column \"x\""));  // the first row too
+              HasSubstr("lab.txt:2: column \"x\""));  // the first row too
   EXPECT_THAT(refusal("t,x\n0.1,1\n0.2,1e999\n0.3,3\n"),
-              HasSubstr("lab.csv:3: column \"x\": \"1e999\" is not a number"));
+              HasSubstr("lab.txt:3: column \"x\": \"1e999\" is not a number"));
   EXPECT_THAT(refusal("t;x\n0.1;1\n0.2;1,5\n0.3;3\n"), HasSubstr("the decimal mark of this file is a point"));
   EXPECT_THAT(refusal("t,x\n0.1,1\n0.2,2,7\n0.3,3\n"),
-              HasSubstr("lab.csv:3: there are more values than the 2 columns"));
+              HasSubstr("lab.txt:3: there are more values than the 2 columns"));
 }
 
 TEST(ReadRecording, TwoWaysOfReadingAreNotGuessedAt) {
@@ -214,7 +204,7 @@ TEST(ReadRecording, TwoWaysOfReadingAreNotGuessedAt) {
 }
 
 TEST(ReadRecording, WhatIsNoRecordingIsRefusedClearly) {
-  EXPECT_EQ(refusal(""), "lab.csv: the file is empty");
+  EXPECT_EQ(refusal(""), "lab.txt: the file is empty");
   EXPECT_THAT(refusal("\n\n"), HasSubstr("no rows of numbers"));
   EXPECT_THAT(refusal("Time (s),Position (m)\n"), HasSubstr("no rows of numbers"));
   EXPECT_THAT(refusal(std::string("\x7F"
@@ -273,7 +263,7 @@ TEST(ReadRecording, ManyShortRowsCostNoMemory) {
   }
   for (int i = 0; i < 2'000'000; ++i) text += "1\n";
   const auto recording =
-      read_recording(text, "lab.csv", {.delimiter = ";", .decimal = {}, .time_column = {}});
+      read_recording(text, "lab.txt", {.delimiter = ";", .decimal = {}, .time_column = {}});
   EXPECT_TRUE(!recording || recording->table.rows() * recording->table.columns.size() < text.size());
 }
 

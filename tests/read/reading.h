@@ -29,6 +29,13 @@ inline std::string refusal(std::string_view text, std::string_view file = "lab.t
   return recording ? "read" : in_words(recording.error());
 }
 
+inline Recording read(std::string_view text, const ReadOptions& options) {
+  return read(text, "lab.txt", options);
+}
+inline std::string refusal(std::string_view text, const ReadOptions& options) {
+  return refusal(text, "lab.txt", options);
+}
+
 /// "1 x (m)": run and title of each column.
 inline std::vector<std::string> titles(const Recording& recording) {
   std::vector<std::string> all;

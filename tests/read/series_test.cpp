@@ -8,6 +8,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
@@ -17,12 +18,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-Recording read(std::string_view text, const ReadOptions& options = {}) {
-  auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
 
 Series series(std::string_view text, std::string_view column = "", const ReadOptions& options = {},
               int run = 1) {
@@ -51,11 +46,11 @@ TEST(Series, TheQuantitiesComeInTheirOrder) {
 
 TEST(Series, WithoutAMotionItSaysSo) {
   EXPECT_EQ(refusal("t (s),f (Hz),g (Hz)\n0,1,2\n1,2,3\n2,4,5\n"),
-            "lab.csv: there is no motion beside the time: \"f (Hz)\", \"g (Hz)\" hold frequencies; to fit "
+            "lab.txt: there is no motion beside the time: \"f (Hz)\", \"g (Hz)\" hold frequencies; to fit "
             "one all the same, name it with --column, for instance --column \"f\"");
   EXPECT_THAT(refusal("t (s),f (Hz)\n0,1\n1,2\n2,4\n"), HasSubstr("\"f (Hz)\" holds a frequency; to fit"));
-  EXPECT_EQ(refusal("t (s)\n0\n1\n2\n"), "lab.csv: there is no column beside the time");
-  EXPECT_EQ(refusal("t (s),n\n0,5\n1,5\n2,6\n"), "lab.csv: there is no column beside the time");
+  EXPECT_EQ(refusal("t (s)\n0\n1\n2\n"), "lab.txt: there is no column beside the time");
+  EXPECT_EQ(refusal("t (s),n\n0,5\n1,5\n2,6\n"), "lab.txt: there is no column beside the time");
   EXPECT_THAT(in_words(series("t (s),q\n0,5\n1,6\n2,5\n").notices),
               Contains("no column is known to be a position, angle or velocity: \"q\" is taken"));
   EXPECT_THAT(in_words(series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n").notices),
@@ -90,22 +85,22 @@ TEST(Series, ARateIsNotUsedBesideTimes) {
   EXPECT_EQ(series("x (m)\n5\n", "", ten).rate, 0);
   EXPECT_EQ(
       refusal("x (m)\n5\n6\n"),
-      "lab.csv: there is no time column: give the samples per second with --rate, or name the column with "
+      "lab.txt: there is no time column: give the samples per second with --rate, or name the column with "
       "--time-column");
   for (const double wrong : {-1.0, HUGE_VAL, std::nan("")}) {
     ReadOptions options;
     options.rate = wrong;
-    EXPECT_EQ(in_words(read_recording("1 2\n", "lab.csv", options).error()),
+    EXPECT_EQ(in_words(read_recording("1 2\n", "lab.txt", options).error()),
               "--rate must be a number of samples per second above 0");
   }
 }
 
 TEST(Series, OneRunOrSeveralAreCounted) {
   EXPECT_EQ(refusal("t (s),x (m)\n0,5\n1,6\n", "", {}, 2),
-            "lab.csv: there is no run 2: the file has one run");
+            "lab.txt: there is no run 2: the file has one run");
   EXPECT_EQ(refusal("t,x Run #1,x Run #2\n0,1,2\n1,2,3\n", "", {}, 0),
-            "lab.csv: there is no run 0: the file has 2 runs");
-  EXPECT_EQ(refusal("t (s),x (m)\n0,\n1,\n"), "lab.csv: column \"x (m)\" of run 1 has no values");
+            "lab.txt: there is no run 0: the file has 2 runs");
+  EXPECT_EQ(refusal("t (s),x (m)\n0,\n1,\n"), "lab.txt: column \"x (m)\" of run 1 has no values");
 }
 
 TEST(Series, OneSampleIsTaken) {

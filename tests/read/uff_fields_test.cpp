@@ -7,6 +7,7 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/uff.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -53,17 +54,6 @@ std::string dataset(const std::string& values,
        "         8                NONE                 mm\n\n\n", values, "    -1\n"});
 }
 
-Recording read(const std::string& text) {
-  auto recording = read_recording(text, "beam.uff", {});
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(const std::string& text) {
-  const auto recording = read_recording(text, "beam.uff", {});
-  return recording ? "read" : in_words(recording.error());
-}
-
 TEST(UffFields, ASetIsReadToItsPoints) {
   EXPECT_THAT(in_words(read(dataset(" 1 2 3\n")).notices), IsEmpty());
   const Recording fewer = read(dataset(" 1 2\n"));
@@ -83,7 +73,7 @@ TEST(UffFields, WhatIsLeftOutIsCounted) {
   EXPECT_THAT(in_words(read(complex + good + complex).notices),
               ElementsAre("2 datasets left out: its values are complex, the first in line 2"));
   EXPECT_EQ(refusal(complex),
-            "beam.uff: the universal file holds no time response of a dataset 58; 1 dataset left "
+            "lab.txt: the universal file holds no time response of a dataset 58; 1 dataset left "
             "out: its values are complex, in line 2");
   EXPECT_EQ(refusal("    -1\n    58\n"), refusal("    -1\n    58\n    -1\n"));
   EXPECT_THAT(in_words(read(good + dataset("")).notices),
@@ -93,8 +83,8 @@ TEST(UffFields, WhatIsLeftOutIsCounted) {
         << other;
   EXPECT_THAT(in_words(read(concat({good, "    -1\n    55\nx\n    -1\n"})).notices),
               ElementsAre("1 dataset left out: its kind \"55\" is not 58, in line 17"));
-  EXPECT_EQ(refusal(dataset(" 1 x 3\n")), "beam.uff:14: \"x\" is not a number");
-  EXPECT_EQ(refusal(good + dataset(" 1 x 3\n")), "beam.uff:29: \"x\" is not a number");
+  EXPECT_EQ(refusal(dataset(" 1 x 3\n")), "lab.txt:14: \"x\" is not a number");
+  EXPECT_EQ(refusal(good + dataset(" 1 x 3\n")), "lab.txt:29: \"x\" is not a number");
 }
 
 TEST(UffFields, LineEndsMayStandBeforeTheDelimiter) {
@@ -120,13 +110,13 @@ TEST(UffFields, ABinarySetSaysHowItIsWritten) {
   EXPECT_EQ(with("    58b     1     2          11          12"), "read");
   EXPECT_EQ(with("    58b     2     2          11          12"), "read");
   EXPECT_EQ(with("    58b     3     2          11          12"),
-            "beam.uff:2: its byte order is neither 1 nor 2");
+            "lab.txt:2: its byte order is neither 1 nor 2");
   EXPECT_EQ(with("    58b     1     1          11          12"),
-            "beam.uff:2: its binary numbers are not IEEE 754: convert the file to dataset 58 as text");
+            "lab.txt:2: its binary numbers are not IEEE 754: convert the file to dataset 58 as text");
   EXPECT_EQ(with("    58b     1     2          11          -1"),
-            "beam.uff:2: its number of bytes is not valid");
+            "lab.txt:2: its number of bytes is not valid");
   EXPECT_EQ(with("    58b     1     2          11        1e15"),
-            "beam.uff:2: its number of bytes is not valid");
+            "lab.txt:2: its number of bytes is not valid");
   EXPECT_NE(with("    58b     1     2          11"), "read");
 }
 

@@ -10,6 +10,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
+#include "tests/read/reading.h"
 
 namespace cromer::core {
 namespace {
@@ -68,13 +69,7 @@ std::string binary_set(const Response& r, const std::string& values, bool little
                  header(r), values, end, "    -1\n"});
 }
 
-Recording read(const std::string& bytes) {
-  auto recording = read_recording(bytes, "beam.uff", {});
-  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
-  return recording ? *recording : Recording{};
-}
-
-std::vector<std::string> titles(const Recording& recording) {
+std::vector<std::string> headings(const Recording& recording) {
   std::vector<std::string> all;
   for (const Column& column : recording.table.columns) all.push_back(column_title(column));
   return all;
@@ -86,7 +81,7 @@ TEST(Uff, TextInSinglesAndDoubles) {
            text_set({.type = 4, .kind = 8, .unit = "mm", .node = 4, .direction = -1},
                     "  1.250000000000E+00 -2.500000000000E+00  3.000000000000E+00\n"));
   EXPECT_EQ(r.dialect.name, "UFF 58");
-  EXPECT_THAT(titles(r), ElementsAre("Time (s)", "Acceleration 3 +Z (m/s^2)", "Displacement 4 -X (mm)"));
+  EXPECT_THAT(headings(r), ElementsAre("Time (s)", "Acceleration 3 +Z (m/s^2)", "Displacement 4 -X (mm)"));
   EXPECT_THAT(r.table.columns[0].values, ElementsAre(0.5, 0.75, 1));
   EXPECT_THAT(r.table.columns[1].values, ElementsAre(1.5, -2.5, -3.75e-5));
   EXPECT_THAT(r.table.columns[2].values, ElementsAre(1.25, -2.5, 3));
@@ -133,7 +128,7 @@ TEST(Uff, WhatIsNoTimeResponseIsLeftOut) {
               testing::UnorderedElementsAre(HasSubstr("1 dataset left out: its values are complex"),
                                             HasSubstr("1 dataset left out: it is no time response"),
                                             HasSubstr("announces 9 points and holds 3")));
-  const auto refused = read_recording(text_set({.type = 5}, " 1 2\n"), "beam.uff", {});
+  const auto refused = read_recording(text_set({.type = 5}, " 1 2\n"), "lab.txt", {});
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(in_words(refused.error()), HasSubstr("holds no time response"));
   // A single column of numbers is none.
@@ -141,10 +136,9 @@ TEST(Uff, WhatIsNoTimeResponseIsLeftOut) {
 }
 
 TEST(Uff, AWordAmongTheNumbersIsNoEndOfThem) {
-  const auto recording =
-      read_recording(text_set({}, "  1.00000E+00  2.00000E+00\n  three\n"), "beam.uff", {});
+  const auto recording = read_recording(text_set({}, "  1.00000E+00  2.00000E+00\n  three\n"), "lab.txt", {});
   ASSERT_FALSE(recording);
-  EXPECT_THAT(in_words(recording.error()), HasSubstr("beam.uff:15"));
+  EXPECT_THAT(in_words(recording.error()), HasSubstr("lab.txt:15"));
   EXPECT_THAT(in_words(recording.error()), HasSubstr("three"));
 }
 
