@@ -227,9 +227,6 @@ struct Described<SpectrumDocument> {
   static constexpr auto unless_shock = [](const S& s, std::string_view unit) {
     return s.result.options.shock ? std::nullopt : std::optional(unit);
   };
-  static constexpr auto acceleration = [](const S& s) {
-    return std::string_view(s.result.options.in_g ? "g" : "m/s^2");
-  };
   static constexpr auto entries = members(
       field(
           "components",
@@ -252,7 +249,7 @@ struct Described<SpectrumDocument> {
                   field(
                       "acceleration",
                       [](const S& s) {
-                        return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
+                        return s.result.options.shock ? std::optional(written_unit(s.result)) : std::nullopt;
                       },
                       "", "unit of shock spectra")
                       .left_out(),
@@ -264,7 +261,7 @@ struct Described<SpectrumDocument> {
                       "unit of the pseudo-velocities")
                       .left_out(),
                   field(
-                      "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "",
+                      "PSA", [](const S& s) { return unless_shock(s, written_unit(s.result)); }, "",
                       "unit of the pseudo-accelerations")
                       .left_out())),
       field(
