@@ -30,7 +30,7 @@ struct SpringOptions {
   std::optional<Quantity> gravity;  // [m/s²]
 };
 
-std::vector<Option> options_of(SpringOptions& o) {
+std::vector<Option> static_options_of(SpringOptions& o) {
   constexpr std::string_view group = "The spring constant from several masses";
   return {
       {"static", &o.held, "", Range::any,
@@ -145,7 +145,7 @@ int run_fit(const Arguments& arguments) {
           "s\" --plot fit.svg\n"
           "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
   SpringOptions spring;
-  const auto of_spring = options_of(spring);
+  const auto of_spring = static_options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
   add_output_options(syntax.options, output, {},
                      "a table with a row for each recording as .csv, or the document as .json");

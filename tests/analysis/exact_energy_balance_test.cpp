@@ -5,13 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/friction.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 EnergyBalance balance(const Oscillator<double>& law, const State<double>& start, double until) {
   const Oscillator<double> per_mass{

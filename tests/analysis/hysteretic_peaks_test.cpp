@@ -4,17 +4,15 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "cromer/analysis/frequency_response.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 TEST(HystereticResponse, IsThatOfAComplexSpring) {
   using namespace std::complex_literals;

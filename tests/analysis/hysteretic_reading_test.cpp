@@ -6,16 +6,14 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "cromer/analysis/hysteretic_peaks.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct Tone {
   int cycles;  // in 64 samples

@@ -1,19 +1,17 @@
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/pi.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
 namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 std::vector<double> sinusoid(std::size_t n, double h, double w, double A, double phase) {
   std::vector<double> y(n);

@@ -7,10 +7,10 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "cromer/analysis/effective_oscillator.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "tests/support/every_method.h"
 
@@ -18,8 +18,6 @@ namespace cromer::core {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;  // rows
-constexpr double pi = std::numbers::pi;
-
 template <class Number = Precise>
 StepMapOf<Number> map_of(const Matrix& m, std::size_t size) {
   StepMapOf<Number> map;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/root.h"
@@ -12,8 +13,6 @@
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// x'' = -k x - k2 x^2 - k3 x^3 - w0^2 sin x, in small steps.
 struct Springs {

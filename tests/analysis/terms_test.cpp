@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/energy_balance.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
@@ -12,7 +12,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr Terms any_law{.law = any_terms};
 
 using AnyLaw = DrivenOscillator<double, any_law>;

@@ -2,16 +2,15 @@
 // units.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr Dimension none{}, mass{.kilogram = 1}, length{.metre = 1}, duration{.second = 1},
     temperature{.kelvin = 1}, current{.ampere = 1}, angle{.radian = 1},
     force{.kilogram = 1, .metre = 1, .second = -2}, energy{.kilogram = 1, .metre = 2, .second = -2},

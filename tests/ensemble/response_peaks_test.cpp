@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/dispatch.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 std::vector<double> shaking(std::size_t n, unsigned seed) {
   std::mt19937_64 random(seed);

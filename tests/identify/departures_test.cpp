@@ -1,11 +1,11 @@
 // What a recording shows beside a free swing, on records made by hand: at, below and above each limit, word
 // for word.
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/doubts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/record.h"
@@ -13,8 +13,6 @@
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Windows of eight samples and one second, with exactly these amplitudes, and the sample that ends the last.
 SyntheticRecord of_amplitudes(const std::vector<double>& amplitudes) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/mean_decay.h"
@@ -17,8 +17,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr double pi = std::numbers::pi;
 
 /// One period a second, 64 samples each, and the sample after the last; its amplitude is that of each four
 /// periods.

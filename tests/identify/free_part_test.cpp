@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // A motion with noise at 50 Hz.
 template <class FreeSwing>

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/motion/motion_model.h"
@@ -12,8 +12,6 @@
 
 namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 SyntheticRecord noisy(const FreeSwing& motion, const std::vector<double>& t, double noise,
                       unsigned seed = 1) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "tests/identify/synthetic.h"
@@ -16,8 +16,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-constexpr double pi = std::numbers::pi;
 
 /// A fit of 10 s at 100 samples a second that accounts for nearly all.
 struct Seen {

@@ -1,11 +1,11 @@
 // Where a fit begins, and that it then ends at the truth: records with gaps, and swings whose frequency
 // changes.
+#include "cromer/base/pi.h"
 #include "cromer/identify/start/start_values.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
@@ -14,7 +14,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double w0 = 6, period = two_pi / w0;
 
 using Engine = std::mt19937_64;

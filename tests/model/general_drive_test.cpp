@@ -1,5 +1,6 @@
 // Drives other than the harmonic one. Those with a closed form are checked against Duhamel's integral, x(t) =
 // integral of g(t - u) f(u) du, by quadrature.
+#include "cromer/base/pi.h"
 #include "cromer/model/general_drive.h"
 
 #include <gtest/gtest.h>
@@ -239,8 +240,6 @@ TEST(Chirp, WithoutASweepIsHarmonic) {
     for (const double t : {0.0, 0.7, 9.3}) EXPECT_NEAR(force(t), std::cos(3 * t), 1e-14);
   }
 }
-
-constexpr double pi = std::numbers::pi;
 
 /// The turns of a force up to `until`; in between it must be monotonic.
 template <class Force>

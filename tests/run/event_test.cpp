@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
@@ -17,7 +17,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr auto position = Event::Quantity::position;
 constexpr auto velocity = Event::Quantity::velocity;
 

@@ -1,11 +1,11 @@
 // Frequency, damping ratio and their kin of every law, against closed forms and motions integrated in small
 // steps.
+#include "cromer/base/pi.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
@@ -13,7 +13,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double w0 = 3, A = 0.4;
 
 Estimate certain(double value) { return make_estimate(value, 0, 2); }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -19,8 +20,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 const Option& find(const std::vector<Option>& options, std::string_view name) {
   for (const auto& option : options)

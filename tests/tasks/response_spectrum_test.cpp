@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <numbers>
 #include <string>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "tests/tasks/of_bytes.h"
 
@@ -19,8 +19,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-constexpr double pi = std::numbers::pi;
 
 /// `samples` at a step, with seventeen digits.
 SpectrumFile recording(int samples, double step, const std::function<double(double)>& a,

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "cromer/base/concat.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
@@ -21,8 +22,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Sensor {
   double duration = 60, rate = 50, noise = 3e-4, resolution = 0;

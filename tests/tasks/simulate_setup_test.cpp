@@ -1,11 +1,11 @@
 // From options to runs: defaults, limits, and every refusal and warning word for word.
+#include "cromer/base/pi.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/run/step_control.h"
@@ -20,8 +20,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Why no runs are set up; "" if they are.
 std::string refused(const SimulateOptions& options) {

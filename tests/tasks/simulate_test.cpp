@@ -5,8 +5,8 @@
 
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
@@ -16,8 +16,6 @@ namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 TEST(Simulate, DefaultsAreThoseOfTheContract) {
   const auto result = simulated({});

@@ -106,7 +106,7 @@ std::optional<Symbol> find_symbol(std::string_view text) {
 }
 
 /// Reads from the front of a text.
-struct Reader {
+struct UnitReader {
   std::string_view rest;
 
   bool take(std::string_view token) {
@@ -126,7 +126,7 @@ struct Reader {
   }
 };
 
-std::optional<int> take_digit(Reader& reader) {
+std::optional<int> take_digit(UnitReader& reader) {
   if (!reader.rest.empty() && is_digit(reader.rest[0])) {
     const int digit = reader.rest[0] - '0';
     reader.rest.remove_prefix(1);
@@ -139,10 +139,10 @@ std::optional<int> take_digit(Reader& reader) {
 
 /// "^-2", "²", "⁻¹" or the bare digit of "m/s2"; 1 where no power is written, nothing where it is malformed.
 /// At most one digit.
-std::optional<int> take_power(Reader& reader) {
+std::optional<int> take_power(UnitReader& reader) {
   const bool caret = reader.take("^");
   bool negative = reader.take("\u207b");
-  Reader ahead = reader;
+  UnitReader ahead = reader;
   if (!negative && (ahead.take("-") || ahead.take("\u2212")) &&
       (caret || (!ahead.rest.empty() && is_digit(ahead.rest[0])))) {
     negative = true;
@@ -165,7 +165,7 @@ bool ends_symbol(std::string_view rest) {
   return is_digit(rest[0]);
 }
 
-std::string_view take_symbol(Reader& reader) {
+std::string_view take_symbol(UnitReader& reader) {
   if (reader.rest.starts_with('1')) {
     const std::string_view one = reader.rest.substr(0, 1);
     reader.rest.remove_prefix(1);
@@ -193,7 +193,7 @@ bool multiply(Dimension& dimension, const Dimension& other, int power) {
 
 Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   const auto unknown = [](std::string_view spelled) { return Error{"unknown_unit", {{"unit", spelled}}}; };
-  Reader reader{text};
+  UnitReader reader{text};
   reader.skip_blanks();
   while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);
   if (reader.rest == "g" && expected && *expected == acceleration) return Unit{gravity, 0, acceleration};

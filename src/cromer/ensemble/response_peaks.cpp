@@ -274,7 +274,7 @@ std::size_t block_length(std::size_t samples, std::size_t steps) {
 }
 
 /// Laws that are walked together, and the blocks that the walk writes.
-struct Group {
+struct LawGroup {
   cromer_walk::Filters filters{};
   std::vector<WalkedLaw> laws{};
   std::vector<cromer_walk::Block> blocks{};
@@ -305,7 +305,7 @@ struct Group {
   }
 };
 
-ResponsePeaks peaks_of(const Group& group, std::size_t lane_of, const cromer_walk::Walk& walk,
+ResponsePeaks peaks_of(const LawGroup& group, std::size_t lane_of, const cromer_walk::Walk& walk,
                        std::span<const double> forces, const PeakSearch& search) {
   const WalkedLaw& law = group.laws[lane_of];
   const WalkedLane lane{group.blocks.data(), lane_of};
@@ -347,7 +347,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
   std::vector<ResponsePeaks> found(laws.size());
   std::vector<double> forces;
   std::size_t block_of_forces = 0;
-  Group group;
+  LawGroup group;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     // The law with the finest steps sets those of all, except where the steps are part of the definition.
     end = std::min(begin + cromer_walk::lanes, order.size());

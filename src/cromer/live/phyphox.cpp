@@ -155,14 +155,14 @@ Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSe
 namespace {
 
 constexpr double between_questions = 0.1;  // [s]
-constexpr double patience = 3;             // [s] for one answer
+constexpr double answer_timeout = 3;       // [s]
 constexpr double quiet_time = 1;           // [s] without a sample before the phone's clock is asked for
 
 }  // namespace
 
 Result<PhyphoxAnswer> PhyphoxSource::ask() {
   asked_at_ = steady_seconds();
-  const auto text = client_.get(phyphox_query(set_, after_), patience);
+  const auto text = client_.get(phyphox_query(set_, after_), answer_timeout);
   if (!text) return text.error();
   return read_phyphox_answer(*text, set_);
 }
@@ -171,7 +171,7 @@ Result<void> PhyphoxSource::open() {
   const auto failed = [&](const Error& error) {
     return Error{"phyphox_failed", {{"address", name_}, {"what", error.notice}}};
   };
-  const auto config = client_.get("/config", patience);
+  const auto config = client_.get("/config", answer_timeout);
   if (!config) return failed(config.error());
   auto set = read_phyphox_config(*config);
   if (!set) return failed(set.error());
@@ -182,7 +182,7 @@ Result<void> PhyphoxSource::open() {
   // and its times go on from them.
   if (before->rows.size() > 0) after_ = before->rows.t.back();
   if (!before->measuring) {
-    if (const auto started = client_.get("/control?cmd=start", patience); !started)
+    if (const auto started = client_.get("/control?cmd=start", answer_timeout); !started)
       return failed(started.error());
     opening_.push_back({RemarkKind::device, Notice{"phyphox_started", {{"experiment", set_.experiment}}}});
   }
@@ -209,7 +209,7 @@ void PhyphoxSource::take(const PhyphoxAnswer& answer, SampleRows& rows, std::vec
 bool PhyphoxSource::clock_began_anew() {
   if (!after_) return false;
   PhyphoxSet only_time{"", {set_.buffers.front()}, {}};
-  const auto text = client_.get(phyphox_query(only_time, std::nullopt), patience);
+  const auto text = client_.get(phyphox_query(only_time, std::nullopt), answer_timeout);
   if (!text) return false;
   const auto held = read_phyphox_answer(*text, only_time);
   return held && (held->rows.size() == 0 || held->rows.t.back() < *after_);

@@ -66,7 +66,7 @@ constexpr double beside_others =
 constexpr double wide_frame = 800;  // [px] has room for more than 7 ticks
 constexpr std::size_t most_names_inside = 6;
 constexpr double edge = 6;                      // free at the figure's edge [px]
-constexpr double tick_length = 8;               // with the gap to its number [px]
+constexpr double tick_room = 8;                 // a tick with the gap to its number [px]
 constexpr double bar_gap = 16, bar_width = 14;  // of a map's colours, beside its frame [px]
 
 // A panel while it is laid out.
@@ -113,16 +113,16 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   cell.y = panel.map ? map_y_range(panel) : y_range(panel, cell.x);
   const bool named = !panel.y.name.empty();
   cell.top = titled(cell) ? s.title + 17 : named ? s.axis + 16 : 12;
-  cell.bottom = cell.lowest ? tick_length + s.tick + 6 + (panel.x.name.empty() ? 0 : s.axis + 6) : 14;
+  cell.bottom = cell.lowest ? tick_room + s.tick + 6 + (panel.x.name.empty() ? 0 : s.axis + 6) : 14;
   if (figure.panels.size() > static_cast<std::size_t>(std::max(1, figure.columns)))
     cell.bottom += 8;  // before the next row
   const double height = cell.box.height - cell.top - cell.bottom;
   cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
   cell.left =
-      edge + widest_label(cell.y_ticks, fonts) + tick_length + (named && titled(cell) ? s.axis + 8 : 0);
+      edge + widest_label(cell.y_ticks, fonts) + tick_room + (named && titled(cell) ? s.axis + 8 : 0);
   if (panel.map) {
     cell.right =
-        bar_gap + bar_width + tick_length + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;
+        bar_gap + bar_width + tick_room + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;
     return;
   }
   const double names = names_margin(panel, s, fonts.typeface, most_margin * cell.box.width);
@@ -168,7 +168,7 @@ void place_axes(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
     const double at = cell.x.px(tick.value);
     placed.x_ticks.push_back({at, tick.label.empty()});
     if (cell.lowest && !tick.label.empty()) {
-      placed.texts.push_back(text(tick.label, {at, f.bottom() + tick_length + s.tick / 2 + 2}, Align::centre,
+      placed.texts.push_back(text(tick.label, {at, f.bottom() + tick_room + s.tick / 2 + 2}, Align::centre,
                                   s.tick, colour.text_2, fonts));
     }
   }
@@ -177,16 +177,16 @@ void place_axes(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
     placed.y_ticks.push_back({at, tick.label.empty()});
     if (!tick.label.empty())
       placed.texts.push_back(
-          text(tick.label, {f.x - tick_length, at}, Align::right, s.tick, colour.text_2, fonts));
+          text(tick.label, {f.x - tick_room, at}, Align::right, s.tick, colour.text_2, fonts));
   }
-  const double name_y = f.bottom() + tick_length + s.tick + s.axis / 2 + 8;
+  const double name_y = f.bottom() + tick_room + s.tick + s.axis / 2 + 8;
   if (cell.lowest && !panel.x.name.empty()) {
     const bool centred = titled(cell);
     placed.texts.push_back(text(panel.x.name, {centred ? f.x + f.width / 2 : f.right(), name_y},
                                 centred ? Align::centre : Align::right, s.axis, colour.text_2, fonts));
   }
   if (!panel.y.name.empty() && !titled(cell)) {
-    const double left = std::max(cell.box.x + edge, f.x - tick_length - widest_label(cell.y_ticks, fonts));
+    const double left = std::max(cell.box.x + edge, f.x - tick_room - widest_label(cell.y_ticks, fonts));
     placed.texts.push_back(
         text(panel.y.name, {left, f.y - s.axis / 2 - 8}, Align::left, s.axis, colour.text_2, fonts));
   } else if (!panel.y.name.empty()) {
@@ -233,7 +233,7 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
     placed.leaders.push_back(
         {{drawn.bar.right(), at}, {drawn.bar.right() + length, at}, std::string(light_surface.axis), 0.8});
     if (tick.label.empty()) continue;
-    placed.texts.push_back(text(tick.label, {drawn.bar.right() + tick_length, at}, Align::left, s.tick,
+    placed.texts.push_back(text(tick.label, {drawn.bar.right() + tick_room, at}, Align::left, s.tick,
                                 light_surface.text_2, fonts));
   }
   PlacedText name = text(map.name, {cell.box.right() - s.axis / 2 - 4, f.y + f.height / 2}, Align::centre,

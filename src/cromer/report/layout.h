@@ -63,6 +63,9 @@ struct PlacedCurve {
   std::array<double, 4> dash{};
 };
 
+/// Of the ring around a named point [px].
+inline constexpr double ring_radius = 4.5;
+
 struct PlacedTick {
   double at = 0;  ///< [px]
   bool minor = false;

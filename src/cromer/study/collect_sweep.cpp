@@ -13,11 +13,11 @@ namespace {
 constexpr std::uint64_t most_named_points = 1000;
 
 /// "drive_frequency (rad/s)" as name and unit.
-struct Heading {
+struct ColumnHeading {
   std::string name, unit;
 };
 
-Heading heading_of(const std::string& column) {
+ColumnHeading heading_of(const std::string& column) {
   const std::size_t bracket = column.find(" (");
   if (bracket == std::string::npos) return {column, ""};
   return {column.substr(0, bracket), column.substr(bracket + 2, column.size() - bracket - 3)};
@@ -94,7 +94,7 @@ class Collector {
   const SweepResult& all_;
   Results& results_;
   std::size_t width_;
-  std::vector<Heading> headings_;
+  std::vector<ColumnHeading> headings_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/quantity.h"
+#include "cromer/study/run_study.h"
 #include "cromer/study/study_file.h"
 
 namespace cromer::core {
@@ -230,10 +231,6 @@ Result<void> TomlReader::finish() const {
   return {};
 }
 
-constexpr std::string_view commands[] = {"simulate",    "fit",        "compare",    "resonance",
-                                         "local_error", "difference", "method_map", "work_precision",
-                                         "spectrum",    "sweep"};
-
 /// Reads one table by a function of a TomlReader.
 template <class Read>
 auto read_table(const toml::table& table, const std::string& file, Read read)
@@ -260,10 +257,10 @@ Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tab
 TaskSpec read_task(TomlReader& toml) {
   TaskSpec task;
   task.place = toml.place();
-  for (const auto command : commands)
-    if (toml.has(command)) {
-      task.command = with_hyphens(command);
-      task.id = toml.text(command);
+  for (const auto command : study_commands())
+    if (const std::string key = with_underscores(command); toml.has(key)) {
+      task.command = command;
+      task.id = toml.text(key);
     }
   task.shows = toml.text("shows");
   for (const std::string& key : toml.keys()) {

@@ -282,6 +282,12 @@ Notice of_task(const TaskSpec& task, const Notice& notice) {
 
 }  // namespace
 
+std::vector<std::string_view> study_commands() {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
+}
+
 Result<StudyRun> run_study(const Study& study, const Watch& watch, const StudyProgress& progress) {
   StudyRun run;
   for (std::size_t i = 0; i < study.tasks.size(); ++i) {

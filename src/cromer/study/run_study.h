@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/base/interrupt.h"
@@ -20,6 +21,9 @@ struct StudyRun {
   Notice failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why; the
                    ///< study ended there
 };
+
+/// What a task may be: simulate, fit, local-error, ...
+std::vector<std::string_view> study_commands();
 
 /// Called before each task with its command and name ("fit two") and the fraction of tasks done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;

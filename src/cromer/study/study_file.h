@@ -31,8 +31,7 @@ struct Setting {
 
 /// [[task]]: the command and the name of its results, `simulate = "name"`, then the options of the command.
 struct TaskSpec {
-  std::string command;  ///< simulate, fit, compare, resonance, local-error, method-map,
-                        ///< work-precision, spectrum, sweep, difference
+  std::string command;  ///< one of study_commands()
   std::string id;       ///< the name of its results
   std::vector<Setting> settings;
   std::string shows;  ///< part of the sentence of a notice that the task is meant to show; "" if none is

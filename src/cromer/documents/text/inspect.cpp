@@ -15,7 +15,7 @@ namespace cromer::core {
 namespace {
 
 /// "Pos B (mm): position, 356 samples at Time B (s)"; the time only where there are several.
-std::string described(const Inspection& inspection, std::size_t i, bool several_times) {
+std::string column_text(const Inspection& inspection, std::size_t i, bool several_times) {
   const Recording& recording = inspection.recording;
   const std::string& quantity = recording.table.columns[i].quantity;
   const InspectedColumn& column = inspection.columns[i];
@@ -43,7 +43,7 @@ std::string inspect_text(const Inspection& inspection) {
         return !column.time_column.empty() && column.time_column != inspection.time_column;
       });
   for (std::size_t i = 0; i < columns.size(); ++i)
-    out += line("column", described(inspection, i, several_times));
+    out += line("column", column_text(inspection, i, several_times));
   out += line("samples", fmt::format("{}", inspection.samples));
   if (inspection.series.size() > 1)
     for (const Series& series : inspection.series)

@@ -13,8 +13,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t most_rows = 24;
-
 /// The power of ten if the number itself is beyond any double.
 std::string arias_intensity(const Intensity& intensity) {
   return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)

@@ -11,8 +11,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::uint64_t most_rows = 24;
-
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.7g}", value); }
 
 std::string every_row(const SweepResult& result) {

@@ -27,6 +27,9 @@ std::string percent_off(double part);
 /// "between 19.99912 and 20.00054", with enough digits to give the interval's width to three.
 std::string interval_text(double low, double high);
 
+/// Rows that a table on the terminal has at most.
+inline constexpr std::size_t most_rows = 24;
+
 /// Rows of cells; the first row is the header. Columns are as wide as their widest cell, in characters.
 /// Columns from `numbers_from` up to but not including `numbers_to` are aligned right.
 std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t numbers_from,

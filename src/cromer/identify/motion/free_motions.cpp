@@ -1,15 +1,18 @@
 #include "cromer/identify/motion/integrate_through.h"
 
 namespace cromer::core {
+namespace {
 
-using Unit = MotionUnit<free_laws, FreeColumns>;
+using FreeUnit = MotionUnit<free_laws, FreeColumns>;
 
-const MotionFunctions free_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
+}  // namespace
+
+const MotionFunctions free_motions = FreeUnit::functions();
 
 Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h) {
   Rest rest;
   int direction = 0;
-  Unit::gradients(fitted, parameters, {}, record.t, h,
+  FreeUnit::gradients(fitted, parameters, {}, record.t, h,
                   [&](std::size_t i, const auto& sample, const auto& gradient) {
                     const int now = sample.direction();
                     if (now != 0) {
@@ -33,7 +36,7 @@ VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion&
     return result;
   }
   const double times[] = {0, duration};
-  Unit::gradients(fitted, fitted.pack(motion), {}, times, h,
+  FreeUnit::gradients(fitted, fitted.pack(motion), {}, times, h,
                   [&](std::size_t, const auto& sample, const auto& gradient) {
                     const auto v = sample.v();
                     result = {v.value, gradient(v)};

@@ -2,8 +2,6 @@
 
 namespace cromer::core {
 
-using Unit = MotionUnit<driven_laws, HarmonicColumns>;
-
-const MotionFunctions harmonic_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
+const MotionFunctions harmonic_motions = MotionUnit<driven_laws, HarmonicColumns>::functions();
 
 }  // namespace cromer::core

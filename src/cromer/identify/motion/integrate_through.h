@@ -220,6 +220,8 @@ ColumnOf column_of(const FittedParameter& parameter, double value) {
 /// What a unit offers for its kind of drive.
 template <const auto& laws, class DriveColumns>
 struct MotionUnit {
+  static constexpr MotionFunctions functions() { return {states, observed, equations, jacobian}; }
+
   template <class Visit>
   static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
                      Visit visit) {

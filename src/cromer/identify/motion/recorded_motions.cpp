@@ -2,8 +2,6 @@
 
 namespace cromer::core {
 
-using Unit = MotionUnit<driven_laws, RecordedColumns>;
-
-const MotionFunctions recorded_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
+const MotionFunctions recorded_motions = MotionUnit<driven_laws, RecordedColumns>::functions();
 
 }  // namespace cromer::core

@@ -11,19 +11,19 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t most_samples = 2048;
+constexpr std::size_t most_even_samples = 2048;
 
-struct Samples {
+struct EvenSamples {
   std::vector<double> t, y;  // times from the first sample
   double duration() const { return t.back(); }
 };
 
 // On an even grid of at most `most` points over the whole record, by straight lines between samples. The mean
 // of what lies around a point would smooth fast lines away.
-Samples even_samples(const Record& record, std::size_t most) {
+EvenSamples even_samples(const Record& record, std::size_t most) {
   const double t0 = record.t.front(), T = record.t.back() - t0;
   const std::size_t count = std::min(record.t.size(), most);
-  Samples even;
+  EvenSamples even;
   for (std::size_t k = 0, i = 0; k < count; ++k) {
     const double t = t0 + T * static_cast<double>(k) / static_cast<double>(count - 1);
     while (i + 2 < record.t.size() && record.t[i + 1] <= t) ++i;
@@ -56,7 +56,7 @@ std::vector<double> lines_of(std::span<const double> y, double h, std::size_t co
 }
 
 // E, the decaying sinusoid's cosine and sine, the steady one's.
-LinearFit best_linear(const Samples& samples, double w, double g, double drive) {
+LinearFit best_linear(const EvenSamples& samples, double w, double g, double drive) {
   NormalEquations equations{.size = 5};
   const double h = samples.t[1] - samples.t[0];
   const auto turn = std::polar(std::exp(-g * h), w * h), drive_turn = std::polar(1.0, drive * h);
@@ -90,7 +90,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   Record record = observed;
   record.y = z;
   const std::size_t whole = record.t.size();
-  const Samples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
+  const EvenSamples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
   const double h = fine.t[1] - fine.t[0], T = fine.duration(), resolution = two_pi / T;
   std::vector<double> lines = lines_of(fine.y, h, 4);
   if (lines.empty()) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   // Few enough samples for a search, and enough of them in a period of the fastest line.
   const double fastest = *std::max_element(lines.begin(), lines.end());
   const auto needed = static_cast<std::size_t>(8 * std::max(fastest, drive.value_or(0)) * T / two_pi) + 64;
-  const Samples coarse = even_samples(record, std::min(std::max(needed, most_samples), 4 * most_samples));
+  const EvenSamples coarse = even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
   double w_best = 0, g_best = 0, drive_best = 0;
   LinearFit best;

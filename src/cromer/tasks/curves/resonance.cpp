@@ -61,8 +61,8 @@ struct Point {
   Transmission transmission;
 };
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr Point unsettled{{nothing, nothing}, {nothing, nothing}};
+constexpr double not_settled = std::numeric_limits<double>::quiet_NaN();
+constexpr Point unsettled{{not_settled, not_settled}, {not_settled, not_settled}};
 
 /// What is transmitted, state by state, in place of the positions: the base's displacement plus the mass's
 /// own relative to it, or the force of spring and damper.

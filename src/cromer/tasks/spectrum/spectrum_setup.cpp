@@ -129,7 +129,7 @@ Result<void> match(std::vector<Component>& components, std::vector<Notice>& noti
   return {};
 }
 
-std::string default_periods(SpectrumOptions& options, const Component& component) {
+std::string fill_in_periods(SpectrumOptions& options, const Component& component) {
   if (!options.shock) return options.periods = "0.01:10:200:log";
   // From a tenth of a cycle within the shock to ten samples a cycle.
   options.frequencies =
@@ -200,7 +200,7 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
                                        std::size_t damping_ratios) {
   if (!options.periods.empty() && !options.frequencies.empty()) return Error{"oscillators_said_twice"};
   const bool listed = !options.these_periods.empty();
-  if (!listed && options.periods.empty() && options.frequencies.empty()) default_periods(options, component);
+  if (!listed && options.periods.empty() && options.frequencies.empty()) fill_in_periods(options, component);
   const bool by_period = listed || !options.periods.empty();
   const std::string_view option = by_period ? "periods" : "frequencies";
   const auto grid = listed      ? Result<Grid>(Grid(options.these_periods))
