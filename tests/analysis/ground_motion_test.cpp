@@ -13,7 +13,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi, g = 9.80665;
+constexpr double g = 9.80665;
 constexpr auto hold = BetweenSamples::hold, linear = BetweenSamples::linear;
 
 /// Of these samples, after which others lie that must not be read.

@@ -12,7 +12,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi, infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Undamped, damped, all but critically and critically, and beyond.
 const LinearLaw<double> laws[] = {{.decay_rate = 0, .stiffness = 4},
