@@ -303,17 +303,12 @@ double dividing_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(default_steps_per_period * spacing / period - 1e-9));
 }
 
-// Fits the same recording with a given law.
+// Fits the samples of a fit with a given law. Only the motion is of use: what was asked of the fit itself,
+// such as a mass or a goal, is answered there.
 Result<FittedRecording> with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
-  FitOptions options = recording.options;
+  FitOptions options;
   options.law = to_text(law);
-  options.from = options.to = std::nullopt;
-  options.segment = std::nullopt;
-  options.segments = std::nullopt;
-  options.disc_diameter = std::nullopt;
-  options.monte_carlo = std::nullopt;
-  options.goal.clear();
-  options.textbook = false;
+  options.from = recording.series.t.front();  // the same samples: no free part is looked for
   return fit_series(recording.series, recording.file, options, watch);
 }
 
