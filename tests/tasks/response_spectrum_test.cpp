@@ -291,7 +291,7 @@ TEST(ResponseSpectrum, BadOptionsAreNamed) {
               }),
               HasSubstr("--peaks peer joins the samples by straight lines"));
   EXPECT_THAT(with([](auto& o) { o.unit = "g"; }), HasSubstr("--unit: shake.csv: column"));
-  EXPECT_THAT(with([](auto& o) { o.run = 3; }), HasSubstr("there is no run 3; the file has 1"));
+  EXPECT_THAT(with([](auto& o) { o.run = 3; }), HasSubstr("there is no run 3: the file has 1 run"));
   EXPECT_THAT(with([](auto& o) { o.column = {"force"}; }), HasSubstr("force"));
 }
 

@@ -236,8 +236,6 @@ constexpr Entry entries[] = {
     // Runs and tables
     {"no_such_run", error, "there is no run {run}: the file has {runs:run|runs}",
      "einen Lauf {run} gibt es nicht: die Datei hat {runs:Lauf|Läufe}"},
-    {"no_run_but_one", error, "there is no run {run}: the file has one run",
-     "einen Lauf {run} gibt es nicht: die Datei hat einen"},
     {"run_called", detail, "run {run} is called \"{label}\" in the file",
      "Lauf {run} heißt in der Datei „{label}“"},
     {"read_as_runs", detail, "the time starts again in {@line}: the file is read as {runs} runs",

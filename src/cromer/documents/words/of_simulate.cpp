@@ -199,8 +199,6 @@ constexpr Entry entries[] = {
      "{@line}: die Zeiten sind nicht gleichmäßig ({t:.6g} s, wo {even:.6g} s erwartet wird, alle "
      "{spacing:.6g} s ein Messwert); ein {use} braucht gleichmäßige Messwerte: bitte erst neu abtasten"},
     {"no_column_of_numbers", error, "there is no column of numbers", "es gibt keine Spalte mit Zahlen"},
-    {"no_run_in_file", error, "there is no run {run}; the file has {runs}",
-     "einen Lauf {run} gibt es nicht; die Datei hat {runs}"},
     {"column_holds_no_force", error,
      "column \"{column}\" holds {quantity}, not a force (N); choose another with {option:option}",
      "die Spalte „{column}“ enthält keine Kraft (N); bitte mit {option:option} eine andere wählen"},

@@ -58,8 +58,7 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   const std::vector<int> all = runs(recording);
   if (all.empty()) return refuse(Notice{"no_column_of_numbers"});
   const int run = request.run > 0 ? request.run : all.front();
-  if (std::find(all.begin(), all.end(), run) == all.end())
-    return refuse(Notice{"no_run_in_file", {{"run", run}, {"runs", all.size()}}});
+  if (const auto known = check_run(recording, run); !known) return known.error();
   Result<std::string> name = std::string(request.column);
   if (name->empty()) name = column_of(recording, run, request);
   if (!name) return refuse(name.error().notice);
