@@ -223,8 +223,11 @@ constexpr Entry entries[] = {
      "samples without gaps: fill in what is missing, or cut or resample the recording",
      "die Messwerte haben {gaps} Lücken, die erste von {length:.6g} s nach t = {t:.6g} s; ein {use} braucht "
      "gleichmäßige ohne Lücken: bitte das Fehlende ergänzen, die Aufnahme kürzen oder neu abtasten"},
-    {"run_is_taken", worth_knowing, "{file}: run {run} of {runs} is taken as the {use}",
-     "{file}: Lauf {run} von {runs} gilt als {use}"},
+    {"drive_is_of_run", worth_knowing, "{file}: the drive is run {run} of {runs}",
+     "{file}: der Antrieb ist Lauf {run} von {runs}"},
+    {"spectrum_is_of_run", worth_knowing,
+     "{file}: the spectrum is that of run {run} of {runs}; {--run} chooses another",
+     "{file}: das Spektrum ist das von Lauf {run} der {runs}; {--run} wählt einen anderen"},
     {"recording_starts_elsewhere", worth_knowing,
      "{file}: its first sample, at {t:.6g} s, acts at the run's start, t = 0",
      "{file}: ihr erster Messwert, bei {t:.6g} s, wirkt am Anfang des Laufs, t = 0"},
