@@ -59,7 +59,7 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
     if (options.output != "-")
       if (auto good = check_writable(options.output); !good) return good;
     if (*format == FileFormat::hdf5)
-      if (auto good = can_write_tables(); !good) return good;
+      if (auto good = can_write_tables(options.output); !good) return good;
   }
   if (!options.plot.empty()) {
     if (auto format = figure_format(options.plot); !format)

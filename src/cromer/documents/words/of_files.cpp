@@ -68,6 +68,10 @@ constexpr Entry entries[] = {
     {"mpirun_and_srun", clause, "mpirun and srun", "mpirun und srun"},
     {"hdf5_not_made", clause, "cannot be made: {why}", "die Datei entsteht nicht: {why}"},
     {"hdf5_part_not_made", clause, "{why}", "{why}"},
+    {"hdf5_needs_a_file", error,
+     "cannot write {path}: it is a device or a pipe, and HDF5 is written into files; name a file",
+     "{path} lässt sich nicht schreiben: das ist ein Gerät oder eine Pipe, und HDF5 steht in Dateien; bitte "
+     "eine Datei nennen"},
     {"hdf5_not_written", clause, "cannot be written: {why}", "das Schreiben misslingt: {why}"},
     {"hdf5_not_opened", clause, "cannot be opened as an HDF5 file: {why}",
      "lässt sich nicht als HDF5-Datei öffnen: {why}"},
