@@ -98,6 +98,11 @@ constexpr Entry entries[] = {
      "die meisten Zeilen sind weit kürzer als die breiteste mit {columns} Spalten"},
     {"bad_rows_left_out", detail, "{rows:bad row|bad rows} left out, the first in {@line}",
      "{rows:schlechte Zeile|schlechte Zeilen} weggelassen, die erste Stelle in {@line}"},
+    {"text_columns_left_out", worth_knowing,
+     "{columns?column|columns} {columns} {columns?holds|hold} text and {columns?is|are} left out",
+     "{columns?die Spalte|die Spalten} {columns} {columns?enthält|enthalten} Text und "
+     "{columns?bleibt|bleiben} "
+     "weg"},
     {"most_rows_lost", wrong_if_ignored,
      "MOST ROWS ARE LOST: {rows:bad row|bad rows} left out, {kept:row|rows} kept, the first in {@line} "
      "({what})",
