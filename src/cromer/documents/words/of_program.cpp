@@ -64,6 +64,8 @@ constexpr Entry entries[] = {
      "zu {way:option} gehört {--masses}, zum Beispiel {--masses} \"48.4 g, 67.95 g, 87.96 g\""},
     {"two_masses_needed", error, "{--masses}: {way:option} needs at least two masses",
      "{--masses}: {way:option} braucht mindestens zwei Massen"},
+    {"standard_output_not_written", error, "standard output cannot be written",
+     "die Standardausgabe lässt sich nicht beschreiben"},
     {"given_several_times", error, "{option:option} is given {times} times; it takes one value",
      "{option:option} steht {times}-mal da und hat nur einen Wert"},
     {"trajectories_are_csv", error,
