@@ -75,6 +75,15 @@ constexpr Entry entries[] = {
      "{--trajectories} {what}, oder ein größeres {--every}"},
     {"output_without_source", error, "-o names the recording, but there is no {--from} SOURCE to record",
      "-o nennt die Aufnahme, doch mit {--from} fehlt die Quelle"},
+    {"trajectories_size", detail,
+     "{--trajectories}: {points:point|points}, about {states:.3g} states, at most some {size:n}, in {file}",
+     "{--trajectories}: {points:Punkt|Punkte}, etwa {states:.3g} Zustände, höchstens rund {size:n}, in "
+     "{file}"},
+    {"trajectories_ended_early", error,
+     "{--trajectories}: {failed} of {points} points did not reach their end; what came before is there",
+     "{--trajectories}: {failed} von {points} Punkten kamen nicht bis ans Ende; was davor kam, ist da"},
+    {"trajectories_interrupted", error, "{--trajectories}: interrupted after {done} of {points} points",
+     "{--trajectories}: abgebrochen nach {done} von {points} Punkten"},
 
     {"lines_no_samples", worth_knowing, "{lines} lines were no samples",
      "{lines} Zeilen waren keine Messwerte"},
