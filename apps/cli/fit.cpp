@@ -94,6 +94,19 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
+/// Whether there is no line only because fits did not succeed: that is no wrong input.
+bool lacks_points(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
+  if (fits.size() != masses.size()) return false;
+  const auto another = [](const Quantity& one, const Quantity& mass) { return one.value != mass.value; };
+  std::vector<Quantity> left;
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (fits[i].succeeded()) left.push_back(masses[i]);
+  const auto differ = [&](const std::vector<Quantity>& these) {
+    return std::adjacent_find(these.begin(), these.end(), another) != these.end();
+  };
+  return differ(masses) && !differ(left);
+}
+
 /// Checks that the --motion file can be written without losing another.
 Result<void> check_motion(const std::string& motion, const OutputOptions& output,
                           const std::vector<std::string>& inputs) {
@@ -180,17 +193,20 @@ int run_fit(const Arguments& arguments) {
   const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
                                                 [](const auto& each) { return each.succeeded(); });
   std::optional<MassLine> line;
+  std::optional<Error> no_line;
   if (spring.mass_line && !interrupted) {
-    auto through = mass_line(*fits, *parse_masses(spring.masses));
-    // A line that lacks points because fits failed is no wrong input.
-    if (!through && good) return refuse(through.error());
+    const auto masses = *parse_masses(spring.masses);
+    auto through = mass_line(*fits, masses);
     if (through)
       line = *std::move(through);
+    else if (lacks_points(*fits, masses))
+      no_line = Error{"no_mass_line", {{"what", through.error().notice}}};
     else
-      complain("there is no line of T² against mass: " + in_words(through.error()));
+      return refuse(through.error());
   }
   Answer answer = answer_of(*fits, line, found->many);
   answer.good = good;
+  if (no_line) answer.failures.push_back(in_words(*no_line));
   answer.notices.insert(answer.notices.end(), found->notes.begin(), found->notes.end());
   if (!motion.empty()) answer.other_files = [&] { return write_table(motion, motion_csv(*fits)); };
   return give(answer, output);

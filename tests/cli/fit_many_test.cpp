@@ -163,6 +163,38 @@ TEST(FitMany, AnEmptyFolderOrAWrongOptionEndsItAll) {
   EXPECT_THAT(end.err, HasSubstr("did you mean drag?"));
 }
 
+/// Three runs below each other: a swing, one that stands still, another swing.
+std::string runs_with_one_at_rest() {
+  std::string text = "Time (s),Position (m)\n";
+  for (const double w : {7.0, 0.0, 9.0})
+    for (int i = 0; i < 500; ++i)
+      text += std::to_string(0.01 * i) + "," + std::to_string(0.1 * std::cos(0.01 * w * i)) + "\n";
+  return text;
+}
+
+TEST(FitMany, AWrongTableOfMassesIsWrongInputWhateverElseFailed) {
+  Folder folder;
+  folder.write("runs.csv", runs_with_one_at_rest());
+  const auto run = [&](const char* masses) {
+    return folder.run({"fit", "runs.csv", "--mass-line", "--masses", masses, "-o", "line.csv"});
+  };
+  for (const char* wrong : {"2 kg, 1 kg", "2 kg, 1 kg, 1 kg, 3 kg", "1 kg, 1 kg, 1 kg", "1 kg, 3 kg, 2 kg"}) {
+    const Finished end = run(wrong);
+    EXPECT_EQ(end.status, 2) << wrong;
+    EXPECT_EQ(end.out, "") << wrong;
+    EXPECT_FALSE(folder.has("line.csv")) << wrong;
+  }
+  EXPECT_THAT(run("2 kg, 1 kg").err, HasSubstr("2 masses are given for 3 recordings"));
+  const Finished good = run("2 kg, 3 kg, 1 kg");  // run 2 is missing in the line
+  EXPECT_EQ(good.status, 1);
+  EXPECT_TRUE(folder.has("line.csv"));
+  const Finished lacking =
+      run("1 kg, 2 kg, 1 kg");  // the run of the other mass failed: no fault of the masses
+  EXPECT_EQ(lacking.status, 1);
+  EXPECT_THAT(lacking.err, HasSubstr("there is no line of T² against mass: --mass-line needs at least two"));
+  EXPECT_THAT(lacking.out, HasSubstr("run 3: converged"));
+}
+
 TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
   Folder folder;
   std::string text = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";

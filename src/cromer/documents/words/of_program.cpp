@@ -64,6 +64,8 @@ constexpr Entry entries[] = {
      "zu {way:option} gehört {--masses}, zum Beispiel {--masses} \"48.4 g, 67.95 g, 87.96 g\""},
     {"two_masses_needed", error, "{--masses}: {way:option} needs at least two masses",
      "{--masses}: {way:option} braucht mindestens zwei Massen"},
+    {"no_mass_line", error, "there is no line of T² against mass: {what}",
+     "es gibt keine Gerade von T² über der Masse: {what}"},
     {"standard_output_not_written", error, "standard output cannot be written",
      "die Standardausgabe lässt sich nicht beschreiben"},
     {"given_several_times", error, "{option:option} is given {times} times; it takes one value",
@@ -73,8 +75,6 @@ constexpr Entry entries[] = {
      "{--trajectories} {file}: Bahnen werden als CSV geschrieben; bitte DATEI.csv nennen"},
     {"trajectories_do_not_fit", error, "{--trajectories} {what}, or a larger {--every}",
      "{--trajectories} {what}, oder ein größeres {--every}"},
-    {"output_without_source", error, "-o names the recording, but there is no {--from} SOURCE to record",
-     "-o nennt die Aufnahme, doch mit {--from} fehlt die Quelle"},
     {"trajectories_size", detail,
      "{--trajectories}: {points:point|points}, about {states:.3g} states, at most some {size:n}, in {file}",
      "{--trajectories}: {points:Punkt|Punkte}, etwa {states:.3g} Zustände, höchstens rund {size:n}, in "
@@ -84,6 +84,8 @@ constexpr Entry entries[] = {
      "{--trajectories}: {failed} von {points} Punkten kamen nicht bis ans Ende; was davor kam, ist da"},
     {"trajectories_interrupted", error, "{--trajectories}: interrupted after {done} of {points} points",
      "{--trajectories}: abgebrochen nach {done} von {points} Punkten"},
+    {"output_without_source", error, "-o names the recording, but there is no {--from} SOURCE to record",
+     "-o nennt die Aufnahme, doch mit {--from} fehlt die Quelle"},
 
     {"lines_no_samples", worth_knowing, "{lines} lines were no samples",
      "{lines} Zeilen waren keine Messwerte"},
