@@ -1,7 +1,8 @@
 #include "cromer/read/in_file.h"
 
+#include <algorithm>
 #include <optional>
-#include <utility>
+#include <string>
 #include <variant>
 
 namespace cromer::core {
@@ -41,6 +42,13 @@ Notice in_member(std::string_view member, Notice what) {
   if (auto of = taken_apart(what))
     return Notice{"in_member_line", {{"member", member}, {"line", of->line}, {"what", std::move(of->what)}}};
   return Notice{"in_member", {{"member", member}, {"what", std::move(what)}}};
+}
+
+Notice without_file(const Notice& notice, std::string_view file) {
+  const bool in_file = notice.code == "in_file", of_line = notice.code == "in_file_line";
+  if (!(in_file || of_line) || std::get<std::string>(notice.values.at(0).value) != file) return notice;
+  const Notice& what = std::get<std::vector<Notice>>(notice.values.back().value).front();
+  return of_line ? in_line(std::get<long long>(notice.values.at(1).value), what).notice : what;
 }
 
 }  // namespace cromer::core

@@ -18,4 +18,8 @@ Notice in_file(std::string_view file, Notice what);
 /// The same for a file of an archive: `"Raw Data":7: what`.
 Notice in_member(std::string_view member, Notice what);
 
+/// in_file taken back, where the file's name stands beside the notice: "what", or "line 7: what". Any other
+/// notice as it is.
+Notice without_file(const Notice& notice, std::string_view file);
+
 }  // namespace cromer::core

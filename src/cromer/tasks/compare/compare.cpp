@@ -340,7 +340,10 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
                                      const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
     return Error{"method_is_wrong", {{"what", known.error().notice}}};
-  if (recording.driven) return Error{"compared_is_driven", {{"file", recording.file}}};
+  const auto refuse = [&](const Notice& why) {
+    return Error{recording.file.empty() ? why : in_file(recording.file, why)};
+  };
+  if (recording.driven) return refuse(Notice{"compared_is_driven"});
   CompareResult result;
   result.recording = recording;
   result.notices = recording.notices;
@@ -348,10 +351,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
   if (derivative_order(recording.series.quantity) > 0)
-    return Error{"compared_is_no_position",
-                 {{"file", recording.file},
-                  {"column", recording.series.column},
-                  {"kind", kind_of(recording.series.quantity)}}};
+    return refuse(
+        Notice{"compared_is_no_position",
+               {{"column", recording.series.column}, {"kind", kind_of(recording.series.quantity)}}});
 
   const Series& series = recording.series;
   FittedSamples samples = without_outliers(series);

@@ -6,7 +6,6 @@
 #include "cromer/analysis/air.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
-#include "cromer/base/without_file.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"

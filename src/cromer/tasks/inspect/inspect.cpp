@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "cromer/base/quantity.h"
-#include "cromer/base/without_file.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/time.h"
 
 namespace cromer::core {
