@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "commands.h"
 #include "cromer/documents/csv.h"
@@ -10,7 +12,9 @@
 #include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
+#include "cromer/read/in_file.h"
 #include "cromer/report/file.h"
+#include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/open_recording.h"
 #include "fit_files.h"
@@ -129,11 +133,13 @@ Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<M
                 .json = [&fits, &line, many] { return line ? to_json(fits, *line) : to_json(fits, many); },
                 .csv = [&fits, &line] { return line ? mass_line_csv(*line) : fit_csv(fits); },
                 .figure = [&fits, &line] { return line ? mass_line_figure(*line) : fit_figure(fits); }};
-  for (const auto& fitted : fits) {
-    for (const Notice& notice : fitted.notices)
-      answer.notices.push_back(many ? Notice{"in_file", {{"file", fitted.file}, {"what", notice}}} : notice);
-    if (!fitted.succeeded()) answer.failures.push_back(failure_text(fitted));
+  for (auto of_file = fits.begin(), end = of_file; of_file != fits.end(); of_file = end) {
+    end = std::find_if(of_file, fits.end(), [&](const auto& each) { return each.file != of_file->file; });
+    for (Notice& notice : said_of_runs(std::span<const FittedRecording>(of_file, end)))
+      answer.notices.push_back(many ? in_file(of_file->file, std::move(notice)) : std::move(notice));
   }
+  for (const auto& fitted : fits)
+    if (!fitted.succeeded()) answer.failures.push_back(failure_text(fitted));
   if (line) answer.notices.insert(answer.notices.end(), line->notices.begin(), line->notices.end());
   return answer;
 }

@@ -172,6 +172,63 @@ std::string runs_with_one_at_rest() {
   return text;
 }
 
+TEST(FitMany, EachNoticeNamesItsRun) {
+  Folder folder;
+  folder.write("runs.csv", runs_with_one_at_rest());
+  folder.write("one.csv", recording(500));
+  for (const char* command : {"fit", "compare", "inspect"}) {
+    const Finished end = folder.run({command, "runs.csv"});
+    EXPECT_THAT(end.err, HasSubstr("cromer: warning: run 2: column \"Position (m)\" never changes\n"));
+    EXPECT_THAT(end.err, HasSubstr("cromer: note: the time starts again in line 502"));
+  }
+  const Finished both = folder.run({"fit", "runs.csv", "one.csv"});
+  EXPECT_THAT(both.err, HasSubstr("warning: runs.csv: run 2: column \"Position (m)\" never changes"));
+  EXPECT_THAT(both.err, HasSubstr("note: runs.csv: the time starts again in line 502"));
+  const Finished alone = folder.run({"fit", "runs.csv", "--run", "2"});
+  EXPECT_THAT(alone.err, HasSubstr("warning: column \"Position (m)\" never changes"));
+
+  const auto fits = folder.run({"fit", "runs.csv", "--json"}).json()["fits"],
+             compared = folder.run({"compare", "runs.csv", "--json"}).json()["comparisons"];
+  for (const auto& second : {fits[1], compared[1], compared[1]["fit"]}) {
+    EXPECT_EQ(second["warnings"][0], "run 2: column \"Position (m)\" never changes");
+    EXPECT_EQ(second["notices"][0]["text"], second["warnings"][0]);
+    EXPECT_EQ(second["notices"][0]["code"], "column_never_changes");
+    EXPECT_EQ(second["notices"][0]["severity"], "worth_knowing");
+    EXPECT_EQ(second["notices"][0]["values"]["column"], "Position (m)");
+    EXPECT_EQ(second["notices"][0]["values"]["run"], 2);
+  }
+}
+
+TEST(FitMany, WhatIsSaidOfSeveralRunsIsSaidOnce) {
+  Folder folder;
+  std::string text = runs_with_one_at_rest();
+  text.replace(0, text.find('\n'), "Time (s),Position");
+  folder.write("runs.csv", text);
+  for (const char* command : {"fit", "inspect"}) {
+    const Finished end = folder.run({command, "runs.csv"});
+    EXPECT_THAT(end.err, HasSubstr("runs 1, 2 and 3: column \"Position\" has no unit: m is assumed\n"));
+    EXPECT_EQ(end.err.find("is assumed"), end.err.rfind("is assumed"));
+  }
+}
+
+TEST(FitMany, AFileIsNamedOnceAndAColumnThatWasNotReadNot) {
+  Folder folder;
+  folder.write("good.csv", recording(500));
+  folder.write("bad.csv", "Time (s),Position (m)\n0,1\n0.1,abc\n0.2,3\n");
+  std::filesystem::create_directory(folder.path("nothing"));
+  const Finished end = folder.run({"fit", "good.csv", "bad.csv", "/dev/null", "--json"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err,
+              HasSubstr("cromer: bad.csv: run 1: wrong_input: line 3: column \"Position (m)\": \"abc\""));
+  EXPECT_THAT(end.err, HasSubstr("cromer: /dev/null: run 1: wrong_input: is a device"));
+  const auto fits = end.json()["fits"];
+  EXPECT_EQ(fits[0]["recording"]["column"], "Position (m)");
+  for (const int i : {1, 2}) {
+    EXPECT_FALSE(fits[i]["recording"].contains("column"));
+    EXPECT_EQ(fits[i]["message"].get<std::string>().find(fits[i]["recording"]["file"]), std::string::npos);
+  }
+}
+
 TEST(FitMany, AWrongTableOfMassesIsWrongInputWhateverElseFailed) {
   Folder folder;
   folder.write("runs.csv", runs_with_one_at_rest());

@@ -12,6 +12,8 @@ constexpr Entry entries[] = {
     {"in_file_line", clause, "{file}:{line}: {what}", "{file}:{line}: {what}"},
     {"in_member", clause, "\"{member}\": {what}", "„{member}“: {what}"},
     {"in_member_line", clause, "\"{member}\":{line}: {what}", "„{member}“:{line}: {what}"},
+    {"in_run", clause, "run {run}: {what}", "Lauf {run}: {what}"},
+    {"in_runs", clause, "runs {runs:and}: {what}", "Läufe {runs:and}: {what}"},
     {"in_column", clause, "column \"{column}\": {what}", "Spalte „{column}“: {what}"},
     {"column_named", clause, "column \"{column}\"", "Spalte „{column}“"},
     {"column_of_run", clause, "column \"{column}\" of run {run}", "Spalte „{column}“ im Lauf {run}"},
@@ -96,13 +98,12 @@ constexpr Entry entries[] = {
     {"too_many_columns", error, "there are more than {most} columns", "das sind mehr als {most} Spalten"},
     {"rows_far_shorter", error, "most rows are far shorter than the widest, which has {columns} columns",
      "die meisten Zeilen sind weit kürzer als die breiteste mit {columns} Spalten"},
-    {"bad_rows_left_out", detail, "{rows:bad row|bad rows} left out, the first in {@line}",
-     "{rows:schlechte Zeile|schlechte Zeilen} weggelassen, die erste Stelle in {@line}"},
     {"text_columns_left_out", worth_knowing,
      "{columns?column|columns} {columns} {columns?holds|hold} text and {columns?is|are} left out",
      "{columns?die Spalte|die Spalten} {columns} {columns?enthält|enthalten} Text und "
-     "{columns?bleibt|bleiben} "
-     "weg"},
+     "{columns?bleibt|bleiben} weg"},
+    {"bad_rows_left_out", detail, "{rows:bad row|bad rows} left out, the first in {@line}",
+     "{rows:schlechte Zeile|schlechte Zeilen} weggelassen, die erste Stelle in {@line}"},
     {"most_rows_lost", wrong_if_ignored,
      "MOST ROWS ARE LOST: {rows:bad row|bad rows} left out, {kept:row|rows} kept, the first in {@line} "
      "({what})",

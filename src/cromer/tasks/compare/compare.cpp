@@ -399,7 +399,13 @@ Result<CompareResult> compare_driven(const Recording& recording, const FittedRec
   free.fit.run = driven.series.run;
   const Result<std::vector<FittedRecording>> fits = fit(recording, free.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
-  Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
+  FittedRecording one = fits->front();
+  one.one_of_several = driven.one_of_several;
+  if (driven.of_file == 0) {  // said with another run
+    one.notices.erase(one.notices.begin(), one.notices.begin() + static_cast<std::ptrdiff_t>(one.of_file));
+    one.of_file = 0;
+  }
+  Result<CompareResult> result = compare_fitted(one, free, part_of(watch, of_fits, 1));
   if (!result) return result;
   result->doubts.insert(result->doubts.begin(), driven.notices.back());
   for (const Notice& notice : driven.notices)

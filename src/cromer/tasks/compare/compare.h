@@ -49,6 +49,8 @@ struct CompareResult {
   std::vector<Notice> notices;  ///< the fit's first
 };
 
+inline const FittedRecording& fit_of_run(const CompareResult& result) { return result.recording; }
+
 /// Whether a single decay rate is enough, with the numbers. Empty if no simulation reached the end.
 Notice explanation(const CompareResult& comparison);
 

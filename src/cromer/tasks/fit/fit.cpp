@@ -269,8 +269,10 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
     Result<FittedRecording> one = fit_run(recording, run, file, options, part);
     if (one) {
       // Notices on the file are given once, with the first run that could be read.
-      if (!any_read)
+      if (!any_read) {
         one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
+        one->of_file = recording.notices.size();
+      }
       any_read = true;
       fits.push_back(std::move(*one));
       continue;
@@ -281,6 +283,7 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
     if (!first_error) first_error = nameless ? Error{in_file(file, what)} : one.error();
   }
   if (!any_read && first_error) return *first_error;
+  for (FittedRecording& each : fits) each.one_of_several = fits.size() > 1;
   return fits;
 }
 
