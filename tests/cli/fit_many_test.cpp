@@ -211,6 +211,39 @@ TEST(FitMany, WhatIsSaidOfSeveralRunsIsSaidOnce) {
   }
 }
 
+TEST(FitMany, CompareGoesOnWithTheOtherRuns) {
+  Folder folder;
+  std::string text =
+      "Run 1: Time (s),Run 1: Position (m),Run 2: Time (s),Run 2: Position (m),"
+      "Run 3: Time (s),Run 3: Velocity (m/s)\n";
+  for (int i = 0; i < 800; ++i) {
+    const std::string t = std::to_string(0.01 * i), x = std::to_string(0.1 * std::cos(0.07 * i));
+    text += t + "," + x + "," + t + ",," + t + "," + x + "\n";
+  }
+  folder.write("three.csv", text);
+  const Finished end = folder.run({"compare", "three.csv", "--law", "viscous", "-o", "curves.csv"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.out, HasSubstr("three.csv, Position (m), run 1\n"));
+  EXPECT_THAT(end.out, HasSubstr("No other law was tried"));
+  EXPECT_THAT(end.out,
+              HasSubstr("three.csv, run 2: wrong_input, column \"Position (m)\" of run 2 has no values\n"));
+  EXPECT_THAT(end.err, HasSubstr("cromer: three.csv: run 2: wrong_input: column \"Position (m)\" of run 2"));
+  EXPECT_THAT(end.err,
+              HasSubstr("cromer: three.csv: run 3: wrong_input: compare needs a position or an angle"));
+  EXPECT_THAT(folder.read("curves.csv"), HasSubstr("\n1,"));
+  const Finished as_json = folder.run({"compare", "three.csv", "--law", "viscous", "--json"});
+  EXPECT_EQ(as_json.status, 1);
+  const auto document = as_json.json();
+  ASSERT_EQ(document["comparisons"].size(), 3u);
+  EXPECT_EQ(document["comparisons"][0]["curves"].size(), 2u);
+  EXPECT_EQ(document["comparisons"][1]["status"], "wrong_input");
+  EXPECT_THAT(document["comparisons"][1]["message"].get<std::string>(), HasSubstr("has no values"));
+  EXPECT_EQ(document["message"], "2 of 3 fits did not succeed");
+  // Where none is of use, the input is wrong.
+  EXPECT_EQ(folder.run({"compare", "three.csv", "--run", "2"}).status, 2);
+  EXPECT_EQ(folder.run({"compare", "three.csv", "--run", "3"}).status, 2);
+}
+
 TEST(FitMany, AFileIsNamedOnceAndAColumnThatWasNotReadNot) {
   Folder folder;
   folder.write("good.csv", recording(500));

@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -414,6 +415,17 @@ Result<CompareResult> compare_driven(const Recording& recording, const FittedRec
   return result;
 }
 
+// The row of a run that was fitted and cannot be compared. What was said of the file stays.
+CompareResult not_compared(const FittedRecording& fitted, const Notice& why) {
+  CompareResult row;
+  row.recording = not_fitted(fitted.file, fitted.series.run, why);
+  row.recording.one_of_several = fitted.one_of_several;
+  row.recording.of_file = fitted.of_file;
+  row.notices.assign(fitted.notices.begin(),
+                     fitted.notices.begin() + static_cast<std::ptrdiff_t>(fitted.of_file));
+  return row;
+}
+
 }  // namespace
 
 Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
@@ -424,16 +436,23 @@ Result<std::vector<CompareResult>> compare(const Recording& recording, const Com
   const Result<std::vector<FittedRecording>> fits = fit(recording, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
+  std::optional<Error> first_error;
+  bool any_compared = false;
   for (const FittedRecording& fitted : *fits) {
-    if (fitted.wrong_input) return Error{in_file(fitted.file, fitted.fit.message)};
+    if (fitted.wrong_input) {
+      results.emplace_back().recording = fitted;
+      continue;
+    }
     const double each = (1 - of_fits) / static_cast<double>(fits->size()),
                  done = of_fits + each * static_cast<double>(results.size());
     const Watch part = part_of(watch, done, done + each);
     Result<CompareResult> one = fitted.driven ? compare_driven(recording, fitted, options, part)
                                               : compare_fitted(fitted, options, part);
-    if (!one) return one.error();
-    results.push_back(std::move(*one));
+    any_compared = any_compared || one.ok();
+    results.push_back(one ? std::move(*one) : not_compared(fitted, one.error().notice));
+    if (!one && !first_error) first_error = one.error();
   }
+  if (!any_compared && first_error) return *first_error;
   return results;
 }
 
