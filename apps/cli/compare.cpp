@@ -4,6 +4,7 @@
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
+#include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/open_recording.h"
 #include "message.h"
 #include "output.h"
@@ -36,9 +37,9 @@ int run_compare(const Arguments& arguments) {
   Answer answer{.text = [&] { return compare_text(*comparisons); },
                 .json = [&] { return to_json(*comparisons); },
                 .csv = [&] { return compare_csv(*comparisons); },
-                .figure = [&] { return compare_figure(*comparisons); }};
+                .figure = [&] { return compare_figure(*comparisons); },
+                .notices = said_of_runs(*comparisons)};
   for (const auto& comparison : *comparisons) {
-    answer.notices.insert(answer.notices.end(), comparison.notices.begin(), comparison.notices.end());
     answer.good = answer.good && comparison.complete && comparison.recording.succeeded();
     if (!comparison.recording.succeeded()) answer.failures.push_back(failure_text(comparison.recording));
   }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "commands.h"
 #include "cromer/documents/csv.h"
@@ -10,7 +12,9 @@
 #include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
+#include "cromer/read/in_file.h"
 #include "cromer/report/file.h"
+#include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/open_recording.h"
 #include "fit_files.h"
@@ -94,6 +98,19 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
+/// Whether there is no line only because fits did not succeed: that is no wrong input.
+bool lacks_points(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
+  if (fits.size() != masses.size()) return false;
+  const auto another = [](const Quantity& one, const Quantity& mass) { return one.value != mass.value; };
+  std::vector<Quantity> left;
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    if (fits[i].succeeded()) left.push_back(masses[i]);
+  const auto differ = [&](const std::vector<Quantity>& these) {
+    return std::adjacent_find(these.begin(), these.end(), another) != these.end();
+  };
+  return differ(masses) && !differ(left);
+}
+
 /// Checks that the --motion file can be written without losing another.
 Result<void> check_motion(const std::string& motion, const OutputOptions& output,
                           const std::vector<std::string>& inputs) {
@@ -116,11 +133,13 @@ Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<M
                 .json = [&fits, &line, many] { return line ? to_json(fits, *line) : to_json(fits, many); },
                 .csv = [&fits, &line] { return line ? mass_line_csv(*line) : fit_csv(fits); },
                 .figure = [&fits, &line] { return line ? mass_line_figure(*line) : fit_figure(fits); }};
-  for (const auto& fitted : fits) {
-    for (const Notice& notice : fitted.notices)
-      answer.notices.push_back(many ? Notice{"in_file", {{"file", fitted.file}, {"what", notice}}} : notice);
-    if (!fitted.succeeded()) answer.failures.push_back(failure_text(fitted));
+  for (auto of_file = fits.begin(), end = of_file; of_file != fits.end(); of_file = end) {
+    end = std::find_if(of_file, fits.end(), [&](const auto& each) { return each.file != of_file->file; });
+    for (Notice& notice : said_of_runs(std::span<const FittedRecording>(of_file, end)))
+      answer.notices.push_back(many ? in_file(of_file->file, std::move(notice)) : std::move(notice));
   }
+  for (const auto& fitted : fits)
+    if (!fitted.succeeded()) answer.failures.push_back(failure_text(fitted));
   if (line) answer.notices.insert(answer.notices.end(), line->notices.begin(), line->notices.end());
   return answer;
 }
@@ -180,17 +199,20 @@ int run_fit(const Arguments& arguments) {
   const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
                                                 [](const auto& each) { return each.succeeded(); });
   std::optional<MassLine> line;
+  std::optional<Error> no_line;
   if (spring.mass_line && !interrupted) {
-    auto through = mass_line(*fits, *parse_masses(spring.masses));
-    // A line that lacks points because fits failed is no wrong input.
-    if (!through && good) return refuse(through.error());
+    const auto masses = *parse_masses(spring.masses);
+    auto through = mass_line(*fits, masses);
     if (through)
       line = *std::move(through);
+    else if (lacks_points(*fits, masses))
+      no_line = Error{"no_mass_line", {{"what", through.error().notice}}};
     else
-      complain("there is no line of T² against mass: " + in_words(through.error()));
+      return refuse(through.error());
   }
   Answer answer = answer_of(*fits, line, found->many);
   answer.good = good;
+  if (no_line) answer.failures.push_back(in_words(*no_line));
   answer.notices.insert(answer.notices.end(), found->notes.begin(), found->notes.end());
   if (!motion.empty()) answer.other_files = [&] { return write_table(motion, motion_csv(*fits)); };
   return give(answer, output);

@@ -57,9 +57,9 @@ int run(const Arguments& arguments) {
     return wrong_input;
   }
   const std::string& first = arguments.front();
-  if (first == "--version") return print("cromer " CROMER_VERSION "\n") ? done : wrong_input;
+  if (first == "--version") return print_all("cromer " CROMER_VERSION "\n");
   if (first == "help" && arguments.size() > 1) return run({arguments[1], "--help"});
-  if (first == "--help" || first == "-h" || first == "help") return print(overview()) ? done : wrong_input;
+  if (first == "--help" || first == "-h" || first == "help") return print_all(overview());
   for (const auto& command : commands)
     if (command.name == first) return command.run(Arguments(arguments.begin() + 1, arguments.end()));
   return unknown_command(first);

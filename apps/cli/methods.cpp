@@ -22,8 +22,7 @@ int run_methods(const Arguments& arguments) {
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (options.markdown)
-    return print(methods_in_markdown()) ? done : refuse("standard output cannot be written");
+  if (options.markdown) return print_all(methods_in_markdown());
   const auto methods = list_methods(options);
   if (!methods) return refuse(methods.error());
   return give(

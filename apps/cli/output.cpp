@@ -59,7 +59,7 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
     if (options.output != "-")
       if (auto good = check_writable(options.output); !good) return good;
     if (*format == FileFormat::hdf5)
-      if (auto good = can_write_tables(); !good) return good;
+      if (auto good = can_write_tables(options.output); !good) return good;
   }
   if (!options.plot.empty()) {
     if (auto format = figure_format(options.plot); !format)
@@ -123,6 +123,10 @@ bool print(std::string_view text) {
   return std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size() && std::fflush(stdout) == 0;
 }
 
+int output_refused() { return refuse(Error{"standard_output_not_written"}); }
+
+int print_all(std::string_view text) { return print(text) ? done : output_refused(); }
+
 int give(const Answer& answer, const OutputOptions& output) {
   std::vector<Error> unwritten;
   const auto keep = [&](const Result<void>& written) {
@@ -138,7 +142,7 @@ int give(const Answer& answer, const OutputOptions& output) {
   for (const std::string& failure : answer.failures) complain(failure);
   tell(answer.notices, output);
   for (const Error& error : unwritten) complain(error);
-  if (!printed) return refuse("standard output cannot be written");
+  if (!printed) return output_refused();
   if (!answer.good) return no_success;
   return unwritten.empty() ? done : wrong_input;
 }

@@ -52,6 +52,12 @@ void tell(const std::vector<Notice>& notices, const OutputOptions& output);
 /// On standard output, what could drive a terminal spelled out; false if it could not take all of it.
 bool print(std::string_view text);
 
+/// Says that standard output could not take it. The exit status.
+int output_refused();
+
+/// print, and what there is to say where it fails. The exit status.
+int print_all(std::string_view text);
+
 /// Writes a CSV table. One without anything in it is an Error, and what the file held stays.
 Result<void> write_table(const std::string& path, const std::string& csv);
 

@@ -68,7 +68,7 @@ Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
 std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files) {
   if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end() ||
       std::find(arguments.begin(), arguments.end(), "-h") != arguments.end()) {
-    return print(help(syntax)) ? done : refuse("standard output cannot be written");
+    return print_all(help(syntax));
   }
 
   CLI::App app;

@@ -75,7 +75,7 @@ int conclude(const Recorder& recorder, const RecordOptions& options, const Outpu
   if (!print(output.json       ? recording_json(options.output, end, recorder.headings(), notices)
              : end.samples > 0 ? summary(options.output, end)
                                : ""))
-    return refuse("standard output cannot be written");
+    return output_refused();
   tell(what_happened(recorder, end), output);
   if (end.failure.empty()) return done;
   complain(in_words(end.failure));

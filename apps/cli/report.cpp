@@ -63,8 +63,8 @@ int run_report(const Arguments& arguments) {
   if (progress) std::fputs("\r\033[K", stderr);
   if (!report) return refuse(report.error());
   const bool good = report->failure.empty();
-  if (output.json && !print(to_json(*report))) return refuse("standard output cannot be written");
-  if (!output.json && good) print(report->index + "\n");
+  if (output.json && !print(to_json(*report))) return output_refused();
+  if (!output.json && good && !print(report->index + "\n")) return output_refused();
   if (!good) complain(in_words(report->failure));
   if (!output.quiet)
     for (const Notice& shown : report->shown) complain("as this study is meant to show, " + in_words(shown));

@@ -75,7 +75,7 @@ int serve_lab(const std::string& address, std::optional<int> port, const std::st
   std::string addresses;
   for (const auto& host : reached_at(address))
     addresses += fmt::format("http://{}:{}/{}\n", host, guard.port, query);
-  if (!print(addresses)) return refuse("standard output cannot be written");
+  if (!print(addresses)) return output_refused();
   server.run([&] { return watch.interrupted(); });
   lab.reset();  // before the server, whose connections its answers go to, and the end of what it began
   session.stop();

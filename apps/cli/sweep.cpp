@@ -58,7 +58,9 @@ int help_first_rank(Ranks& ranks, const SweepOptions& options) {
   return done;
 }
 
-int show(const SweepResult& result, const OutputOptions& output, const std::string& command) {
+/// `more` is said with what there is to say of the sweep.
+int show(const SweepResult& result, const OutputOptions& output, const std::string& command,
+         const std::vector<Notice>& more) {
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   const bool any = result.counts.not_settled < result.plan.rows.rows;
   Answer answer{.text = [&] { return sweep_text(result); },
@@ -66,6 +68,7 @@ int show(const SweepResult& result, const OutputOptions& output, const std::stri
                 .csv = [&] { return sweep_csv(result, command); },
                 .notices = notices_of(result),
                 .good = any && result.counts.ok() && !result.interrupted};
+  answer.notices.insert(answer.notices.end(), more.begin(), more.end());
   if (!result.rows.empty()) answer.figure = [&] { return sweep_figure(result); };
   if (result.interrupted)
     answer.failures.push_back(fmt::format("interrupted after {} of {} points{}", result.done,
@@ -80,9 +83,9 @@ struct TrajectoryOptions {
   long long every = 1;  ///< keep every Nth state, > 0
 };
 
-/// Checks, before the sweep, that the file can be written and has room on the disk. Says how large it will
+/// Checks, before the sweep, that the file can be written and has room on the disk. Returns how large it will
 /// be.
-Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
+Result<Notice> check_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
   const auto format = file_format(options.path);
   if (!format || *format != FileFormat::csv || options.path == "-")
     return Error{"trajectories_are_csv", {{"file", options.path}}};
@@ -93,15 +96,18 @@ Result<std::string> announce_trajectories(const SweepPlan& plan, const Trajector
   const double bytes = *states * 18.0 * static_cast<double>(plan.swept.size() + 3);
   if (auto good = fits_on_disk(options.path, bytes); !good)
     return Error{"trajectories_do_not_fit", {{"what", good.error().notice}}};
-  return fmt::format("trajectories: {} points, about {:.3g} states, at most some {} in {}", plan.rows.rows,
-                     *states, bytes_in_words(bytes), options.path);
+  return Notice{"trajectories_size",
+                {{"points", plan.rows.rows},
+                 {"states", *states},
+                 {"size", bytes_in_words(bytes)},
+                 {"file", options.path}}};
 }
 
 /// Columns: the swept options, t, x and v; rows in the order of the sweep's. What there is to say is
 /// returned: points that ran away, or an interruption, after which what came before it is in the file.
-Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOptions& options,
-                                       const std::string& command, const Watch& watch) {
-  std::string said;
+Result<Notice> write_trajectories(const SweepPlan& plan, const TrajectoryOptions& options,
+                                  const std::string& command, const Watch& watch) {
+  Notice said;
   const auto written = write_file(options.path, [&](const PieceSink& write) -> Result<void> {
     const std::vector<std::string> comments{command};
     bool first = true;
@@ -114,11 +120,10 @@ Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOp
     const auto run = run_trajectories(plan, options.every, sink, watch);
     if (!run) return run.error();
     if (run->failed > 0)
-      said = fmt::format("trajectories: {} of {} points did not reach their end; what came before is there",
-                         run->failed, plan.rows.rows);
+      said = Notice{"trajectories_ended_early", {{"failed", run->failed}, {"points", plan.rows.rows}}};
     if (run->interrupted)
-      said = fmt::format("trajectories: interrupted after {} of {} points", run->points + run->failed,
-                         plan.rows.rows);
+      said = Notice{"trajectories_interrupted",
+                    {{"done", run->points + run->failed}, {"points", plan.rows.rows}}};
     return {};
   });
   if (!written) return written.error();
@@ -171,23 +176,25 @@ int run_sweep(const Arguments& arguments) {
   const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);
   auto plan = plan_sweep(options);
   if (!plan) return refuse(plan.error());
+  std::vector<Notice> size;  // of the trajectories
   if (!trajectories.path.empty()) {
     if (trajectories.path == output.output || trajectories.path == output.plot)
       return refuse(fmt::format("--trajectories: {} is another output's name", trajectories.path));
-    const auto announced = announce_trajectories(*plan, trajectories);
-    if (!announced) return refuse(announced.error());
-    if (!output.quiet) complain(*announced);
+    const auto checked = check_trajectories(*plan, trajectories);
+    if (!checked) return refuse(checked.error());
+    size.push_back(*checked);
   } else if (trajectories.every != 1) {
     return refuse("--every: it thins trajectories; name their file with --trajectories FILE.csv");
   }
   const auto finish = [&](const SweepResult& result) {
-    const int status = show(result, output, command_line("sweep", arguments));
-    if (trajectories.path.empty() || result.interrupted) return status;
+    if (result.interrupted) size.clear();  // none are written
+    const int status = show(result, output, command_line("sweep", arguments), size);
+    if (size.empty()) return status;
     const auto said = write_trajectories(result.plan, trajectories, command_line("sweep", arguments), watch);
     clear_progress();
     if (!said) return refuse(said.error());
     if (said->empty()) return status;
-    complain(*said);
+    complain(in_words(*said));
     return static_cast<int>(no_success);
   };
   const ChunkMaker make = maker_on(ranks->get());

@@ -163,6 +163,128 @@ TEST(FitMany, AnEmptyFolderOrAWrongOptionEndsItAll) {
   EXPECT_THAT(end.err, HasSubstr("did you mean drag?"));
 }
 
+/// Three runs below each other: a swing, one that stands still, another swing.
+std::string runs_with_one_at_rest() {
+  std::string text = "Time (s),Position (m)\n";
+  for (const double w : {7.0, 0.0, 9.0})
+    for (int i = 0; i < 500; ++i)
+      text += std::to_string(0.01 * i) + "," + std::to_string(0.1 * std::cos(0.01 * w * i)) + "\n";
+  return text;
+}
+
+TEST(FitMany, EachNoticeNamesItsRun) {
+  Folder folder;
+  folder.write("runs.csv", runs_with_one_at_rest());
+  folder.write("one.csv", recording(500));
+  for (const char* command : {"fit", "compare", "inspect"}) {
+    const Finished end = folder.run({command, "runs.csv"});
+    EXPECT_THAT(end.err, HasSubstr("cromer: warning: run 2: column \"Position (m)\" never changes\n"));
+    EXPECT_THAT(end.err, HasSubstr("cromer: note: the time starts again in line 502"));
+  }
+  const Finished both = folder.run({"fit", "runs.csv", "one.csv"});
+  EXPECT_THAT(both.err, HasSubstr("warning: runs.csv: run 2: column \"Position (m)\" never changes"));
+  EXPECT_THAT(both.err, HasSubstr("note: runs.csv: the time starts again in line 502"));
+  const Finished alone = folder.run({"fit", "runs.csv", "--run", "2"});
+  EXPECT_THAT(alone.err, HasSubstr("warning: column \"Position (m)\" never changes"));
+
+  const auto fits = folder.run({"fit", "runs.csv", "--json"}).json()["fits"],
+             compared = folder.run({"compare", "runs.csv", "--json"}).json()["comparisons"];
+  for (const auto& second : {fits[1], compared[1], compared[1]["fit"]}) {
+    EXPECT_EQ(second["warnings"][0], "run 2: column \"Position (m)\" never changes");
+    EXPECT_EQ(second["notices"][0]["text"], second["warnings"][0]);
+    EXPECT_EQ(second["notices"][0]["code"], "column_never_changes");
+    EXPECT_EQ(second["notices"][0]["severity"], "worth_knowing");
+    EXPECT_EQ(second["notices"][0]["values"]["column"], "Position (m)");
+    EXPECT_EQ(second["notices"][0]["values"]["run"], 2);
+  }
+}
+
+TEST(FitMany, WhatIsSaidOfSeveralRunsIsSaidOnce) {
+  Folder folder;
+  std::string text = runs_with_one_at_rest();
+  text.replace(0, text.find('\n'), "Time (s),Position");
+  folder.write("runs.csv", text);
+  for (const char* command : {"fit", "inspect"}) {
+    const Finished end = folder.run({command, "runs.csv"});
+    EXPECT_THAT(end.err, HasSubstr("runs 1, 2 and 3: column \"Position\" has no unit: m is assumed\n"));
+    EXPECT_EQ(end.err.find("is assumed"), end.err.rfind("is assumed"));
+  }
+}
+
+TEST(FitMany, CompareGoesOnWithTheOtherRuns) {
+  Folder folder;
+  std::string text =
+      "Run 1: Time (s),Run 1: Position (m),Run 2: Time (s),Run 2: Position (m),"
+      "Run 3: Time (s),Run 3: Velocity (m/s)\n";
+  for (int i = 0; i < 800; ++i) {
+    const std::string t = std::to_string(0.01 * i), x = std::to_string(0.1 * std::cos(0.07 * i));
+    text += t + "," + x + "," + t + ",," + t + "," + x + "\n";
+  }
+  folder.write("three.csv", text);
+  const Finished end = folder.run({"compare", "three.csv", "--law", "viscous", "-o", "curves.csv"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.out, HasSubstr("three.csv, Position (m), run 1\n"));
+  EXPECT_THAT(end.out, HasSubstr("No other law was tried"));
+  EXPECT_THAT(end.out,
+              HasSubstr("three.csv, run 2: wrong_input, column \"Position (m)\" of run 2 has no values\n"));
+  EXPECT_THAT(end.err, HasSubstr("cromer: three.csv: run 2: wrong_input: column \"Position (m)\" of run 2"));
+  EXPECT_THAT(end.err,
+              HasSubstr("cromer: three.csv: run 3: wrong_input: compare needs a position or an angle"));
+  EXPECT_THAT(folder.read("curves.csv"), HasSubstr("\n1,"));
+  const Finished as_json = folder.run({"compare", "three.csv", "--law", "viscous", "--json"});
+  EXPECT_EQ(as_json.status, 1);
+  const auto document = as_json.json();
+  ASSERT_EQ(document["comparisons"].size(), 3u);
+  EXPECT_EQ(document["comparisons"][0]["curves"].size(), 2u);
+  EXPECT_EQ(document["comparisons"][1]["status"], "wrong_input");
+  EXPECT_THAT(document["comparisons"][1]["message"].get<std::string>(), HasSubstr("has no values"));
+  EXPECT_EQ(document["message"], "2 of 3 fits did not succeed");
+  // Where none is of use, the input is wrong.
+  EXPECT_EQ(folder.run({"compare", "three.csv", "--run", "2"}).status, 2);
+  EXPECT_EQ(folder.run({"compare", "three.csv", "--run", "3"}).status, 2);
+}
+
+TEST(FitMany, AFileIsNamedOnceAndAColumnThatWasNotReadNot) {
+  Folder folder;
+  folder.write("good.csv", recording(500));
+  folder.write("bad.csv", "Time (s),Position (m)\n0,1\n0.1,abc\n0.2,3\n");
+  std::filesystem::create_directory(folder.path("nothing"));
+  const Finished end = folder.run({"fit", "good.csv", "bad.csv", "/dev/null", "--json"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err,
+              HasSubstr("cromer: bad.csv: run 1: wrong_input: line 3: column \"Position (m)\": \"abc\""));
+  EXPECT_THAT(end.err, HasSubstr("cromer: /dev/null: run 1: wrong_input: is a device"));
+  const auto fits = end.json()["fits"];
+  EXPECT_EQ(fits[0]["recording"]["column"], "Position (m)");
+  for (const int i : {1, 2}) {
+    EXPECT_FALSE(fits[i]["recording"].contains("column"));
+    EXPECT_EQ(fits[i]["message"].get<std::string>().find(fits[i]["recording"]["file"]), std::string::npos);
+  }
+}
+
+TEST(FitMany, AWrongTableOfMassesIsWrongInputWhateverElseFailed) {
+  Folder folder;
+  folder.write("runs.csv", runs_with_one_at_rest());
+  const auto run = [&](const char* masses) {
+    return folder.run({"fit", "runs.csv", "--mass-line", "--masses", masses, "-o", "line.csv"});
+  };
+  for (const char* wrong : {"2 kg, 1 kg", "2 kg, 1 kg, 1 kg, 3 kg", "1 kg, 1 kg, 1 kg", "1 kg, 3 kg, 2 kg"}) {
+    const Finished end = run(wrong);
+    EXPECT_EQ(end.status, 2) << wrong;
+    EXPECT_EQ(end.out, "") << wrong;
+    EXPECT_FALSE(folder.has("line.csv")) << wrong;
+  }
+  EXPECT_THAT(run("2 kg, 1 kg").err, HasSubstr("2 masses are given for 3 recordings"));
+  const Finished good = run("2 kg, 3 kg, 1 kg");  // run 2 is missing in the line
+  EXPECT_EQ(good.status, 1);
+  EXPECT_TRUE(folder.has("line.csv"));
+  const Finished lacking =
+      run("1 kg, 2 kg, 1 kg");  // the run of the other mass failed: no fault of the masses
+  EXPECT_EQ(lacking.status, 1);
+  EXPECT_THAT(lacking.err, HasSubstr("there is no line of T² against mass: --mass-line needs at least two"));
+  EXPECT_THAT(lacking.out, HasSubstr("run 3: converged"));
+}
+
 TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
   Folder folder;
   std::string text = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";

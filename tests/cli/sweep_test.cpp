@@ -239,7 +239,7 @@ TEST(SweepCommand, WritesThinnedTrajectoriesOfEveryPoint) {
   const Finished end = folder.run(with(with({"sweep", "--position", "0.5,1", "--method", "rk4"}, law),
                                        {"--trajectories", "motion.csv", "--every", "25", "-o", "ends.csv"}));
   ASSERT_EQ(end.status, 0) << end.err;
-  EXPECT_THAT(end.err, HasSubstr("trajectories: 2 points, about 42 states, at most some "));
+  EXPECT_THAT(end.err, HasSubstr("note: --trajectories: 2 points, about 42 states, at most some "));
   std::string rows = folder.read("motion.csv");
   EXPECT_THAT(rows, StartsWith("# cromer sweep "));
   rows.erase(0, rows.find('\n') + 1);

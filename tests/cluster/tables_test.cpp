@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -164,6 +165,38 @@ TEST_F(Tables, AreTheSameBytesEachTime) {
   const std::string first = bytes_of(file);
   ASSERT_EQ(run(command).status, 0);
   EXPECT_EQ(bytes_of(file), first);
+}
+
+TEST_F(Tables, WhereTheDiskIsFullOneSentenceSaysSoAndNothingIsLeft) {
+  rlimit limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
+  for (const rlim_t bytes : {8192u, 65536u})
+    for (const Arguments& command :
+         {Arguments{"simulate", "--until", "300", "--quiet", "-o", file},
+          Arguments{"spectrum", ground, "--column", "east", "--periods", "0.1:5:9000", "--quiet", "-o", file},
+          Arguments{"sweep", "--drive-amplitude", "1", "--damping", "1", "--drive-frequency", "1:2:9000",
+                    "--quiet", "-o", file}}) {
+      const rlimit small{bytes, limit.rlim_max};
+      ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+      const auto ended = run(command);
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      EXPECT_EQ(ended.status, 2) << command[0] << bytes;
+      EXPECT_EQ(ended.err, "cromer: cannot write " + file +
+                               ": File too large; make room, or name a file on another disk\n")
+          << command[0] << bytes;
+      EXPECT_TRUE(left().empty()) << command[0] << bytes;
+    }
+}
+
+TEST_F(Tables, APipeOrADeviceInTheirPlaceStays) {
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  for (const Arguments& command : {Arguments{"simulate", "--until", "1", "-o", file},
+                                   Arguments{"sweep", "--damping", "0.1,0.2", "--until", "1", "-o", file}}) {
+    const auto ended = run(command);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, HasSubstr("it is a device or a pipe, and HDF5 is written into files"));
+    EXPECT_TRUE(std::filesystem::is_fifo(file));
+  }
 }
 
 TEST_F(Tables, WhereTheyCannotBeWrittenNothingIsLeft) {

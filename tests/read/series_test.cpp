@@ -96,8 +96,7 @@ TEST(Series, ARateIsNotUsedBesideTimes) {
 }
 
 TEST(Series, OneRunOrSeveralAreCounted) {
-  EXPECT_EQ(refusal("t (s),x (m)\n0,5\n1,6\n", "", {}, 2),
-            "lab.txt: there is no run 2: the file has one run");
+  EXPECT_EQ(refusal("t (s),x (m)\n0,5\n1,6\n", "", {}, 2), "lab.txt: there is no run 2: the file has 1 run");
   EXPECT_EQ(refusal("t,x Run #1,x Run #2\n0,1,2\n1,2,3\n", "", {}, 0),
             "lab.txt: there is no run 0: the file has 2 runs");
   EXPECT_EQ(refusal("t (s),x (m)\n0,\n1,\n"), "lab.txt: column \"x (m)\" of run 1 has no values");

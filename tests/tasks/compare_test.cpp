@@ -58,6 +58,47 @@ TEST(CompareTask, OneRateLeavesWhatTheViscousFitLeaves) {
   EXPECT_NEAR(result.curves[0].law_rms, fit->fit.residual.rms, 0.01 * fit->fit.residual.rms);
 }
 
+// The temperature and the seed need the disc and the trials, which the fit of one rate does not ask for.
+TEST(CompareTask, WhatIsAskedOfTheFitIsNotAskedOfTheOneRate) {
+  CompareOptions options;
+  options.method = "rk4";
+  options.fit.law = "viscous+drag";
+  const CompareResult plain = compared(disc_recording(4, 20), options);
+  options.fit.mass = Quantity{0.2176, 0};
+  options.fit.disc_diameter = Quantity{0.12, 0};
+  options.fit.temperature = Quantity{293, 0};
+  options.fit.monte_carlo = 1000;
+  options.fit.seed_given = true;
+  options.fit.goal = "drag 1 %";
+  options.fit.textbook = true;
+  const CompareResult asked = compared(disc_recording(4, 20), options);
+  ASSERT_EQ(plain.curves.size(), 2u);
+  ASSERT_EQ(asked.curves.size(), 2u);
+  EXPECT_EQ(asked.curves[0].rms, plain.curves[0].rms);
+}
+
+// Held for two seconds, then let go: --from says that all of it is to be compared.
+TEST(CompareTask, BothCurvesAreOfTheSameSamples) {
+  const Series free = disc_recording(4, 20);
+  Series series = free;
+  for (double& t : series.t) t += 2;
+  series.t.insert(series.t.begin(), free.t.begin(), free.t.begin() + 200);
+  series.y.insert(series.y.begin(), 200, free.y.front());
+  series.lines.insert(series.lines.begin(), 200, 0);
+  CompareOptions options;
+  options.method = "rk4";
+  options.fit.law = "viscous+drag";
+  options.fit.from = 0;
+  FitOptions viscous;
+  viscous.law = "viscous";
+  viscous.from = 0;
+  const Result<FittedRecording> alone = fit_series(series, "recording2.csv", viscous);
+  ASSERT_TRUE(alone.ok());
+  const CompareResult result = compared(series, options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_NEAR(result.curves[0].law_rms, alone->fit.residual.rms, 0.01 * alone->fit.residual.rms);
+}
+
 TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {
   CompareOptions options;
   options.fit.segment = 30;

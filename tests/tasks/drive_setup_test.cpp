@@ -309,7 +309,7 @@ TEST(DriveFile, SaysWhichColumnItCouldBe) {
   EXPECT_EQ(record_refusal("Time (s),Force (N)\n0,1\n"),
             "f.csv: column \"Force (N)\" has one sample, and a drive needs at least two samples");
   EXPECT_EQ(record_refusal("Time (s),Force (N)\n0,1\n1,2\n2,3\n", {.quantity = "force", .run = 2}),
-            "f.csv: there is no run 2; the file has 1");
+            "f.csv: there is no run 2: the file has 1 run");
   EXPECT_EQ(record_refusal("Time (s),Force (N)\n0,1\n1,2\n2,3\n", {.quantity = "force", .run = 1}), "");
 }
 

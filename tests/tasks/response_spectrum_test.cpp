@@ -289,8 +289,26 @@ TEST(ResponseSpectrum, BadOptionsAreNamed) {
               }),
               HasSubstr("--peaks peer joins the samples by straight lines"));
   EXPECT_THAT(with([](auto& o) { o.unit = "g"; }), HasSubstr("--unit: shake.csv: column"));
-  EXPECT_THAT(with([](auto& o) { o.run = 3; }), HasSubstr("there is no run 3; the file has 1"));
+  EXPECT_THAT(with([](auto& o) { o.run = 3; }), HasSubstr("there is no run 3: the file has 1 run"));
   EXPECT_THAT(with([](auto& o) { o.column = {"force"}; }), HasSubstr("force"));
+}
+
+TEST(ResponseSpectrum, OfSeveralRunsTheFirstIsTakenAndTheNoticesNameTheFile) {
+  std::string bytes = "Time (s),Acceleration (m/s^2)\n";
+  for (const double w : {5.0, 9.0})
+    for (int i = 0; i < 300; ++i)
+      bytes += std::to_string(0.01 * i) + "," + std::to_string(std::sin(0.01 * w * i)) + "\n";
+  SpectrumOptions options;
+  options.periods = "0.1,1";
+  const auto found = spectrum_of({"shake.csv", bytes}, options);
+  ASSERT_TRUE(found.ok()) << in_words(found.error());
+  EXPECT_THAT(
+      in_words(found->notices),
+      ::testing::IsSupersetOf({"shake.csv: the spectrum is that of run 1 of 2; --run chooses another",
+                               "shake.csv: the time starts again in line 302: the file is read as 2 runs"}));
+  options.run = 2;
+  EXPECT_THAT(in_words(spectrum_of({"shake.csv", bytes}, options)->notices),
+              ::testing::Not(::testing::Contains(HasSubstr("--run chooses another"))));
 }
 
 // With little damping, half the loss factor is the damping ratio, apart from what the ground does between its

@@ -65,8 +65,13 @@ Error cannot_write(const std::string& path, int number) {
   std::error_code failed;
   const bool unread = number == ENXIO && fs::is_fifo(path, failed);
   if (unread) return Error{"cannot_write", {{"path", path}, {"why", Notice{"no_reader_of_pipe"}}}};
+  if (is_full(number))
+    return Error{"cannot_write",
+                 {{"path", path}, {"why", Notice{"no_room", {{"why", std::strerror(number)}}}}}};
   return Error{"cannot_write", {{"path", path}, {"why", std::strerror(number)}}};
 }
+
+bool is_full(int number) { return number == ENOSPC || number == EDQUOT || number == EFBIG; }
 
 int open_to_write(const std::string& path, bool at_end) {
   const int flags = O_WRONLY | O_CLOEXEC | (at_end ? O_APPEND : 0);

@@ -11,8 +11,11 @@ namespace cromer::core {
 /// not, so that a link stays one.
 std::string target_of(const std::string& path);
 
-/// "cannot_write" with path and reason, by the number of the system's error.
+/// "cannot_write" with path and reason, by the number of the system's error; of a full disk with the cure.
 Error cannot_write(const std::string& path, int number);
+
+/// Whether the number of the system's error says that there is no room for a file.
+bool is_full(int number);
 
 /// Opens a file that is there, to write from its beginning or, `at_end`, to append to it. -1 if that fails,
 /// with the reason in errno. Does not wait for somebody to read from a pipe.

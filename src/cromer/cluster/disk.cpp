@@ -15,10 +15,7 @@ namespace cromer::core {
 namespace {
 
 /// What to do if the disk is full; empty for any other error.
-Notice cure(int number) {
-  const bool full = number == ENOSPC || number == EDQUOT || number == EFBIG;
-  return full ? Notice{"finished_is_kept"} : Notice{};
-}
+Notice cure(int number) { return is_full(number) ? Notice{"finished_is_kept"} : Notice{}; }
 
 Error not_opened(const std::string& path, int number) {
   return Error{"cannot_open", {{"path", path}, {"why", std::strerror(number)}, {"cure", cure(number)}}};
@@ -50,6 +47,19 @@ Result<DiskFile> DiskFile::open(const std::string& path, int flags) {
   return opened;
 }
 
+Result<DiskFile> DiskFile::open_unfinished(const std::string& path, const std::string& name) {
+  DiskFile opened;
+  opened.path_ = name;
+  opened.kept_ = false;
+  opened.file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (opened.file_ < 0) return cannot_write(name, errno);
+  return opened;
+}
+
+Error DiskFile::not_written(int number) const {
+  return kept_ ? core::not_written(path_, number) : cannot_write(path_, number);
+}
+
 DiskFile::~DiskFile() {
   if (file_ >= 0) ::close(file_);
 }
@@ -59,8 +69,8 @@ Result<void> DiskFile::write(const void* bytes, std::size_t size, std::uint64_t 
   while (size > 0) {
     const ssize_t count = ::pwrite(file_, from, size, static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return not_written(path_, errno);
-    if (count == 0) return not_written(path_, ENOSPC);
+    if (count < 0) return not_written(errno);
+    if (count == 0) return not_written(ENOSPC);
     from += count;
     size -= static_cast<std::size_t>(count);
     offset += static_cast<std::uint64_t>(count);
@@ -81,7 +91,7 @@ std::size_t DiskFile::read(void* bytes, std::size_t size, std::uint64_t offset) 
 }
 
 Result<void> DiskFile::sync() const {
-  if (::fdatasync(file_) != 0) return not_written(path_, errno);
+  if (::fdatasync(file_) != 0) return not_written(errno);
   return {};
 }
 

@@ -17,10 +17,13 @@ class DiskFile {
   DiskFile() = default;
   /// `flags` as open(2) has them, beside O_RDWR.
   static Result<DiskFile> open(const std::string& path, int flags);
+  /// A file that is there under another name until it is finished. Messages call it `name`.
+  static Result<DiskFile> open_unfinished(const std::string& path, const std::string& name);
   DiskFile(DiskFile&& other) noexcept
-      : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+      : path_(std::move(other.path_)), kept_(other.kept_), file_(std::exchange(other.file_, -1)) {}
   DiskFile& operator=(DiskFile&& other) noexcept {
     std::swap(path_, other.path_);
+    std::swap(kept_, other.kept_);
     std::swap(file_, other.file_);
     return *this;
   }
@@ -34,7 +37,10 @@ class DiskFile {
   int descriptor() const { return file_; }
 
  private:
+  Error not_written(int number) const;
+
   std::string path_{};
+  bool kept_ = true;  ///< what is finished of it stays where there is no room for more
   int file_ = -1;
 };
 

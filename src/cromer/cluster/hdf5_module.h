@@ -30,12 +30,13 @@ struct CromerHdf5Dataset {
   std::uint64_t offset;  ///< of its first number from the file's beginning [bytes]; set by the module
 };
 
-/// How it went; `message` then has HDF5's own words.
+/// How it went; `message` then has HDF5's own words, or the number of the system's error.
 enum CromerHdf5End : int {
   cromer_hdf5_good,
   cromer_hdf5_not_made,  ///< the file could not be made
   cromer_hdf5_part,      ///< nor one of its parts; the message begins with its name
   cromer_hdf5_not_written,
+  cromer_hdf5_system,      ///< the system refused: `message` is the number of its error
   cromer_hdf5_not_opened,  ///< as an HDF5 file
   cromer_hdf5_not_read,
 };
@@ -66,5 +67,5 @@ const CromerHdf5* cromer_hdf5();
 }  // extern "C"
 
 namespace cromer::core {
-constexpr int hdf5_module_version = 3;
+constexpr int hdf5_module_version = 4;
 }

@@ -3,8 +3,11 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <vector>
+
+#include "cromer/base/replacement.h"
 
 namespace cromer::core {
 namespace {
@@ -33,6 +36,8 @@ Notice hdf5_trouble(CromerHdf5End end, const char* message) {
       return Notice{"hdf5_not_written", {{"why", message}}};
     case cromer_hdf5_not_opened:
       return Notice{"hdf5_not_opened", {{"why", message}}};
+    case cromer_hdf5_system:
+      return Notice{"hdf5_not_read", {{"why", std::strerror(std::atoi(message))}}};
     case cromer_hdf5_not_read:
       return Notice{"hdf5_not_read", {{"why", message}}};
   }
@@ -75,13 +80,16 @@ Result<const CromerHdf5*> load_hdf5() {
   return module;
 }
 
-Notice create_hdf5(const CromerHdf5& module, const std::string& path, std::span<const CromerHdf5Text> texts,
-                   std::span<const CromerHdf5Group> groups, std::span<CromerHdf5Dataset> datasets) {
+Result<void> create_hdf5(const CromerHdf5& module, const std::string& path, const std::string& name,
+                         std::span<const CromerHdf5Text> texts, std::span<const CromerHdf5Group> groups,
+                         std::span<CromerHdf5Dataset> datasets) {
   char message[message_room];
   const CromerHdf5End end =
       module.create(path.c_str(), texts.data(), texts.size(), groups.data(), groups.size(), datasets.data(),
                     datasets.size(), message, message_room);
-  return hdf5_trouble(end, message);
+  if (end == cromer_hdf5_good) return {};
+  if (end == cromer_hdf5_system) return cannot_write(name, std::atoi(message));
+  return Error{"cannot_write", {{"path", name}, {"why", hdf5_trouble(end, message)}}};
 }
 
 Notice read_hdf5(const CromerHdf5& module, const std::string& path, const CromerHdf5Reader& reader) {

@@ -26,10 +26,12 @@ Result<void*> load_module(const Module& module);
 /// The HDF5 module. If there is none, the Error says where it was looked for and what to do.
 Result<const CromerHdf5*> load_hdf5();
 
-/// The module's `create` and `read`. They return what it could not do, with HDF5's words for it; empty if all
-/// is good.
-Notice create_hdf5(const CromerHdf5& module, const std::string& path, std::span<const CromerHdf5Text> texts,
-                   std::span<const CromerHdf5Group> groups, std::span<CromerHdf5Dataset> datasets);
+/// The module's `create`. Messages call the file `name`.
+Result<void> create_hdf5(const CromerHdf5& module, const std::string& path, const std::string& name,
+                         std::span<const CromerHdf5Text> texts, std::span<const CromerHdf5Group> groups,
+                         std::span<CromerHdf5Dataset> datasets);
+
+/// The module's `read`. Returns what it could not do, with HDF5's words for it; empty if all is good.
 Notice read_hdf5(const CromerHdf5& module, const std::string& path, const CromerHdf5Reader& reader);
 
 /// Name and unit of a column: "amplitude (m)" is amplitude in m; without a unit it is "1".

@@ -69,7 +69,8 @@ Result<void> write_numbers(const DiskFile& file, std::uint64_t offset, std::uint
   return {};
 }
 
-/// Makes the file at `path` with all its numbers, NaN but for the axes; sets the offsets.
+/// Makes the file, at `path` until it is finished, with all its numbers, NaN but for the axes; sets the
+/// offsets.
 Result<void> make_file(const std::string& path, const ChunkedRows& work, const RowsFileOptions& options,
                        std::vector<LaidOut>& datasets, const Watch& watch) {
   auto module = load_hdf5();
@@ -89,10 +90,9 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
   const CromerHdf5Text of_file[] = {{"description", work.description.c_str()},
                                     {"program", options.program.c_str()},
                                     {"command", options.command.c_str()}};
-  if (const Notice trouble = create_hdf5(**module, path, of_file, {}, made); !trouble.empty())
-    return Error{"cannot_write", {{"path", path}, {"why", trouble}}};
+  if (auto good = create_hdf5(**module, path, options.path, of_file, {}, made); !good) return good;
 
-  auto file = DiskFile::open(path, 0);
+  auto file = DiskFile::open_unfinished(path, options.path);
   if (!file) return file.error();
   if (auto good = file->sync(); !good) return good;
   for (std::size_t i = 0; i < datasets.size(); ++i) {

@@ -1,5 +1,8 @@
 #include "cromer/cluster/tables_file.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "cromer/base/replacement.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/module.h"
@@ -62,32 +65,32 @@ Result<void> fill(const std::string& path, const std::string& name, const std::v
   std::vector<CromerHdf5Text> of_file;
   for (const Hdf5Table& table : tables)
     if (table.name.empty()) of_file = texts_of(table);
-  const auto cannot_write = [&](const Notice& why) {
-    return Error{"cannot_write", {{"path", name}, {"why", why}}};
-  };
-  if (const Notice trouble = create_hdf5(**module, path, of_file, told.groups, told.datasets);
-      !trouble.empty())
-    return cannot_write(trouble);
-  auto file = DiskFile::open(path, 0);
-  if (!file) return cannot_write(file.error().notice);
+  if (auto good = create_hdf5(**module, path, name, of_file, told.groups, told.datasets); !good) return good;
+  auto file = DiskFile::open_unfinished(path, name);
+  if (!file) return file.error();
   for (std::size_t i = 0; i < told.columns.size(); ++i) {
     const auto& values = told.columns[i]->values;
     if (auto good = file->write(values.data(), values.size() * sizeof(double), told.datasets[i].offset);
         !good)
-      return cannot_write(good.error().notice);
+      return good;
   }
   return file->sync();
 }
 
 }  // namespace
 
-Result<void> can_write_tables() {
+Result<void> can_write_tables(const std::string& path) {
   auto module = load_hdf5();
   if (!module) return module.error();
+  std::error_code failed;
+  const auto there = std::filesystem::status(path, failed);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    return Error{"hdf5_needs_a_file", {{"path", path}}};
   return {};
 }
 
 Result<void> write_tables(const std::string& path, const std::vector<Hdf5Table>& tables) {
+  if (auto good = can_write_tables(path); !good) return good;
   auto fresh = Replacement::named_beside(path);
   if (!fresh) return fresh.error();
   if (auto good = fill(fresh->name(), path, tables); !good) return good;

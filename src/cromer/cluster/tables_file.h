@@ -25,8 +25,9 @@ struct Hdf5Table {
   std::vector<Hdf5Column> columns{};                         ///< empty ones are left out
 };
 
-/// Checks, before long work, that such files can be written: an Error if the module is missing.
-Result<void> can_write_tables();
+/// Checks, before long work, that such a file can be written: an Error if the module is missing, or if there
+/// is a device or a pipe in its place.
+Result<void> can_write_tables(const std::string& path);
 
 /// Writes the file whole or not at all, over what was there. Each dataset has the attribute unit. The same
 /// bytes for the same tables. Errors: no module, no room, no leave to write.

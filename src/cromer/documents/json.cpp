@@ -1,6 +1,8 @@
 #include "cromer/documents/json.h"
 
 #include <algorithm>
+#include <span>
+#include <type_traits>
 
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
@@ -11,6 +13,7 @@
 #include "cromer/documents/described/spring.h"
 #include "cromer/documents/described/sweep.h"
 #include "cromer/documents/json/described.h"
+#include "cromer/tasks/fit/said_of_runs.h"
 
 namespace cromer::core {
 
@@ -52,12 +55,26 @@ std::string to_json(const Inspection& inspection, bool with_values, const Voice&
 
 namespace {
 
+/// Puts notices that name their run into the place of those that do not.
+template <class Result>
+void name_the_run(Json& document, const Result& result, const Voice& voice) {
+  if (document.contains("notices")) add_notices(document, said_of_runs(std::span(&result, 1)), voice);
+}
+
+template <class Result>
+Json one_of_list(const Result& result, const Voice& voice) {
+  Json document = json_of(result, voice);
+  name_the_run(document, result, voice);
+  if constexpr (std::is_same_v<Result, CompareResult>) name_the_run(document["fit"], result.recording, voice);
+  return document;
+}
+
 /// {name: [...]}, with "message" if any of its fits failed.
 template <class Result>
 Json list_of(const char* name, std::span<const Result> results, std::size_t failed, const Voice& voice) {
   Json document;
   Json& list = document[name] = Json::array();
-  for (const Result& each : results) list.push_back(json_of(each, voice));
+  for (const Result& each : results) list.push_back(one_of_list(each, voice));
   if (failed > 0)
     document["message"] = said(Notice{"fits_failed", {{"failed", failed}, {"all", results.size()}}}, voice);
   return document;

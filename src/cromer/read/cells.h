@@ -28,6 +28,10 @@ struct Layout {
   std::size_t columns = 1;
   /// Commas both separate and mark decimals, without quotes: each value has a decimal comma.
   bool paired = false;
+  /// The columns that hold text (labels, remarks) and are left out; empty where none does.
+  std::vector<bool> text{};
+
+  bool is_text(std::size_t column) const { return column < text.size() && text[column]; }
 };
 
 Error too_many_columns();

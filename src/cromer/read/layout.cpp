@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t sampled_at_start = 50;
 constexpr std::size_t sampled_in_all = 250;
+constexpr std::size_t fewest_with_text = 3;  // rows
 
 /// Lines that may be rows: all of a short file; of a long one its start and every n-th line of the rest.
 std::vector<std::string_view> sample(const std::vector<std::string_view>& lines) {
@@ -24,15 +25,49 @@ std::vector<std::string_view> sample(const std::vector<std::string_view>& lines)
   return chosen;
 }
 
-/// All cells numbers or missing, at least one a number.
-bool is_row(const std::vector<std::string_view>& cells, char decimal) {
+/// All cells numbers or missing, at least one a number; what stands in columns of text does not matter.
+bool is_row(const std::vector<std::string_view>& cells, const Layout& layout) {
   bool number = false;
-  for (const std::string_view cell : cells) {
-    const CellKind kind = read_cell(cell, decimal).kind;
+  for (std::size_t j = 0; j < cells.size(); ++j) {
+    if (layout.is_text(j)) continue;
+    const CellKind kind = read_cell(cells[j], layout.decimal).kind;
     if (kind == CellKind::word) return false;
     number = number || kind == CellKind::number;
   }
   return number;
+}
+
+/// What the cells of one column are.
+struct Seen {
+  bool number = false, word = false, date = false;
+  bool badly_written = false;  ///< a number that is not written as one
+
+  void look_at(std::string_view cell, char decimal) {
+    const CellKind kind = read_cell(cell, decimal).kind;
+    if (kind == CellKind::number) number = true;
+    if (kind != CellKind::word) return;
+    const Notice what = bad_cell(cell, decimal);
+    if (what.code == "is_date" || what.code == "is_clock_time")
+      date = true;
+    else if (!what.empty() || leading_number(cell, decimal))
+      badly_written = true;
+    else
+      word = true;
+  }
+  bool is_text(bool with_dates) const {
+    return !number && !badly_written && (word || date) && (with_dates || !date);
+  }
+};
+
+std::size_t columns_of_numbers(const std::vector<Seen>& columns) {
+  return static_cast<std::size_t>(
+      std::count_if(columns.begin(), columns.end(), [](const Seen& column) { return column.number; }));
+}
+
+/// Two columns of numbers, or one if the rate of its samples is known; and no fewer than of text.
+bool enough_numbers(const std::vector<Seen>& columns, const ReadOptions& options) {
+  const std::size_t numbers = columns_of_numbers(columns);
+  return numbers >= (options.rate > 0 ? 1u : 2u) && 2 * numbers >= columns.size();
 }
 
 /// "1,5" in quotes: how spreadsheets keep a decimal comma apart from the separator.
@@ -48,7 +83,8 @@ bool has_quoted_decimal(std::string_view line) {
 
 struct Candidate {
   Layout layout;
-  std::size_t rows = 0;  ///< of the sample, with the most frequent number of cells
+  std::size_t rows = 0;     ///< of the sample, with the most frequent number of cells
+  std::size_t numbers = 0;  ///< columns that are not text
 };
 
 Candidate judge(const std::vector<std::string_view>& chosen, Layout layout) {
@@ -59,15 +95,42 @@ Candidate judge(const std::vector<std::string_view>& chosen, Layout layout) {
   for (const std::string_view line : chosen) {
     if (!commas_pair_up(line, layout)) continue;
     split_cells(line, layout, cells);
-    if (is_row(cells, layout.decimal)) ++rows_of_width[cells.size()];
+    if (is_row(cells, layout)) ++rows_of_width[cells.size()];
   }
   Candidate candidate{layout, 0};
   for (const auto& [width, rows] : rows_of_width) {
     if (rows < candidate.rows) continue;
     candidate.rows = rows;
-    candidate.layout.columns = width;
+    candidate.layout.columns = candidate.numbers = width;
   }
   return candidate;
+}
+
+/// The same for rows with columns of text. They must be most of the sample: prose has numbers, too.
+Candidate judge_with_text(const std::vector<std::string_view>& chosen, Layout layout,
+                          const ReadOptions& options) {
+  Candidate best{layout, 0};
+  if (layout.separator == ',' && layout.decimal == ',') return best;
+  std::map<std::size_t, std::vector<std::vector<std::string_view>>> of_width;
+  std::vector<std::string_view> cells;
+  for (const std::string_view line : chosen) {
+    split_cells(line, layout, cells);
+    if (cells.size() > 1 && cells.size() <= most_columns) of_width[cells.size()].push_back(cells);
+  }
+  for (const auto& [width, lines] : of_width) {
+    if (lines.size() < fewest_with_text || 2 * lines.size() <= chosen.size()) continue;
+    std::vector<Seen> columns(width);
+    for (const auto& line : lines)
+      for (std::size_t j = 0; j < width; ++j) columns[j].look_at(line[j], layout.decimal);
+    if (!enough_numbers(columns, options)) continue;
+    Candidate candidate{layout, 0, columns_of_numbers(columns)};
+    candidate.layout.columns = width;
+    // A date is text only beside a time: text_columns() sees to that when the names are known.
+    for (const Seen& column : columns) candidate.layout.text.push_back(column.is_text(true));
+    for (const auto& line : lines) candidate.rows += is_row(line, candidate.layout);
+    if (candidate.rows >= fewest_with_text && 2 * candidate.rows > chosen.size()) best = candidate;
+  }
+  return best;
 }
 
 /// If the sample has whole numbers only, the rest of the file may show the decimal mark.
@@ -113,21 +176,26 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
   const auto chosen = sample(lines);
   Candidate best;
   bool decimal_open = false;
-  for (const char separator : *separators)
-    for (const char decimal : *marks) {
-      const Candidate candidate = judge(chosen, Layout{separator, decimal, 1});
-      const bool more_rows = candidate.rows > best.rows;
-      const bool more_columns = candidate.rows == best.rows && candidate.layout.columns > best.layout.columns;
-      const bool same_but_decimal = candidate.rows == best.rows &&
-                                    candidate.layout.separator == best.layout.separator &&
-                                    candidate.layout.columns == best.layout.columns;
-      if (more_rows || more_columns) {
-        best = candidate;
-        decimal_open = false;
-      } else if (same_but_decimal && candidate.rows > 0) {
-        decimal_open = separator != ',';
-      }
+  const auto consider = [&](char separator, char decimal, bool with_text) {
+    const Layout layout{separator, decimal, 1};
+    const Candidate candidate = with_text ? judge_with_text(chosen, layout, options) : judge(chosen, layout);
+    const bool more_rows = candidate.rows > best.rows;
+    const bool more_columns = candidate.rows == best.rows && candidate.numbers > best.numbers;
+    const bool same_but_decimal = candidate.rows == best.rows &&
+                                  candidate.layout.separator == best.layout.separator &&
+                                  candidate.layout.columns == best.layout.columns;
+    if (more_rows || more_columns) {
+      best = candidate;
+      decimal_open = false;
+    } else if (same_but_decimal && candidate.rows > 0) {
+      decimal_open = separator != ',';
     }
+  };
+  for (const bool with_text : {false, true}) {
+    if (best.rows >= fewest_with_text) break;  // fewer may be a title's numbers
+    for (const char separator : *separators)
+      for (const char decimal : *marks) consider(separator, decimal, with_text);
+  }
   if (best.rows == 0) return Error{"no_rows_of_numbers"};
   if (best.layout.columns > most_columns) return too_many_columns();
   if (decimal_open) best.layout.decimal = decimal_of(lines);
@@ -142,10 +210,12 @@ std::size_t find_data(const std::vector<std::string_view>& lines, const Layout& 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (is_blank(lines[i]) || is_comment(lines[i])) continue;
     split_cells(lines[i], layout, cells);
-    const bool row = is_row(cells, layout.decimal);
+    const bool row = is_row(cells, layout);
     if (row && first_row == lines.size()) first_row = i;
     // A row with a bad cell is a row, not a header: it begins with a number.
-    const bool begins_with_number = read_cell(cells.front(), layout.decimal).kind == CellKind::number;
+    std::size_t first = 0;
+    while (layout.is_text(first) && first + 1 < cells.size()) ++first;
+    const bool begins_with_number = read_cell(cells[first], layout.decimal).kind == CellKind::number;
     if (cells.size() == layout.columns && (row || (begins_with_number && cells.size() > 1))) return i;
   }
   return first_row;
@@ -192,6 +262,27 @@ Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const L
   }
   return Error{"rows_read_in_two_ways",
                {{"row", shown(lines[data])}, {"whole", layout.columns}, {"decimal", layout.columns / 2}}};
+}
+
+std::vector<bool> text_columns(const std::vector<std::string_view>& lines, std::size_t data,
+                               const Layout& layout, const ReadOptions& options,
+                               const std::vector<bool>& named_time) {
+  if (layout.paired || layout.separator == 0) return {};
+  std::vector<Seen> columns(layout.columns);
+  std::vector<std::string_view> cells;
+  for (std::size_t i = data; i < lines.size(); ++i) {
+    if (is_blank(lines[i]) || is_comment(lines[i])) continue;
+    split_cells(lines[i], layout, cells);
+    for (std::size_t j = 0; j < std::min(cells.size(), layout.columns); ++j)
+      columns[j].look_at(cells[j], layout.decimal);
+  }
+  const auto is_time = [&](std::size_t j) { return j < named_time.size() && named_time[j]; };
+  bool timed = false;
+  for (std::size_t j = 0; j < columns.size(); ++j) timed = timed || (columns[j].number && is_time(j));
+  std::vector<bool> text;
+  for (const Seen& column : columns) text.push_back(column.is_text(timed));
+  const bool any = std::find(text.begin(), text.end(), true) != text.end();
+  return any && enough_numbers(columns, options) ? text : std::vector<bool>{};
 }
 
 std::string_view separator_name(char separator) {

@@ -84,6 +84,9 @@ std::string unit_of(const Series& series);
 /// The runs of a recording: 1, 2, ...
 std::vector<int> runs(const Recording& recording);
 
+/// An Error if there is no such run.
+Result<void> check_run(const Recording& recording, int run);
+
 /// Takes one column of a run (from 1) as a series. `column` is matched exactly, else without case, decoration
 /// and unit. If it is empty, a position is taken, else an angle, angular velocity, velocity or acceleration.
 /// Several that fit, or several of which only the names are known, are an Error that lists them. The times

@@ -130,7 +130,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
         break;
       }
       const Cell cell = read_cell(text, layout.decimal);
-      if (cell.kind == CellKind::word)
+      if (cell.kind == CellKind::word && !layout.is_text(count))
         complain([&] { return complaint(text, names[count], layout.decimal); });
       row[count++] = cell.value;
     }

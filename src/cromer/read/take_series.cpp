@@ -145,15 +145,17 @@ std::vector<int> runs(const Recording& recording) {
   return {found.begin(), found.end()};
 }
 
+Result<void> check_run(const Recording& recording, int run) {
+  const std::vector<int> known = runs(recording);
+  if (std::find(known.begin(), known.end(), run) != known.end()) return {};
+  return Error{in_file(recording.file, Notice{"no_such_run", {{"run", run}, {"runs", known.size()}}})};
+}
+
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options) {
   const auto refuse = [&](Notice reason) { return Error{in_file(recording.file, std::move(reason))}; };
   const auto& columns = recording.table.columns;
-  if (std::none_of(columns.begin(), columns.end(), [&](const Column& of) { return of.run == run; })) {
-    const std::size_t known = runs(recording).size();
-    if (known == 1) return refuse(Notice{"no_run_but_one", {{"run", run}}});
-    return refuse(Notice{"no_such_run", {{"run", run}, {"runs", known}}});
-  }
+  if (const auto known = check_run(recording, run); !known) return known.error();
   Series series;
   const auto chosen = column.empty() ? main_column(recording, run, series.notices)
                                      : find_column(recording.table, column, run);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "cromer/base/replacement.h"
 
@@ -81,9 +82,12 @@ Result<void> check_writable(const std::string& path) {
 
 namespace {
 
+Error cannot_read(const std::string& path, Notice why) {
+  return Error{"in_file", {{"file", path}, {"what", std::move(why)}}};
+}
+
 Error cannot_read(const std::string& path, int number) {
-  return Error{"in_file",
-               {{"file", path}, {"what", Notice{"cannot_be_read", {{"why", std::strerror(number)}}}}}};
+  return cannot_read(path, Notice{"cannot_be_read", {{"why", std::strerror(number)}}});
 }
 
 }  // namespace
@@ -93,8 +97,8 @@ Result<std::string> read_file(const std::string& path) {
   const bool standard_input = path == "-";
   if (!standard_input) {
     if (stat(path.c_str(), &info) != 0) return cannot_read(path, errno);
-    if (S_ISDIR(info.st_mode)) return Error{"reads_no_folder", {{"path", path}}};
-    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode)) return Error{"reads_no_device", {{"path", path}}};
+    if (S_ISDIR(info.st_mode)) return cannot_read(path, Notice{"reads_no_folder"});
+    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode)) return cannot_read(path, Notice{"reads_no_device"});
   }
   std::FILE* file = standard_input ? stdin : std::fopen(path.c_str(), "rb");
   if (!file) return cannot_read(path, errno);
@@ -111,7 +115,7 @@ Result<std::string> read_file(const std::string& path) {
     // An endless stream of zeros (/dev/zero, an empty disk) is no recording.
     if (used == got && got > 0 && bytes.find_first_not_of('\0') == std::string::npos) {
       if (!standard_input) std::fclose(file);
-      return Error{"nothing_but_zero_bytes", {{"path", path}}};
+      return cannot_read(path, Notice{"nothing_but_zero_bytes"});
     }
     if (got < room) break;
   }

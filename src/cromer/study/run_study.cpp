@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/read/in_file.h"
 #include "cromer/study/collect.h"
+#include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option_owner.h"
@@ -104,6 +107,10 @@ Result<TaskReport> run_simulate(const Work& work) {
 
 const LawFit& fit_of(const FittedRecording& fitted) { return fitted.fit; }
 const LawFit& fit_of(const CompareResult& compared) { return compared.recording.fit; }
+Notice why_not(const FittedRecording& fitted, const std::string& file) {
+  const Notice& message = fitted.fit.message;
+  return in_file(file, fitted.one_of_several ? in_run(fitted.series.run, message) : message);
+}
 const ReadOptions& read_of(const FitOptions& options) { return options.read; }
 const ReadOptions& read_of(const CompareOptions& options) { return options.fit.read; }
 
@@ -123,11 +130,11 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   for (std::size_t i = 0; i < found->size(); ++i) {
     const auto& each = (*found)[i];
     if (fit_of(each).status != FitStatus::converged)
-      return TaskReport{each.notices, Notice{"in_file", {{"file", file}, {"what", fit_of(each).message}}}};
+      return TaskReport{said_of_runs(std::span(&each, 1)), why_not(fit_of_run(each), file)};
     collect(found->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each,
             work.results);
-    report.notices.insert(report.notices.end(), each.notices.begin(), each.notices.end());
   }
+  report.notices = said_of_runs(*found);
   return report;
 }
 

@@ -100,8 +100,8 @@ export interface Inspection extends InspectedFile {
 export interface Recording {
   /** name of the file */
   file: string
-  /** title of the fitted column, as in the file */
-  column: string
+  /** title of the fitted column, as in the file; only if it was read */
+  column?: string
   /** the recorded quantity: position, angle, velocity, ...; null if not known */
   observed: string | null
   /** number of the run in the file, from 1 */

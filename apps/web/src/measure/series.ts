@@ -32,5 +32,5 @@ export function partsOf(heading: string): { name: string; unit: string } {
 }
 
 /// What was measured, in words; of an unknown quantity its column's name. The file's unit is not that of what is shown.
-export const measuredName = (of: { observed: string | null; column: string } | null, words: typeof measure): string =>
+export const measuredName = (of: { observed: string | null; column?: string } | null, words: typeof measure): string =>
   words.observed[of?.observed ?? ''] ?? partsOf(of?.column ?? '').name

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/cluster/hdf5_module.h"
@@ -30,20 +32,38 @@ class Id {
   herr_t (*close_)(hid_t);
 };
 
-/// The innermost of HDF5's messages: what really went wrong.
-herr_t keep_message(unsigned, const H5E_error2_t* error, void* message) {
-  if (error->desc) *static_cast<std::string*>(message) = error->desc;
-  return 0;
+/// The innermost of HDF5's messages of the first call that failed: what really went wrong. The calls that
+/// then close everything clear HDF5's own record of it.
+std::string trouble;
+
+herr_t keep_trouble(hid_t stack, void*) {
+  if (!trouble.empty()) return 0;
+  return H5Ewalk2(
+      stack, H5E_WALK_UPWARD,
+      [](unsigned n, const H5E_error2_t* error, void*) {
+        if (n == 0 && error->desc) trouble = error->desc;
+        return 0;
+      },
+      nullptr);
+}
+
+/// HDF5 says nothing by itself.
+void keep_trouble() {
+  trouble.clear();
+  H5Eset_auto2(H5E_DEFAULT, keep_trouble, nullptr);
 }
 
 /// `part`: the name of what was being made.
 CromerHdf5End fail(CromerHdf5End end, char* message, std::size_t room, const char* part = nullptr) {
-  std::string why;
-  H5Ewalk2(
-      H5E_DEFAULT, H5E_WALK_UPWARD,
-      [](unsigned n, const H5E_error2_t* error, void* to) { return n == 0 ? keep_message(n, error, to) : 0; },
-      &why);
-  std::snprintf(message, room, "%s%s%s", part ? part : "", part ? ": " : "", why.c_str());
+  // "file write failed: time = ..., errno = 28, error message = ...": the number says all.
+  constexpr std::string_view mark = "errno = ";
+  const std::size_t at = trouble.find(mark);
+  const int number = at == std::string::npos ? 0 : std::atoi(trouble.c_str() + at + mark.size());
+  if (number > 0) {
+    std::snprintf(message, room, "%d", number);
+    return cromer_hdf5_system;
+  }
+  std::snprintf(message, room, "%s%s%s", part ? part : "", part ? ": " : "", trouble.c_str());
   return end;
 }
 
@@ -103,7 +123,7 @@ bool make_group(hid_t file, const CromerHdf5Group& made) {
 CromerHdf5End create(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
                      const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
                      std::size_t dataset_count, char* message, std::size_t room) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  keep_trouble();
   const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   H5Pset_alignment(access, 65536, 4096);  // columns begin with a page
@@ -139,7 +159,10 @@ herr_t tell_attribute(hid_t where, const char* name, const H5A_info_t*, void* to
 herr_t tell_dataset(hid_t where, const char* name, const H5L_info_t*, void* to) {
   const auto& reader = *static_cast<const CromerHdf5Reader*>(to);
   const Id dataset(H5Dopen2(where, name, H5P_DEFAULT), H5Dclose);
-  if (!dataset.good()) return 0;  // a group: not ours
+  if (!dataset.good()) {  // a group: not ours
+    trouble.clear();
+    return 0;
+  }
   const Id type(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
   const haddr_t offset = H5Dget_offset(dataset);
   if (H5Tequal(type, H5T_IEEE_F64LE) > 0 && offset != HADDR_UNDEF)
@@ -152,7 +175,7 @@ herr_t tell_dataset(hid_t where, const char* name, const H5L_info_t*, void* to) 
 }
 
 CromerHdf5End read(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  keep_trouble();
   const Id file(H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.good()) return fail(cromer_hdf5_not_opened, message, room);
   auto* to = const_cast<CromerHdf5Reader*>(reader);

@@ -41,8 +41,7 @@ struct Described<CompareResult> {
                   "recording", [](const Compared& c) { return FittedFrom{c.recording}; }, "",
                   "the measured recording"),
               field(
-                  "status", [](const Compared& c) { return cromer::name(c.recording.fit.status); }, "",
-                  "status of the fit"),
+                  "status", [](const Compared& c) { return c.recording.status(); }, "", "status of the fit"),
               field(
                   "message",
                   [](const Compared& c) -> std::optional<Notice> {

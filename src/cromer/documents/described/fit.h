@@ -31,8 +31,9 @@ struct Described<FittedFrom> {
           "file", [](const FittedFrom& r) -> const std::string& { return r.fitted.file; }, "",
           "name of the file"),
       field(
-          "column", [](const FittedFrom& r) -> const std::string& { return r.series().column; }, "",
-          "title of the fitted column, as in the file"),
+          "column", [](const FittedFrom& r) { return unless_empty(r.series().column); }, "",
+          "title of the fitted column, as in the file; only if it was read")
+          .left_out(),
       field(
           "observed", [](const FittedFrom& r) { return unless_empty(r.series().quantity); }, "",
           "the recorded quantity: position, angle, velocity, ...; null if not known"),

@@ -23,11 +23,21 @@ Json value_of(const Value& value) {
   return value;
 }
 
-Json values_object(const Notice& notice) {
-  Json object = Json::object();
+void add_values(Json& object, const Notice& notice) {
   for (const NoticeValue& each : notice.values)
     object[each.name] = std::visit([](const auto& value) { return value_of(value); }, each.value);
+}
+
+Json values_object(const Notice& notice) {
+  Json object = Json::object();
+  add_values(object, notice);
   return object;
+}
+
+/// What is said of a run, or of several.
+const Notice* said_of_run(const Notice& notice) {
+  if (notice.code != "in_run" && notice.code != "in_runs") return nullptr;
+  return &std::get<std::vector<Notice>>(notice.values.at(1).value).front();
 }
 
 }  // namespace
@@ -42,10 +52,14 @@ Json said(const Notice& notice, const Voice& voice) {
 }
 
 Json notice_object(const Notice& notice, const Voice& voice) {
-  return {{"code", notice.code},
+  // A code stays the same, of how many runs ever it is said.
+  const Notice* inner = said_of_run(notice);
+  Json values = values_object(inner ? *inner : notice);
+  if (inner) add_values(values, Notice{notice.code, {notice.values.front()}});
+  return {{"code", inner ? inner->code : notice.code},
           {"severity", name(severity(notice))},
           {"text", said(notice, voice)},
-          {"values", values_object(notice)}};
+          {"values", std::move(values)}};
 }
 
 void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice) {

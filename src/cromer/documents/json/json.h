@@ -36,7 +36,8 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
 /// The sentence of a notice. For the page {"en", "de"}: its user may change the language.
 Json said(const Notice& notice, const Voice& voice);
 
-/// {"code", "severity", "text", "values": {name: number, text, list or another notice's code and values}}
+/// {"code", "severity", "text", "values": {name: number, text, list or another notice's code and values}}. Of
+/// a notice about a run its own code, and "run" (or "runs") among its values.
 Json notice_object(const Notice& notice, const Voice& voice);
 
 /// Adds "warnings", the sentences, and "notices", the same as objects.

@@ -33,8 +33,7 @@ std::string drive_in_words(const FittedRecording& fitted) {
 
 std::string heading(const FittedRecording& fitted) {
   const Series& series = fitted.series;
-  std::string text =
-      fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
+  const std::string text = fmt::format("{}: {}", recording_title(fitted), fitted.status());
   if (fitted.fit.status != FitStatus::converged) return text + ", " + in_words(fitted.fit.message) + "\n";
   return text +
          fmt::format(", {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(), fitted.samples,

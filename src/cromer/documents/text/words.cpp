@@ -19,6 +19,11 @@ std::string in_words(const Estimate& estimate, std::string_view unit) {
   return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
 }
 
+std::string recording_title(const FittedRecording& fitted) {
+  const std::string& column = fitted.series.column;
+  return fmt::format("{}{}{}, run {}", fitted.file, column.empty() ? "" : ", ", column, fitted.series.run);
+}
+
 std::string fitted_unit(const FittedRecording& fitted) {
   for (const auto& parameter : fitted.parameters)
     if (parameter.name == "equilibrium") return parameter.unit;

@@ -15,6 +15,9 @@ std::string readable_name(std::string_view name);
 /// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);
 
+/// "lab.csv, Position (m), run 1", without a column where none was read.
+std::string recording_title(const FittedRecording& fitted);
+
 /// The SI unit of the fitted column, which is that of its equilibrium; "" if nothing was fitted.
 std::string fitted_unit(const FittedRecording& fitted);
 

@@ -8,13 +8,12 @@ using enum Use;
 constexpr Entry entries[] = {
     // Files read.
     {"cannot_be_read", clause, "cannot be read: {why}", "lässt sich nicht lesen: {why}"},
-    {"reads_no_folder", error, "{path}: is a folder; name a file in it",
-     "{path} ist ein Ordner; bitte eine Datei darin nennen"},
-    {"reads_no_device", error, "{path}: is a device, not a file; - reads standard input",
-     "{path} ist ein Gerät, keine Datei; - liest die Standardeingabe"},
-    {"nothing_but_zero_bytes", error,
-     "{path}: begins with nothing but zero bytes: a text or CSV file is expected",
-     "{path} beginnt mit lauter Nullbytes: erwartet wird eine Text- oder CSV-Datei"},
+    {"reads_no_folder", clause, "is a folder; name a file in it",
+     "ist ein Ordner; bitte eine Datei darin nennen"},
+    {"reads_no_device", clause, "is a device, not a file; - reads standard input",
+     "ist ein Gerät, keine Datei; - liest die Standardeingabe"},
+    {"nothing_but_zero_bytes", clause, "begins with nothing but zero bytes: a text or CSV file is expected",
+     "beginnt mit lauter Nullbytes: erwartet wird eine Text- oder CSV-Datei"},
     // Files written.
     {"file_without_name", error, "cannot write a file without a name",
      "eine Datei ohne Namen lässt sich nicht schreiben"},
@@ -69,6 +68,10 @@ constexpr Entry entries[] = {
     {"hdf5_not_made", clause, "cannot be made: {why}", "die Datei entsteht nicht: {why}"},
     {"hdf5_part_not_made", clause, "{why}", "{why}"},
     {"hdf5_not_written", clause, "cannot be written: {why}", "das Schreiben misslingt: {why}"},
+    {"hdf5_needs_a_file", error,
+     "cannot write {path}: it is a device or a pipe, and HDF5 is written into files; name a file",
+     "{path} lässt sich nicht schreiben: das ist ein Gerät oder eine Pipe, und HDF5 steht in Dateien; bitte "
+     "eine Datei nennen"},
     {"hdf5_not_opened", clause, "cannot be opened as an HDF5 file: {why}",
      "lässt sich nicht als HDF5-Datei öffnen: {why}"},
     {"hdf5_not_read", clause, "cannot be read: {why}", "lässt sich nicht lesen: {why}"},

@@ -457,16 +457,15 @@ constexpr Entry entries[] = {
      "Reihenfolge der Ruhelagen?"},
 
     // Simulations beside a recording
-    {"compared_is_driven", error,
-     "{file}: something drives this motion; compare lays free motions side by side",
-     "{file}: etwas treibt diese Bewegung an; verglichen werden freie Bewegungen"},
+    {"compared_is_driven", error, "something drives this motion; compare lays free motions side by side",
+     "etwas treibt diese Bewegung an; verglichen werden freie Bewegungen"},
     {"compare_has_no_drive", error,
      "{--force-column} and {--drive-frequency} are options of fit: compare lays free motions side by side",
      "{--force-column} und {--drive-frequency} gehören zu fit: verglichen werden freie Bewegungen"},
     {"compared_is_no_position", error,
-     "{file}: compare needs a position or an angle, and column \"{column}\" holds {kind}; choose one by "
+     "compare needs a position or an angle, and column \"{column}\" holds {kind}; choose one by "
      "{--column}",
-     "{file}: ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte mit "
+     "ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte mit "
      "{--column} wählen"},
     {"compared_step", error,
      "{--step} {step}: it must be positive and give at most {most:.0e} steps over {duration:.6g} s",

@@ -12,6 +12,8 @@ constexpr Entry entries[] = {
     {"in_file_line", clause, "{file}:{line}: {what}", "{file}:{line}: {what}"},
     {"in_member", clause, "\"{member}\": {what}", "„{member}“: {what}"},
     {"in_member_line", clause, "\"{member}\":{line}: {what}", "„{member}“:{line}: {what}"},
+    {"in_run", clause, "run {run}: {what}", "Lauf {run}: {what}"},
+    {"in_runs", clause, "runs {runs:and}: {what}", "Läufe {runs:and}: {what}"},
     {"in_column", clause, "column \"{column}\": {what}", "Spalte „{column}“: {what}"},
     {"column_named", clause, "column \"{column}\"", "Spalte „{column}“"},
     {"column_of_run", clause, "column \"{column}\" of run {run}", "Spalte „{column}“ im Lauf {run}"},
@@ -96,6 +98,10 @@ constexpr Entry entries[] = {
     {"too_many_columns", error, "there are more than {most} columns", "das sind mehr als {most} Spalten"},
     {"rows_far_shorter", error, "most rows are far shorter than the widest, which has {columns} columns",
      "die meisten Zeilen sind weit kürzer als die breiteste mit {columns} Spalten"},
+    {"text_columns_left_out", worth_knowing,
+     "{columns?column|columns} {columns} {columns?holds|hold} text and {columns?is|are} left out",
+     "{columns?die Spalte|die Spalten} {columns} {columns?enthält|enthalten} Text und "
+     "{columns?bleibt|bleiben} weg"},
     {"bad_rows_left_out", detail, "{rows:bad row|bad rows} left out, the first in {@line}",
      "{rows:schlechte Zeile|schlechte Zeilen} weggelassen, die erste Stelle in {@line}"},
     {"most_rows_lost", wrong_if_ignored,
@@ -236,8 +242,6 @@ constexpr Entry entries[] = {
     // Runs and tables
     {"no_such_run", error, "there is no run {run}: the file has {runs:run|runs}",
      "einen Lauf {run} gibt es nicht: die Datei hat {runs:Lauf|Läufe}"},
-    {"no_run_but_one", error, "there is no run {run}: the file has one run",
-     "einen Lauf {run} gibt es nicht: die Datei hat einen"},
     {"run_called", detail, "run {run} is called \"{label}\" in the file",
      "Lauf {run} heißt in der Datei „{label}“"},
     {"read_as_runs", detail, "the time starts again in {@line}: the file is read as {runs} runs",

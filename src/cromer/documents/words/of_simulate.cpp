@@ -199,8 +199,6 @@ constexpr Entry entries[] = {
      "{@line}: die Zeiten sind nicht gleichmäßig ({t:.6g} s, wo {even:.6g} s erwartet wird, alle "
      "{spacing:.6g} s ein Messwert); ein {use} braucht gleichmäßige Messwerte: bitte erst neu abtasten"},
     {"no_column_of_numbers", error, "there is no column of numbers", "es gibt keine Spalte mit Zahlen"},
-    {"no_run_in_file", error, "there is no run {run}; the file has {runs}",
-     "einen Lauf {run} gibt es nicht; die Datei hat {runs}"},
     {"column_holds_no_force", error,
      "column \"{column}\" holds {quantity}, not a force (N); choose another with {option:option}",
      "die Spalte „{column}“ enthält keine Kraft (N); bitte mit {option:option} eine andere wählen"},
@@ -225,8 +223,11 @@ constexpr Entry entries[] = {
      "samples without gaps: fill in what is missing, or cut or resample the recording",
      "die Messwerte haben {gaps} Lücken, die erste von {length:.6g} s nach t = {t:.6g} s; ein {use} braucht "
      "gleichmäßige ohne Lücken: bitte das Fehlende ergänzen, die Aufnahme kürzen oder neu abtasten"},
-    {"run_is_taken", worth_knowing, "{file}: run {run} of {runs} is taken as the {use}",
-     "{file}: Lauf {run} von {runs} gilt als {use}"},
+    {"drive_is_of_run", worth_knowing, "{file}: the drive is run {run} of {runs}",
+     "{file}: der Antrieb ist Lauf {run} von {runs}"},
+    {"spectrum_is_of_run", worth_knowing,
+     "{file}: the spectrum is that of run {run} of {runs}; {--run} chooses another",
+     "{file}: das Spektrum ist das von Lauf {run} der {runs}; {--run} wählt einen anderen"},
     {"recording_starts_elsewhere", worth_knowing,
      "{file}: its first sample, at {t:.6g} s, acts at the run's start, t = 0",
      "{file}: ihr erster Messwert, bei {t:.6g} s, wirkt am Anfang des Laufs, t = 0"},

@@ -1,5 +1,9 @@
 #include "cromer/read/formats/plain.h"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
@@ -48,6 +52,22 @@ void say_bad_rows(const Rows& rows, std::vector<Notice>& notices) {
     notices.push_back(Notice{"bad_rows_left_out", {{"rows", rows.bad_rows}, {"line", rows.first_bad_line}}});
 }
 
+/// Drops the columns that hold text, and says so.
+void leave_text_out(const Layout& layout, Recording& recording, Header& header) {
+  auto& columns = recording.table.columns;
+  std::vector<std::size_t> left_out;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (layout.is_text(j)) left_out.push_back(j);
+  if (left_out.empty()) return;
+  recording.notices.push_back(
+      Notice{"text_columns_left_out", {{"columns", quoted_titles(columns, left_out)}}});
+  for (auto j = left_out.rbegin(); j != left_out.rend(); ++j) {
+    columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(*j));
+    if (*j < header.headings.size())
+      header.headings.erase(header.headings.begin() + static_cast<std::ptrdiff_t>(*j));
+  }
+}
+
 }  // namespace
 
 Result<Recording> read_plain(const std::vector<std::string_view>& lines, const ReadOptions& options,
@@ -65,9 +85,24 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   auto& columns = recording.table.columns;
   columns = name_columns(header, layout->columns);
   std::vector<std::string> names;
-  for (const Column& column : columns) names.push_back(column_title(column));
-  auto rows =
-      read_rows(lines, *layout, names, {data, lines.size(), options.skip_bad_rows, false, lines_before});
+  std::vector<bool> named_time;
+  for (const Column& column : columns) {
+    names.push_back(column_title(column));
+    named_time.push_back(column.quantity == "time");
+  }
+  const auto find_text = [&] { layout->text = text_columns(lines, data, *layout, options, named_time); };
+  const bool has_text = !layout->text.empty();
+  if (has_text) find_text();
+  if (has_text && layout->text.empty()) return no_rows(lines, Error{"no_rows_of_numbers"}, lines_before);
+  const auto read = [&] {
+    return read_rows(lines, *layout, names, {data, lines.size(), options.skip_bad_rows, false, lines_before});
+  };
+  auto rows = read();
+  if (!has_text &&
+      (!rows || rows->bad_rows > 0)) {  // words that stand in a column of their own are no bad cells
+    find_text();
+    if (!layout->text.empty()) rows = read();
+  }
   if (!rows) return rows.error();
   if (rows->lines.empty() && rows->bad_rows == 0) return Error{"no_rows_left"};
   if (rows->lines.empty())
@@ -80,6 +115,7 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   recording.named = !header.headings.empty();
   say_bad_rows(*rows, recording.notices);
   if (!rows->last_line.empty()) recording.notices.push_back(rows->last_line);
+  leave_text_out(*layout, recording, header);
   recording.lines = std::move(rows->lines);
   drop_unnamed_empty(columns);
   if (split_stacked_runs(recording))

@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -303,17 +304,12 @@ double dividing_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(default_steps_per_period * spacing / period - 1e-9));
 }
 
-// Fits the same recording with a given law.
+// Fits the samples of a fit with a given law. Only the motion is of use: what was asked of the fit itself,
+// such as a mass or a goal, is answered there.
 Result<FittedRecording> with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
-  FitOptions options = recording.options;
+  FitOptions options;
   options.law = to_text(law);
-  options.from = options.to = std::nullopt;
-  options.segment = std::nullopt;
-  options.segments = std::nullopt;
-  options.disc_diameter = std::nullopt;
-  options.monte_carlo = std::nullopt;
-  options.goal.clear();
-  options.textbook = false;
+  options.from = recording.series.t.front();  // the same samples: no free part is looked for
   return fit_series(recording.series, recording.file, options, watch);
 }
 
@@ -345,7 +341,10 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
                                      const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
     return Error{"method_is_wrong", {{"what", known.error().notice}}};
-  if (recording.driven) return Error{"compared_is_driven", {{"file", recording.file}}};
+  const auto refuse = [&](const Notice& why) {
+    return Error{recording.file.empty() ? why : in_file(recording.file, why)};
+  };
+  if (recording.driven) return refuse(Notice{"compared_is_driven"});
   CompareResult result;
   result.recording = recording;
   result.notices = recording.notices;
@@ -353,10 +352,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
   if (derivative_order(recording.series.quantity) > 0)
-    return Error{"compared_is_no_position",
-                 {{"file", recording.file},
-                  {"column", recording.series.column},
-                  {"kind", kind_of(recording.series.quantity)}}};
+    return refuse(
+        Notice{"compared_is_no_position",
+               {{"column", recording.series.column}, {"kind", kind_of(recording.series.quantity)}}});
 
   const Series& series = recording.series;
   FittedSamples samples = without_outliers(series);
@@ -402,11 +400,28 @@ Result<CompareResult> compare_driven(const Recording& recording, const FittedRec
   free.fit.run = driven.series.run;
   const Result<std::vector<FittedRecording>> fits = fit(recording, free.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
-  Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
+  FittedRecording one = fits->front();
+  one.one_of_several = driven.one_of_several;
+  if (driven.of_file == 0) {  // said with another run
+    one.notices.erase(one.notices.begin(), one.notices.begin() + static_cast<std::ptrdiff_t>(one.of_file));
+    one.of_file = 0;
+  }
+  Result<CompareResult> result = compare_fitted(one, free, part_of(watch, of_fits, 1));
   if (!result) return result;
   result->doubts.insert(result->doubts.begin(), driven.notices.back());
   for (const Notice& notice : driven.notices) add_once(result->notices, notice);
   return result;
+}
+
+// The row of a run that was fitted and cannot be compared. What was said of the file stays.
+CompareResult not_compared(const FittedRecording& fitted, const Notice& why) {
+  CompareResult row;
+  row.recording = not_fitted(fitted.file, fitted.series.run, why);
+  row.recording.one_of_several = fitted.one_of_several;
+  row.recording.of_file = fitted.of_file;
+  row.notices.assign(fitted.notices.begin(),
+                     fitted.notices.begin() + static_cast<std::ptrdiff_t>(fitted.of_file));
+  return row;
 }
 
 }  // namespace
@@ -419,16 +434,23 @@ Result<std::vector<CompareResult>> compare(const Recording& recording, const Com
   const Result<std::vector<FittedRecording>> fits = fit(recording, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
+  std::optional<Error> first_error;
+  bool any_compared = false;
   for (const FittedRecording& fitted : *fits) {
-    if (fitted.wrong_input) return Error{in_file(fitted.file, fitted.fit.message)};
+    if (fitted.wrong_input) {
+      results.emplace_back().recording = fitted;
+      continue;
+    }
     const double each = (1 - of_fits) / static_cast<double>(fits->size()),
                  done = of_fits + each * static_cast<double>(results.size());
     const Watch part = part_of(watch, done, done + each);
     Result<CompareResult> one = fitted.driven ? compare_driven(recording, fitted, options, part)
                                               : compare_fitted(fitted, options, part);
-    if (!one) return one.error();
-    results.push_back(std::move(*one));
+    any_compared = any_compared || one.ok();
+    results.push_back(one ? std::move(*one) : not_compared(fitted, one.error().notice));
+    if (!one && !first_error) first_error = one.error();
   }
+  if (!any_compared && first_error) return *first_error;
   return results;
 }
 

@@ -49,6 +49,8 @@ struct CompareResult {
   std::vector<Notice> notices;  ///< the fit's first
 };
 
+inline const FittedRecording& fit_of_run(const CompareResult& result) { return result.recording; }
+
 /// Whether a single decay rate is enough, with the numbers. Empty if no simulation reached the end.
 Notice explanation(const CompareResult& comparison);
 
@@ -59,8 +61,9 @@ Notice explanation(const CompareResult& comparison);
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch = {});
 
-/// Fits every run of the file and simulates each. The curve of one constant rate is the viscous fit; with
-/// segments it starts as the chosen law does and decays at the mean of their rates.
+/// Fits every run of the file and simulates each. A run that cannot be read or compared is a row of its own,
+/// as in `fit`, if others can. The curve of one constant rate is the viscous fit; with segments it starts as
+/// the chosen law does and decays at the mean of their rates.
 Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
                                            const Watch& watch = {});
 

@@ -7,7 +7,6 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
-#include "cromer/base/without_file.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"
@@ -270,8 +269,10 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
     Result<FittedRecording> one = fit_run(recording, run, file, options, part);
     if (one) {
       // Notices on the file are given once, with the first run that could be read.
-      if (!any_read)
+      if (!any_read) {
         one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
+        one->of_file = recording.notices.size();
+      }
       any_read = true;
       fits.push_back(std::move(*one));
       continue;
@@ -282,6 +283,7 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
     if (!first_error) first_error = nameless ? Error{in_file(file, what)} : one.error();
   }
   if (!any_read && first_error) return *first_error;
+  for (FittedRecording& each : fits) each.one_of_several = fits.size() > 1;
   return fits;
 }
 

@@ -110,7 +110,9 @@ struct FittedRecording {
   std::string between_samples{};         ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<Notice> notices;
-  bool wrong_input = false;  ///< the run could not be read: only file, run and the fit's message are set
+  std::size_t of_file = 0;      ///< so many of the notices, the first ones, are about the whole file
+  bool one_of_several = false;  ///< other runs of the file were fitted beside it
+  bool wrong_input = false;     ///< the run could not be read: only file, run and the fit's message are set
 
   /// Number of samples that the fit used: those of the series that are no outliers.
   std::size_t used() const;

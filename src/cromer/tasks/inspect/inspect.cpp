@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/quantity.h"
-#include "cromer/base/without_file.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/time.h"
 
 namespace cromer::core {
@@ -72,11 +73,18 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
   Inspection inspection;
   inspection.recording = std::move(recording);
   inspection.notices = inspection.recording.notices;
-  const auto say = [&](const Notice& notice) { add_once(inspection.notices, notice); };
+  const std::vector<int> all = runs(inspection.recording);
+  OfRuns of_runs;
+  const auto say = [&](int run, const Notice& notice) {
+    if (all.size() == 1)
+      add_once(inspection.notices, notice);
+    else if (auto& said = inspection.notices; std::find(said.begin(), said.end(), notice) == said.end())
+      of_runs.say(run, notice);
+  };
   const auto times = dialects::time_columns_of(inspection.recording.table);
   for (std::size_t j = 0; j < times.size(); ++j)
     inspection.columns.push_back(look_at(inspection.recording, j, times[j]));
-  for (const int run : runs(inspection.recording)) {
+  for (const int run : all) {
     inspection.samples = std::max(inspection.samples, rows_of_run(inspection.recording.table, run));
     auto series = column.empty() ? main_series(inspection.recording, run, options)
                                  : take_series(inspection.recording, column, run, options);
@@ -84,12 +92,12 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
     if (inspection.column.empty() && (series || main))
       inspection.column = series ? series->column : column_title(*main);
     if (!series) {
-      say(without_file(series.error().notice, inspection.recording.file));
+      say(run, without_file(series.error().notice, inspection.recording.file));
       continue;
     }
-    for (const Notice& notice : series->notices) say(notice);
+    for (const Notice& notice : series->notices) say(run, notice);
     for (const Notice& notice : outliers_elsewhere(inspection.recording, run, series->column, options))
-      say(notice);
+      say(run, notice);
     inspection.gaps.insert(inspection.gaps.end(), series->gaps.begin(), series->gaps.end());
     inspection.outliers.insert(inspection.outliers.end(), series->outliers.begin(), series->outliers.end());
     const double duration = series->t.back() - series->t.front();
@@ -101,6 +109,7 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
     }
     inspection.series.push_back(std::move(*series));
   }
+  for (Notice& notice : of_runs.said()) inspection.notices.push_back(std::move(notice));
   return inspection;
 }
 

@@ -58,8 +58,7 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   const std::vector<int> all = runs(recording);
   if (all.empty()) return refuse(Notice{"no_column_of_numbers"});
   const int run = request.run > 0 ? request.run : all.front();
-  if (std::find(all.begin(), all.end(), run) == all.end())
-    return refuse(Notice{"no_run_in_file", {{"run", run}, {"runs", all.size()}}});
+  if (const auto known = check_run(recording, run); !known) return known.error();
   Result<std::string> name = std::string(request.column);
   if (name->empty()) name = column_of(recording, run, request);
   if (!name) return refuse(name.error().notice);
@@ -89,11 +88,11 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   const auto target = parse_unit(wants_force(request) ? "N" : "m/s^2");
   const auto unit = parse_unit(series->unit, &target->dimension);
   record.unit_known = !series->unit.empty() && unit && unit->dimension == target->dimension;
-  record.notices = recording.notices;
-  for (const Notice& notice : series->notices) record.notices.push_back(in_file(file, notice));
+  for (const auto* said : {&recording.notices, &series->notices})
+    for (const Notice& notice : *said) record.notices.push_back(in_file(file, notice));
   if (all.size() > 1 && request.run == 0)
-    record.notices.push_back(Notice{
-        "run_is_taken", {{"file", file}, {"run", run}, {"runs", all.size()}, {"use", use_of(request)}}});
+    record.notices.push_back(Notice{request.use == "drive" ? "drive_is_of_run" : "spectrum_is_of_run",
+                                    {{"file", file}, {"run", run}, {"runs", all.size()}}});
   if (request.use == "drive" && std::abs(series->t.front()) > most_uneven * record.spacing)
     record.notices.push_back(
         Notice{"recording_starts_elsewhere", {{"file", file}, {"t", series->t.front()}}});
