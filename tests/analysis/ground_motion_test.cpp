@@ -5,10 +5,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 #include <random>
 #include <span>
 #include <vector>
+
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {

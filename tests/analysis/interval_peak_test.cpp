@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
+
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {

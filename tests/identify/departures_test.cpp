@@ -1,12 +1,12 @@
 // What a recording shows beside a free swing, on records made by hand: at, below and above each limit, word
 // for word.
-#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/doubts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/record.h"
 #include "tests/identify/synthetic.h"

@@ -1,12 +1,12 @@
 // Where a fit begins, and that it then ends at the truth: records with gaps, and swings whose frequency
 // changes.
-#include "cromer/base/pi.h"
 #include "cromer/identify/start/start_values.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"

@@ -1,6 +1,5 @@
 // Drives other than the harmonic one. Those with a closed form are checked against Duhamel's integral, x(t) =
 // integral of g(t - u) f(u) du, by quadrature.
-#include "cromer/base/pi.h"
 #include "cromer/model/general_drive.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/sampled_drive.h"
 

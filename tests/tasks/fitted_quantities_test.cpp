@@ -1,12 +1,12 @@
 // Frequency, damping ratio and their kin of every law, against closed forms and motions integrated in small
 // steps.
-#include "cromer/base/pi.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 

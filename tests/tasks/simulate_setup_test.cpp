@@ -1,5 +1,4 @@
 // From options to runs: defaults, limits, and every refusal and warning word for word.
-#include "cromer/base/pi.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 #include <gmock/gmock.h>
@@ -7,6 +6,7 @@
 
 #include <cmath>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/run/step_control.h"
 #include "cromer/tasks/option/option.h"

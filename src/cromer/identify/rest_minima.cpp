@@ -136,7 +136,7 @@ struct Component {
 };
 
 // The value below which the share p of the mixture lies.
-double quantile(const std::vector<Component>& mixture, double p, double degrees) {
+double mixture_quantile(const std::vector<Component>& mixture, double p, double degrees) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Component& component : mixture) {
     const double reach = student_quantile(0.9999, degrees) * component.deviation;
@@ -215,8 +215,8 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
     Estimate& estimate = *fit.find(fitted.of[i].name);
     const auto& mixture = mixtures[static_cast<std::size_t>(i)];
     estimate.standard_error = std::sqrt(entry(i, i));
-    estimate.low = std::min(quantile(mixture, 0.025, degrees), estimate.value);
-    estimate.high = std::max(quantile(mixture, 0.975, degrees), estimate.value);
+    estimate.low = std::min(mixture_quantile(mixture, 0.025, degrees), estimate.value);
+    estimate.high = std::max(mixture_quantile(mixture, 0.975, degrees), estimate.value);
     if (!fitted.of[i].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
   }
 

@@ -76,7 +76,7 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
   const std::vector<int> all = runs(inspection.recording);
   OfRuns of_runs;
   const auto say = [&](int run, const Notice& notice) {
-    if (all.size() == 1)
+    if (all.size() <= 1)
       add_once(inspection.notices, notice);
     else if (auto& said = inspection.notices; std::find(said.begin(), said.end(), notice) == said.end())
       of_runs.say(run, notice);
