@@ -51,7 +51,7 @@ std::vector<Option> static_options_of(SpringOptions& o) {
 }
 
 /// Checks that the options go together, and that the masses can be read.
-Result<void> check(const SpringOptions& options) {
+Result<void> check_masses(const SpringOptions& options) {
   if (options.held && options.mass_line) return Error{"static_or_mass_line"};
   const char* way = options.held ? "static" : "mass-line";
   if (!options.held && options.gravity) return Error{"gravity_without_static"};
@@ -176,7 +176,7 @@ int run_fit(const Arguments& arguments) {
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error());
-  if (auto good = check(spring); !good) return refuse(good.error());
+  if (auto good = check_masses(spring); !good) return refuse(good.error());
   if (options.mass && (spring.mass_line || spring.held))
     return refuse(fmt::format("--mass: {} takes the masses from --masses, one for each; leave --mass out",
                               spring.held ? "--static" : "--mass-line"));

@@ -22,7 +22,7 @@ struct SpectrumOutput {
   bool tripartite = false;
 };
 
-Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
+Result<void> check_output(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
   if (auto good = check_outputs(output.common, inputs); !good) return good;
   if (output.tripartite && output.common.plot.empty()) return Error{"tripartite_without_plot"};
   if (output.tripartite && shock) return Error{"tripartite_of_shock"};
@@ -63,7 +63,7 @@ int run_spectrum(const Arguments& arguments) {
                             "pseudo-acceleration", "Output"});
   std::vector<std::string> names;
   if (const auto status = parse(syntax, arguments, names)) return *status;
-  if (auto good = check(output, options.shock, names); !good) return refuse(good.error());
+  if (auto good = check_output(output, options.shock, names); !good) return refuse(good.error());
   std::vector<Recording> recordings;
   for (const auto& name : names) {
     auto recording = open_recording(name, options.read);

@@ -288,7 +288,7 @@ TEST(FitLab, FindsTheSpringOfTheCapstoneLabTheStaticWay) {
 }
 
 /// A swing of frequency w, 20 s at 100 a second, with a little noise.
-std::string swing(double w, unsigned seed) {
+std::string swing_record(double w, unsigned seed) {
   std::string text = "Time (s),Position (m)\n";
   char row[64];
   for (int i = 0; i < 2000; ++i) {
@@ -308,7 +308,7 @@ TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
                                  "--mass-line", "--masses", "100, 150, 200 g"};
   for (const double m : {0.1, 0.15, 0.2}) {
     const std::string name = std::to_string(++number) + ".csv";
-    folder.write(name, swing(std::sqrt(k / (m + spring / 3)), static_cast<unsigned>(number)));
+    folder.write(name, swing_record(std::sqrt(k / (m + spring / 3)), static_cast<unsigned>(number)));
     words.push_back(name);
   }
   Finished end = folder.run(words);
@@ -339,7 +339,7 @@ TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
 
 TEST(FitLab, ItsTableHasBoundsAndTheRatesOfSegments) {
   Folder folder;
-  folder.write("lab.csv", swing(6, 3));
+  folder.write("lab.csv", swing_record(6, 3));
   ASSERT_EQ(folder.run({"fit", "lab.csv", "--law", "viscous", "--segments", "2", "-o", "lab.csv.csv"}).status,
             0);
   const std::string csv = folder.read("lab.csv.csv");
@@ -350,7 +350,7 @@ TEST(FitLab, ItsTableHasBoundsAndTheRatesOfSegments) {
 
 TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
   Folder folder;
-  folder.write("one.csv", swing(9, 1));
+  folder.write("one.csv", swing_record(9, 1));
   folder.write(
       "flat.csv", "Time (s),Position (m)\n" + [] {
         std::string rows;
@@ -364,7 +364,7 @@ TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
 
 TEST(FitLab, AFreeSwingHasNoDrive) {
   Folder folder;
-  folder.write("lab.csv", swing(8, 3));
+  folder.write("lab.csv", swing_record(8, 3));
   const auto searched = folder.run({"fit", "lab.csv", "--drive-frequency", "auto", "--json"}).json();
   EXPECT_EQ(searched["status"], "converged");
   EXPECT_FALSE(searched["parameters"].contains("drive_amplitude"));

@@ -24,22 +24,24 @@ struct Unfit {
   const char* said;
 };
 
-double swing(double t, double frequency = 8.8, double decay_rate = 0.05) {
+double decaying_swing(double t, double frequency = 8.8, double decay_rate = 0.05) {
   return 0.05 * std::exp(-decay_rate * t) * std::cos(frequency * t);
 }
 
 const Unfit unfit[] = {
-    {"FewSamples", "auto", 7, [](double t, double) { return swing(t); }, "too_short", "too few"},
-    {"FewerSamplesThanParameters", "viscous+drag+cubic", 6, [](double t, double) { return swing(100 * t); },
-     "too_short", "needs at least 10"},
-    {"LessThanAPeriodAndAHalf", "auto", 100, [](double t, double) { return swing(t, 6.28); }, "too_short",
-     "periods"},
+    {"FewSamples", "auto", 7, [](double t, double) { return decaying_swing(t); }, "too_short", "too few"},
+    {"FewerSamplesThanParameters", "viscous+drag+cubic", 6,
+     [](double t, double) { return decaying_swing(100 * t); }, "too_short", "needs at least 10"},
+    {"LessThanAPeriodAndAHalf", "auto", 100, [](double t, double) { return decaying_swing(t, 6.28); },
+     "too_short", "periods"},
     {"Noise", "auto", 1000, [](double, double normal) { return 0.01 * normal; }, "no_oscillation",
      "no oscillation"},
     {"MoreNoiseThanSwing", "viscous", 4000,
-     [](double t, double normal) { return 0.33 * swing(t, 8.8, 0) + 0.06 * normal; }, "too_noisy", "noisy"},
+     [](double t, double normal) { return 0.33 * decaying_swing(t, 8.8, 0) + 0.06 * normal; }, "too_noisy",
+     "noisy"},
     {"TopsCutOff", "auto", 2000,
-     [](double t, double normal) { return std::min(0.03, swing(t) + 1e-4 * normal); }, "clipped", "cut off"},
+     [](double t, double normal) { return std::min(0.03, decaying_swing(t) + 1e-4 * normal); }, "clipped",
+     "cut off"},
     {"NoReturn", "auto", 1000,
      [](double t, double normal) { return 0.06 * std::exp(-t) - 0.01 * std::exp(-6 * t) + 1e-5 * normal; },
      "overdamped", "without oscillating"},

@@ -1,9 +1,11 @@
 // Which folder may include which: the includes are read and held to the list of the architecture. And no two
 // types have one name.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -169,6 +171,56 @@ TEST(Layers, no_two_types_have_one_name) {
   EXPECT_GT(types.size(), 200u);
   for (const auto& [name, headers] : types)
     EXPECT_EQ(headers.size(), 1u) << name << ": " << *headers.begin() << ", " << *headers.rbegin();
+}
+
+/// The names that a file gives to functions, types and constants of its own, in `namespace {`.
+std::set<std::string> own_names(const fs::path& file) {
+  const std::regex type(R"(^(?:template <.*> )?(?:struct|class|enum|enum class) (\w+))"),
+      alias(R"(^using (\w+) =)"), function(R"(^[\w\[][^(={]*[ &*](\w+)\()"),
+      constant(R"(^(?:inline |static )*const(?:expr)?\b[^=({]*?(\w+)(?:\[\])? ?[={])");
+  std::set<std::string> names;
+  bool within = false;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (line == "namespace {")
+      within = true;
+    else if (line == "}  // namespace")
+      within = false;
+    else if (within && !line.starts_with("TEST") &&
+             (std::regex_search(line, match, type) || std::regex_search(line, match, alias) ||
+              std::regex_search(line, match, function) || std::regex_search(line, match, constant)))
+      names.insert(match[1]);
+  }
+  return names;
+}
+
+/// The names that two files below a folder have in common, with both files.
+std::vector<std::string> common_names(const fs::path& folder) {
+  std::map<std::string, fs::path> known;
+  std::vector<std::string> common;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp" || entry.path().parent_path().filename() == "words") continue;
+    for (const std::string& name : own_names(entry.path()))
+      if (const auto [at, fresh] = known.emplace(name, entry.path()); !fresh)
+        common.push_back(name + ": " + entry.path().string() + " and " + at->second.filename().string());
+  }
+  return common;
+}
+
+// Files of a folder are compiled as one unit: a second function of one name would be an overload of the
+// first, and might be called in its place without a word.
+TEST(Layers, no_two_files_of_a_unit_give_one_name) {
+  const fs::path root = CROMER_SOURCE_DIR;
+  int folders = 0;
+  for (const auto& entry : fs::directory_iterator(root / "src" / "cromer")) {
+    if (!entry.is_directory()) continue;
+    ++folders;
+    EXPECT_THAT(common_names(entry.path()), testing::IsEmpty());
+  }
+  EXPECT_GT(folders, 14);
+  for (const char* folder : {"apps/cli", "apps/serve", "tests/cli"})
+    EXPECT_THAT(common_names(root / folder), testing::IsEmpty());
 }
 
 TEST(Layers, a_wrong_include_is_seen) {

@@ -9,7 +9,7 @@ namespace cromer::core {
 namespace {
 
 /// Vertex of the parabola through sample i and its neighbours, their steps taken as equal.
-double vertex(std::span<const double> y, std::size_t i) {
+double peak_height(std::span<const double> y, std::size_t i) {
   if (i == 0 || i + 1 == y.size() || y[i] < y[i - 1] || y[i] < y[i + 1]) return y[i];
   const double curvature = y[i - 1] - 2 * y[i] + y[i + 1], slope = y[i + 1] - y[i - 1];
   return curvature < 0 ? y[i] - slope * slope / (8 * curvature) : y[i];
@@ -53,7 +53,7 @@ std::optional<PeakDecrement> peak_decrement(std::span<const double> t, std::span
     std::size_t top = i;
     for (; i < t.size() && t[i] < end; ++i)
       if (y[i] > y[top]) top = i;
-    const double peak = vertex(y, top);
+    const double peak = peak_height(y, top);
     if (!(peak > 4 * noise)) break;
     number.push_back(cycle);
     logarithm.push_back(std::log(peak));

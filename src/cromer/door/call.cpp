@@ -331,8 +331,8 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   return {};
 }
 
-Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, const std::string& file,
-                                   double spacing) {
+Result<SpectrumResult> response_spectrum_of(Call& call, const SpectrumOptions& options,
+                                            const std::string& file, double spacing) {
   if (!call.has_array("acceleration")) {
     if (file.empty()) return Error{Notice{"no_acceleration"}, "acceleration"};
     const auto one = open_recording(file, options.read);
@@ -358,7 +358,7 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   if (auto good = check_samples(periods, "periods", 0); !good) return good;
   options.these_periods.assign(periods.begin(), periods.end());
   options.memory = memory_for_results;
-  auto found = spectrum_of(call, options, *file, *spacing);
+  auto found = response_spectrum_of(call, options, *file, *spacing);
   if (!found) return in_arguments(found.error(), file->empty());
   if (auto good = call.check_arrays(); !good) return good;
   if (found->interrupted) result.status = CROMER_NO_SUCCESS;

@@ -10,6 +10,7 @@
 #include "cromer/model/law.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/lab_quantities.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer {
 namespace {
@@ -81,8 +82,7 @@ Result<Trajectory> LawFit::at(std::span<const double> t) const {
   const double first = known->series.t.front();
   if (t.front() < first)
     return Error{Notice{"times_before_the_first", {{"begin", t.front()}, {"first", first}}}, "t"};
-  constexpr double most_steps = 1e8;
-  if ((t.back() - first) / known->fit.step > most_steps)
+  if ((t.back() - first) / known->fit.step > core::most_steps_of_a_run)
     return Error{Notice{"times_too_late", {{"end", t.back()}}}, "t"};
   // The law's motion is known from the first sample on.
   std::vector<double> from_first(t.begin(), t.end());

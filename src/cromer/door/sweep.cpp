@@ -30,7 +30,7 @@ void set_law(core::SweepOptions& asked, const Oscillator& oscillator) {
 }
 
 /// The column of that name, without its unit; empty where there is none.
-std::vector<double> column_of(const core::SweepResult& result, std::string_view name) {
+std::vector<double> column_named(const core::SweepResult& result, std::string_view name) {
   const auto& columns = result.plan.rows.columns;
   for (std::size_t j = 0; j + 1 < columns.size(); ++j)
     if (std::string_view(columns[j]).starts_with(name)) return core::column_of(result, j);
@@ -63,9 +63,9 @@ Result<FrequencyResponse> sweep(const Oscillator& oscillator, std::span<const do
   if (!result) return core::in_arguments(result.error());
   const auto detail = std::make_shared<const core::SweepResult>(*std::move(result));
   FrequencyResponse response;
-  response.frequency = column_of(*detail, "drive_frequency");
-  response.amplitude = column_of(*detail, "amplitude");
-  response.phase = column_of(*detail, "phase");
+  response.frequency = column_named(*detail, "drive_frequency");
+  response.amplitude = column_named(*detail, "amplitude");
+  response.phase = column_named(*detail, "phase");
   if (response.frequency.empty())
     response.frequency.assign(response.amplitude.size(), drive_frequency.front());
   for (const unsigned char each : detail->statuses)

@@ -352,7 +352,7 @@ std::vector<Motion> closest_of_each(const std::vector<Motion>& starts, const Pro
 }
 
 // The one of several starts from which a few steps lead furthest down.
-KnownMotion best_of(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem) {
+KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem) {
   KnownMotion best = known;
   double least = HUGE_VAL;
   const std::size_t samples = std::min<std::size_t>(problem.record().t.size(), 4000);
@@ -460,7 +460,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
     const double amplitude = amplitude_of(record, known.motion.angular_frequency());
-    from = best_of(hysteretic_starts(known.motion, options, amplitude), known, problem);
+    from = best_start(hysteretic_starts(known.motion, options, amplitude), known, problem);
   }
   // More than a fifth of the amplitude is lost in a period: friction may stop it within a few half swings.
   const bool may_stop_early = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
@@ -474,7 +474,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
     std::vector<Motion> starts =
         closest_of_each(friction_starts(known.motion, record), beginning, coarsest * two_pi / w);
     starts.push_back(known.motion);
-    from = {best_of(starts, known, beginning).motion, record.t.size(), known.decay_rate};
+    from = {best_start(starts, known, beginning).motion, record.t.size(), known.decay_rate};
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
   Minimum& minimum = found.minimum;

@@ -83,9 +83,9 @@ namespace {
 
 constexpr double room = 0.05;  // of the span, above and below the data
 constexpr double phase_room = 0.10;
-constexpr double tick_room = 0.25;    // of the span, given away at most to end at ticks
-constexpr double just_beyond = 0.01;  // of the span: an x axis goes on to a tick this near
-constexpr double near_zero = 0.6;     // data that begin this close to 0, against their span, are shown from 0
+constexpr double given_to_ticks = 0.25;  // of the span, given away at most to end at ticks
+constexpr double just_beyond = 0.01;     // of the span: an x axis goes on to a tick this near
+constexpr double near_zero = 0.6;  // data that begin this close to 0, against their span, are shown from 0
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -134,10 +134,11 @@ double round_to_ticks(Extent& e) {
   Extent best = e;
   double best_step = 0;
   for (int most = 3; most <= 6; ++most) {
-    const double step = tick_step(e.low - tick_room * span / 2, e.high + tick_room * span / 2, most);
+    const double step =
+        tick_step(e.low - given_to_ticks * span / 2, e.high + given_to_ticks * span / 2, most);
     const Extent rounded{step * std::floor(e.low / step + 1e-6), step * std::ceil(e.high / step - 1e-6)};
     const double length = rounded.high - rounded.low, ticks = std::round(length / step) + 1;
-    if (length > (1 + tick_room) * span || ticks < 3 || ticks > 6) continue;
+    if (length > (1 + given_to_ticks) * span || ticks < 3 || ticks > 6) continue;
     // The curve should not run along the frame.
     const bool touches = (rounded.low != 0 && e.low - rounded.low < 0.01 * span) ||
                          (rounded.high != 0 && rounded.high - e.high < 0.01 * span);

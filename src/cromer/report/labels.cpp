@@ -8,7 +8,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr double cell = 2;         // [px]
+constexpr double raster = 2;       // [px]
 constexpr double clearance = 4;    // between a word and what is drawn [px]
 constexpr double search_step = 4;  // [px]
 
@@ -58,18 +58,20 @@ std::vector<double> spread(std::span<const double> centres, std::span<const doub
 
 Occupancy::Occupancy(Box frame)
     : frame_(frame),
-      columns_(static_cast<int>(frame.width / cell) + 2),
-      rows_(static_cast<int>(frame.height / cell) + 2),
+      columns_(static_cast<int>(frame.width / raster) + 2),
+      rows_(static_cast<int>(frame.height / raster) + 2),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void Occupancy::mark(double x, double y) {
-  const int column = static_cast<int>((x - frame_.x) / cell), row = static_cast<int>((y - frame_.y) / cell);
+  const int column = static_cast<int>((x - frame_.x) / raster),
+            row = static_cast<int>((y - frame_.y) / raster);
   if (x < frame_.x || y < frame_.y || column >= columns_ || row >= rows_) return;
   cells_[static_cast<std::size_t>(row * columns_ + column)] = 1;
 }
 
 bool Occupancy::is_taken(double x, double y) const {
-  const int column = static_cast<int>((x - frame_.x) / cell), row = static_cast<int>((y - frame_.y) / cell);
+  const int column = static_cast<int>((x - frame_.x) / raster),
+            row = static_cast<int>((y - frame_.y) / raster);
   if (x < frame_.x || y < frame_.y || column >= columns_ || row >= rows_) return false;
   return cells_[static_cast<std::size_t>(row * columns_ + column)] != 0;
 }
@@ -89,21 +91,21 @@ void Occupancy::add_line(std::span<const Spot> points, double width) {
 }
 
 void Occupancy::add_box(const Box& box) {
-  for (double y = box.y; y <= box.bottom(); y += cell) {
-    for (double x = box.x; x <= box.right(); x += cell) mark(x, y);
+  for (double y = box.y; y <= box.bottom(); y += raster) {
+    for (double x = box.x; x <= box.right(); x += raster) mark(x, y);
   }
 }
 
 int Occupancy::taken(const Box& box) const {
   int count = 0;
-  for (double y = box.y; y <= box.bottom(); y += cell) {
-    for (double x = box.x; x <= box.right(); x += cell) count += is_taken(x, y);
+  for (double y = box.y; y <= box.bottom(); y += raster) {
+    for (double x = box.x; x <= box.right(); x += raster) count += is_taken(x, y);
   }
   return count;
 }
 
 int Occupancy::crossed(Spot from, Spot to) const {
-  const int steps = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / cell) + 1;
+  const int steps = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / raster) + 1;
   int count = 0;
   for (int k = 0; k <= steps; ++k) {
     const double s = static_cast<double>(k) / steps;
@@ -144,7 +146,6 @@ FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, dou
 
 namespace {
 
-constexpr double leader_from = 14;     // a word this far from its point gets a leader line [px]
 constexpr double longest_leader = 90;  // [px]
 constexpr double short_of_curve = 6;   // a leader line ends at a curve: so much of it is not looked at [px]
 constexpr double apart = 8;            // a point is read off where other curves are this far [px]

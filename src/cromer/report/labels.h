@@ -10,6 +10,9 @@
 
 namespace cromer::core {
 
+/// A word this far from its point gets a leader line [px].
+inline constexpr double leader_from = 14;
+
 /// Moves intervals of the given `heights` apart with the smallest sum of squared shifts from `centres`,
 /// keeping order, at least `gaps[i]` free after the i-th. Returns the new centres. They stay between `top`
 /// and `bottom` while they fit there.

@@ -11,10 +11,9 @@
 namespace cromer::core {
 namespace {
 
-constexpr double leading = 1.28;    // line height over font size
-constexpr double off = 8;           // names beside the plot [px]
-constexpr double leader_from = 14;  // a word this far from its point gets a leader line [px]
-constexpr double leader_gap = 3;    // between a leader line and what it joins [px]
+constexpr double leading = 1.28;  // line height over font size
+constexpr double off = 8;         // names beside the plot [px]
+constexpr double leader_gap = 3;  // between a leader line and what it joins [px]
 constexpr std::size_t most_targets = 240;
 
 // Of the list beside the plot:

@@ -181,9 +181,11 @@ double columns_per_period(std::span<const Spot> points) {
 
 namespace {
 
-constexpr double slack = 0.01;  // [px] a curve that runs along the edge is seen
+constexpr double edge_slack = 0.01;  // [px] a curve that runs along the edge is seen
 
-Box widened(const Box& b) { return {b.x - slack, b.y - slack, b.width + 2 * slack, b.height + 2 * slack}; }
+Box widened(const Box& b) {
+  return {b.x - edge_slack, b.y - edge_slack, b.width + 2 * edge_slack, b.height + 2 * edge_slack};
+}
 
 using Segment = std::pair<Spot, Spot>;
 

@@ -61,7 +61,7 @@ Json status_object(const std::string& recording, const RecorderStatus& status, c
   return object;
 }
 
-Json list_of(std::span<const Remark> notices) {
+Json notices_of(std::span<const Remark> notices) {
   Json list = Json::array();
   for (const Remark& notice : notices)
     list.push_back({{"kind", kind_name(notice.kind)},
@@ -107,13 +107,13 @@ std::string live_fit_json(const FittedRecording& fitted) {
 }
 
 std::string live_notices_json(std::span<const Remark> notices) {
-  return to_text(Json{{"notices", list_of(notices)}}, on_one_line);
+  return to_text(Json{{"notices", notices_of(notices)}}, on_one_line);
 }
 
 std::string recording_json(const std::string& recording, const RecorderStatus& status,
                            const Headings& headings, std::span<const Remark> notices) {
   Json object = status_object(recording, status, headings);
-  object["notices"] = list_of(notices);
+  object["notices"] = notices_of(notices);
   return to_text(object);
 }
 

@@ -18,7 +18,7 @@ std::string with_unit(std::string name, const CompareResult& comparison) {
 }
 
 /// Nothing of what was not reached; a fixed number of decimals where that is short.
-std::string number(double value, int decimals) {
+std::string with_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return "";
   const double size = std::abs(value);
   return size < 1e4 && (size >= 0.01 || size == 0) ? fmt::format("{:.{}f}", value, decimals)
@@ -47,8 +47,9 @@ std::string compare_text(const std::vector<CompareResult>& comparisons) {
                                                 "simulated"}};
     for (const auto& curve : comparison.curves)
       rows.push_back(
-          {std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "", number(curve.r_squared, 6),
-           number(curve.amplitude_ratio_end, 4), number(curve.phase_drift, 4), curve.method,
+          {std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "",
+           with_decimals(curve.r_squared, 6), with_decimals(curve.amplitude_ratio_end, 4),
+           with_decimals(curve.phase_drift, 4), curve.method,
            in_words(curve.label) + (curve.measured_at_rest ? ", at the end the measured motion rests" : "")});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
     if (const Notice sentence = explanation(comparison); !sentence.empty()) out += in_words(sentence) + "\n";

@@ -31,7 +31,7 @@ std::string drive_in_words(const FittedRecording& fitted) {
                      fitted.between_samples);
 }
 
-std::string heading(const FittedRecording& fitted) {
+std::string first_line(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const std::string text = fmt::format("{}: {}", recording_title(fitted), fitted.status());
   if (fitted.fit.status != FitStatus::converged) return text + ", " + in_words(fitted.fit.message) + "\n";
@@ -116,7 +116,7 @@ std::string more(const FittedRecording& fitted) {
 }
 
 std::string one_fit(const FittedRecording& fitted) {
-  std::string out = heading(fitted);
+  std::string out = first_line(fitted);
   std::vector<std::vector<std::string>> rows;
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
@@ -171,8 +171,8 @@ std::string failure_text(const FittedRecording& fitted) {
 
 namespace {
 
-constexpr std::string_view shown[] = {"frequency", "decay_rate",      "drag", "friction", "cubic",
-                                      "stiffness", "drag_coefficient"};
+constexpr std::string_view shown_quantities[] = {"frequency", "decay_rate",      "drag", "friction", "cubic",
+                                                 "stiffness", "drag_coefficient"};
 
 const Parameter* find(const FittedRecording& fitted, std::string_view name) {
   for (const auto* list : {&fitted.parameters, &fitted.derived})
@@ -184,7 +184,7 @@ const Parameter* find(const FittedRecording& fitted, std::string_view name) {
 /// The quantities that any of the recordings has.
 std::vector<std::string_view> columns_of(const std::vector<FittedRecording>& fits) {
   std::vector<std::string_view> names;
-  for (const std::string_view name : shown)
+  for (const std::string_view name : shown_quantities)
     if (std::any_of(fits.begin(), fits.end(), [&](const auto& fitted) { return find(fitted, name); }))
       names.push_back(name);
   return names;

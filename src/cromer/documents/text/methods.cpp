@@ -27,7 +27,7 @@ std::string table(std::span<const MethodRow> methods) {
          in_words(Notice{"methods_with_step"}) + ".\n";
 }
 
-std::string number(const std::optional<double>& value, const char* otherwise = "") {
+std::string number_or(const std::optional<double>& value, const char* otherwise = "") {
   return value ? fmt::format("{:.6g}", *value) : otherwise;
 }
 
@@ -50,7 +50,7 @@ std::string asked_for(const MethodsOptions& options, const EffectiveOscillator& 
       2 * std::numbers::pi / (*law.angular_frequency * h));
 }
 
-std::string effects(const MethodsOptions& options, std::span<const MethodRow> methods) {
+std::string effects_table(const MethodsOptions& options, std::span<const MethodRow> methods) {
   EffectiveOscillator law;
   for (const auto& method : methods)
     if (method.name == "exact" && method.effect) law = method.effect->effective;
@@ -64,10 +64,10 @@ std::string effects(const MethodsOptions& options, std::span<const MethodRow> me
       continue;
     }
     const EffectiveOscillator& effective = method.effect->effective;
-    rows.push_back({name, number(effective.decay_rate), off_by(effective.decay_rate, law.decay_rate),
-                    number(effective.angular_frequency),
+    rows.push_back({name, number_or(effective.decay_rate), off_by(effective.decay_rate, law.decay_rate),
+                    number_or(effective.angular_frequency),
                     off_by(effective.angular_frequency, law.angular_frequency),
-                    number(effective.energy_factor()), number(method.effect->stability_limit, "any"),
+                    number_or(effective.energy_factor()), number_or(method.effect->stability_limit, "any"),
                     method.effect->stable ? "yes" : "no"});
     words += name + " " + in_words(method.words) + "\n";
   }
@@ -77,7 +77,7 @@ std::string effects(const MethodsOptions& options, std::span<const MethodRow> me
 }  // namespace
 
 std::string methods_text(const MethodsOptions& options, std::span<const MethodRow> methods) {
-  return options.step ? effects(options, methods) : table(methods);
+  return options.step ? effects_table(options, methods) : table(methods);
 }
 
 }  // namespace cromer::core

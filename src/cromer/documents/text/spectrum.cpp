@@ -32,7 +32,7 @@ std::string recording_table(const SpectrumResult& result) {
 }
 
 /// The rows to show: all, or evenly spaced ones with both ends.
-std::vector<std::size_t> shown(std::size_t all) {
+std::vector<std::size_t> shown_rows(std::size_t all) {
   std::vector<std::size_t> rows;
   const std::size_t count = std::min(all, most_rows);
   for (std::size_t i = 0; i < count; ++i) rows.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
@@ -67,7 +67,7 @@ std::string oscillator(const SpectrumResult& result, std::size_t i) {
 std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const bool two = !spectrum.rotd50.empty();
   std::vector<std::vector<std::string>> rows{{oscillator_heading(result)}};
-  const std::vector<std::size_t> oscillators = shown(result.periods.size());
+  const std::vector<std::size_t> oscillators = shown_rows(result.periods.size());
   for (const std::size_t i : oscillators) rows.push_back({oscillator(result, i)});
   const NamedColumns columns = spectrum_columns(result, spectrum);
   for (std::size_t c = spectrum.shock.empty() ? 1 : 2; c < columns.headers.size(); ++c) {

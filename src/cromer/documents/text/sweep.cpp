@@ -11,7 +11,7 @@
 namespace cromer::core {
 namespace {
 
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.7g}", value); }
+std::string number_or_dash(double value) { return std::isnan(value) ? "-" : fmt::format("{:.7g}", value); }
 
 std::string every_row(const SweepResult& result) {
   const std::size_t width = result.plan.rows.columns.size() - 1;
@@ -22,7 +22,7 @@ std::string every_row(const SweepResult& result) {
   for (std::size_t at = 0; at < result.rows.size(); at += width) {
     std::vector<std::string> row;
     for (std::size_t i = 0; i < width; ++i)
-      row.push_back(number(result.rows[at + i] / (i < swept.size() ? swept[i].shown_unit : 1)));
+      row.push_back(number_or_dash(result.rows[at + i] / (i < swept.size() ? swept[i].shown_unit : 1)));
     rows.push_back(std::move(row));
   }
   return text_table(rows, 0, width);
@@ -46,11 +46,11 @@ std::string extremes(const SweepResult& result) {
     const auto where = [&](std::size_t at) {
       std::string text;
       for (std::size_t i = 0; i < swept; ++i)
-        text += (i ? ", " : "") + number(result.rows[at + i] / result.plan.swept[i].shown_unit);
+        text += (i ? ", " : "") + number_or_dash(result.rows[at + i] / result.plan.swept[i].shown_unit);
       return text;
     };
-    rows.push_back({result.plan.rows.columns[column], number(result.rows[low + column]), where(low),
-                    number(result.rows[high + column]), where(high)});
+    rows.push_back({result.plan.rows.columns[column], number_or_dash(result.rows[low + column]), where(low),
+                    number_or_dash(result.rows[high + column]), where(high)});
   }
   return text_table(rows, 1, 4);
 }

@@ -14,7 +14,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t most_samples = 100'000;
+constexpr std::size_t most_judged = 100'000;
 
 // Where the iteration begins.
 struct ModeStart {
@@ -108,7 +108,7 @@ TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
 std::optional<TwoModes> fit_two_modes(const Record& record,
                                       const std::vector<std::array<ModeStart, 2>>& starts) {
   Record part = record;
-  part.t = record.t.first(std::min(record.t.size(), most_samples));
+  part.t = record.t.first(std::min(record.t.size(), most_judged));
   part.y = record.y.first(part.t.size());
   const auto model = [&](const Parameters& p) {
     const bool possible = p[first_of[0] + frequency] > 0 && p[first_of[1] + frequency] > 0;
@@ -135,7 +135,7 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
 }
 
 // The two lines to begin with: the swing's own and the steady one.
-std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const LawFit& driven) {
+std::optional<std::array<ModeStart, 2>> two_lines_of(const Record& record, const LawFit& driven) {
   Motion motion = driven.motion;
   if (driven.status != FitStatus::converged) {
     const std::optional<Motion> start = driven_start({record.t, record.y, record.resolution}, {});
@@ -171,7 +171,7 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
                              bool frequency_known) {
   MotionJudgement judgement;
   if (record.t.size() < 32 || !(free.residual.rms > 0)) return judgement;
-  const auto lines = lines_of(record, driven);
+  const auto lines = two_lines_of(record, driven);
   if (lines) {
     const auto& [own, steady] = *lines;
     const double g = std::max(own.decay_rate, 0.0);

@@ -11,7 +11,7 @@ namespace {
 bool converged(const LawFit& fit) { return fit.status == FitStatus::converged; }
 
 // Place of the fit that leaves least.
-std::size_t best_of(const std::vector<LawFit>& fits) {
+std::size_t best_reading(const std::vector<LawFit>& fits) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < fits.size(); ++i)
     if (converged(fits[i]) && (!converged(fits[best]) || fits[i].residual.rms < fits[best].residual.rms))
@@ -97,7 +97,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   }
   // A search that ended in a false minimum is made again from where another reading's ended.
   constexpr double false_minimum = 1.5;  // times what that one leaves
-  const LawFit leading = by_reading[best_of(by_reading)];
+  const LawFit leading = by_reading[best_reading(by_reading)];
   for (std::size_t i = 0; i < by_reading.size() && converged(leading) && !watch.interrupted(); ++i) {
     if (converged(by_reading[i]) && by_reading[i].residual.rms < false_minimum * leading.residual.rms)
       continue;
@@ -142,7 +142,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     }
     return choice;
   };
-  const std::size_t best = best_of(by_reading);
+  const std::size_t best = best_reading(by_reading);
   LawChoice choice = choose_under(best);
   // A law that the first choice lacked may have made another reading look best: the law is then chosen again,
   // under the reading that the better law asks for.

@@ -14,7 +14,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t most_samples = 1U << 17;
+constexpr std::size_t most_residuals = 1U << 17;
 
 // The residuals at even times.
 std::vector<double> even(std::span<const double> t, const std::vector<double>& r, double h) {
@@ -106,8 +106,8 @@ double skirt_of(double duration, const LawFit& fit) {
 
 // The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
 // swing's own.
-std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, double duration,
-                                   const FrequencyBand& own, double skirt) {
+std::vector<ResidualLine> residual_lines_of(const std::vector<double>& values, double h, double duration,
+                                            const FrequencyBand& own, double skirt) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
   const std::vector<double>& a = spectrum.amplitude;
   double power = 0;
@@ -138,7 +138,7 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   const double duration = residuals.t.back() - residuals.t.front();
   const double h = duration / static_cast<double>(residuals.t.size() - 1);
   const std::vector<double> r(residuals.y.begin(), residuals.y.end());
-  std::vector<ResidualLine> lines = lines_of(even(residuals.t, r, h), h, duration, own, skirt);
+  std::vector<ResidualLine> lines = residual_lines_of(even(residuals.t, r, h), h, duration, own, skirt);
   std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
     return one.amplitude > other.amplitude;
   });
@@ -169,7 +169,7 @@ int harmonic_of(double angular_frequency, double error, const FrequencyBand& own
 }
 
 std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit) {
-  const std::size_t n = std::min(record.t.size(), most_samples);
+  const std::size_t n = std::min(record.t.size(), most_residuals);
   if (n < 64 || fit.status != FitStatus::converged) return {};
   const Record part = record.first(n);
   const std::vector<double> r = motion_residuals(fit.motion, fit.drive, part, fit.step);
@@ -186,7 +186,7 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
 std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit) {
   std::vector<Notice> found;
   if (residuals.t.size() < 64) return found;
-  const Record part = residuals.first(std::min(residuals.t.size(), most_samples));
+  const Record part = residuals.first(std::min(residuals.t.size(), most_residuals));
   const double duration = part.t.back() - part.t.front();
   constexpr FrequencyBand none{1, -HUGE_VAL};
   for (const ResidualLine& line : strongest_lines(part, none, 4 * two_pi / duration)) {

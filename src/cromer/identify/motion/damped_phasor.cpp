@@ -6,10 +6,10 @@
 namespace cromer::core {
 namespace {
 
-using Complex = std::complex<double>;
+using Phasor = std::complex<double>;
 
 // Plain products: std::complex's operator* checks for infinities.
-Complex times(Complex a, Complex b) {
+Phasor times(Phasor a, Phasor b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
@@ -31,9 +31,9 @@ struct Table {
   alignas(64) double s[longest_stretch];
   alignas(64) double c[longest_stretch];
   alignas(64) double d[longest_stretch];  // the sine
-  Moments<Complex> phasor;                // of p
+  Moments<Phasor> phasor;                 // of p
   Moments<double> norm;                   // of |p|^2
-  Moments<Complex> square;                // of p^2
+  Moments<Phasor> square;                 // of p^2
 
   void sum() {
     phasor = {};
@@ -46,10 +46,10 @@ struct Table {
     }
   }
 
-  void fill(double h, std::size_t samples, Complex exponent) {
+  void fill(double h, std::size_t samples, Phasor exponent) {
     count = samples;
-    const Complex factor = std::exp(exponent * h);
-    Complex p = 1;
+    const Phasor factor = std::exp(exponent * h);
+    Phasor p = 1;
     for (std::size_t n = 0; n < count; ++n) {
       if (n % 64 == 0) p = std::exp(exponent * (static_cast<double>(n) * h));
       s[n] = static_cast<double>(n) * h;
@@ -60,11 +60,11 @@ struct Table {
     sum();
   }
 
-  void fill(std::span<const double> t, Complex exponent) {
+  void fill(std::span<const double> t, Phasor exponent) {
     count = t.size();
     for (std::size_t n = 0; n < count; ++n) {
       s[n] = t[n] - t[0];
-      const Complex p = std::exp(exponent * s[n]);
+      const Phasor p = std::exp(exponent * s[n]);
       c[n] = p.real();
       d[n] = p.imag();
     }
@@ -115,11 +115,11 @@ ResidualSums residual_sums(const double* y, const Table& table, double E, double
 
 // Visits the stretches with the table that serves each and the phasor at its first sample.
 template <class Visit>
-void for_each_stretch(const Record& record, const Sampling& sampling, Complex exponent, Visit visit) {
+void for_each_stretch(const Record& record, const Sampling& sampling, Phasor exponent, Visit visit) {
   Table shared, own;
   for (const Stretch& stretch : sampling.stretches) {
     const double s0 = record.t[stretch.first] - record.t[0];
-    const Complex p0 = std::exp(exponent * s0);
+    const Phasor p0 = std::exp(exponent * s0);
     const Table* table = &own;
     if (!stretch.uniform) {
       own.fill(record.t.subspan(stretch.first, stretch.count), exponent);
@@ -139,18 +139,18 @@ struct BasisSums {
   double right[5]{};
   double sum_of_squares = 0;
 
-  void add(const Table& table, double s0, Complex p0, const ResidualSums& sums) {
+  void add(const Table& table, double s0, Phasor p0, const ResidualSums& sums) {
     // Moments about the record's origin: s = s0 + local s, p = p0 * local p.
-    const Complex p02 = times(p0, p0);
+    const Phasor p02 = times(p0, p0);
     const double n02 = std::norm(p0);
-    const Complex P0 = times(p0, table.phasor.zero);
-    const Complex P1 = times(p0, s0 * table.phasor.zero + table.phasor.one);
+    const Phasor P0 = times(p0, table.phasor.zero);
+    const Phasor P1 = times(p0, s0 * table.phasor.zero + table.phasor.one);
     const double N0 = n02 * table.norm.zero;
     const double N1 = n02 * (s0 * table.norm.zero + table.norm.one);
     const double N2 = n02 * (s0 * s0 * table.norm.zero + 2 * s0 * table.norm.one + table.norm.two);
-    const Complex Q0 = times(p02, table.square.zero);
-    const Complex Q1 = times(p02, s0 * table.square.zero + table.square.one);
-    const Complex Q2 = times(p02, s0 * s0 * table.square.zero + 2 * s0 * table.square.one + table.square.two);
+    const Phasor Q0 = times(p02, table.square.zero);
+    const Phasor Q1 = times(p02, s0 * table.square.zero + table.square.one);
+    const Phasor Q2 = times(p02, s0 * s0 * table.square.zero + 2 * s0 * table.square.one + table.square.two);
 
     // c² = (|p|² + Re p²)/2, d² = (|p|² - Re p²)/2, c d = Im p²/2.
     gram[0][0] += static_cast<double>(table.count);
@@ -169,8 +169,8 @@ struct BasisSums {
     gram[3][4] += Q2.imag() / 2;
     gram[4][4] += (N2 - Q2.real()) / 2;
 
-    const Complex R0 = times(p0, {sums.rc, sums.rd});
-    const Complex R1 = s0 * R0 + times(p0, {sums.src, sums.srd});
+    const Phasor R0 = times(p0, {sums.rc, sums.rd});
+    const Phasor R1 = s0 * R0 + times(p0, {sums.src, sums.srd});
     right[0] += sums.r;
     right[1] += R0.real();
     right[2] += R0.imag();
@@ -186,7 +186,7 @@ struct BasisSums {
 };
 
 // The model's amplitudes turned to a stretch's own phasor: A c + B d = Re[(A - iB) p0 p].
-void turn(double A, double B, Complex p0, double& alpha, double& beta) {
+void turn(double A, double B, Phasor p0, double& alpha, double& beta) {
   alpha = A * p0.real() + B * p0.imag();
   beta = B * p0.real() - A * p0.imag();
 }
@@ -200,7 +200,7 @@ NormalEquations DampedPhasor::operator()(const Parameters& parameters) const {
   const double A = parameters[cosine], B = parameters[sine];
   BasisSums basis;
   for_each_stretch(
-      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
+      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Phasor p0) {
         double alpha, beta;
         turn(A, B, p0, alpha, beta);
         basis.add(table, s0, p0, residual_sums(record_.y.data() + stretch.first, table, E, alpha, beta));
@@ -228,7 +228,7 @@ NormalEquations DampedPhasor::operator()(const Parameters& parameters) const {
 DampedPhasor::Linear DampedPhasor::best_linear(double w, double g) const {
   BasisSums basis;
   for_each_stretch(
-      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
+      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Phasor p0) {
         basis.add(table, s0, p0, residual_sums(record_.y.data() + stretch.first, table, 0, 0, 0));
       });
   basis.mirror();
@@ -250,7 +250,7 @@ void DampedPhasor::residuals(const Parameters& parameters, std::vector<double>& 
   const double w = parameters[angular_frequency], g = parameters[decay_rate], E = parameters[equilibrium];
   result.resize(record_.y.size());
   for_each_stretch(record_, sampling_, {-g, w},
-                   [&](const Stretch& stretch, const Table& table, double, Complex p0) {
+                   [&](const Stretch& stretch, const Table& table, double, Phasor p0) {
                      double alpha, beta;
                      turn(parameters[cosine], parameters[sine], p0, alpha, beta);
                      const double* y = record_.y.data() + stretch.first;

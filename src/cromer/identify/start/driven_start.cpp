@@ -35,7 +35,7 @@ EvenSamples even_samples(const Record& record, std::size_t most) {
 }
 
 // The spectrum's highest lines, at most `count`, each with its frequency.
-std::vector<double> lines_of(std::span<const double> y, double h, std::size_t count) {
+std::vector<double> highest_lines(std::span<const double> y, double h, std::size_t count) {
   Spectrum spectrum = amplitude_spectrum(y, h);
   std::vector<double> lines;
   while (lines.size() < count) {
@@ -92,11 +92,12 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const std::size_t whole = record.t.size();
   const EvenSamples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
   const double h = fine.t[1] - fine.t[0], T = fine.duration(), resolution = two_pi / T;
-  std::vector<double> lines = lines_of(fine.y, h, 4);
+  std::vector<double> lines = highest_lines(fine.y, h, 4);
   if (lines.empty()) return std::nullopt;
   // What is left at the end is the drive's.
   const std::size_t third = fine.y.size() / 3;
-  const std::vector<double> last = lines_of(std::span(fine.y).last(std::max<std::size_t>(third, 8)), h, 1);
+  const std::vector<double> last =
+      highest_lines(std::span(fine.y).last(std::max<std::size_t>(third, 8)), h, 1);
   lines.insert(lines.end(), last.begin(), last.end());
 
   std::vector<double> drives = lines, natural = lines;
@@ -110,7 +111,8 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   // Few enough samples for a search, and enough of them in a period of the fastest line.
   const double fastest = *std::max_element(lines.begin(), lines.end());
   const auto needed = static_cast<std::size_t>(8 * std::max(fastest, drive.value_or(0)) * T / two_pi) + 64;
-  const EvenSamples coarse = even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
+  const EvenSamples coarse =
+      even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
   double w_best = 0, g_best = 0, drive_best = 0;
   LinearFit best;

@@ -107,7 +107,7 @@ double number_of(const std::vector<std::string_view>& values, std::size_t channe
 }
 
 /// Unit words as LabVIEW's assistants write them.
-std::string unit_of(std::string_view label) {
+std::string labview_unit(std::string_view label) {
   struct Word {
     std::string_view word, unit;
   };
@@ -119,8 +119,8 @@ std::string unit_of(std::string_view label) {
 
 /// The columns from the line of names: each X_Value is a time, the Comment is left out, the units are those
 /// of the channels' tag.
-std::vector<Column> columns_of(std::string_view names, const LabviewSegment& segment,
-                               const LabviewFile& file) {
+std::vector<Column> labview_columns(std::string_view names, const LabviewSegment& segment,
+                                    const LabviewFile& file) {
   std::vector<std::string_view> cells;
   split_cells(names, Layout{file.separator, '.', 1}, cells);
   while (!cells.empty() && (cells.back().empty() || cells.back() == "Comment")) cells.pop_back();
@@ -138,12 +138,12 @@ std::vector<Column> columns_of(std::string_view names, const LabviewSegment& seg
     if (x) {
       const std::string_view kind = at(x_kinds, channel);
       column.name = cells[j].empty() ? "X_Value" : cells[j];
-      column.unit = kind.empty() || kind == "Time" ? "s" : unit_of(at(x_units, channel));
+      column.unit = kind.empty() || kind == "Time" ? "s" : labview_unit(at(x_units, channel));
       column.quantity = quantity_of(column.name, column.unit);
     } else {
       const Heading heading = parse_heading(cells[j]);
       column.name = heading.name.empty() ? concat({"channel ", std::to_string(channel + 1)}) : heading.name;
-      column.unit = heading.unit.empty() ? unit_of(at(y_units, channel)) : heading.unit;
+      column.unit = heading.unit.empty() ? labview_unit(at(y_units, channel)) : heading.unit;
       column.quantity = quantity_of(column.name, column.unit);
       ++channel;
     }
@@ -153,7 +153,7 @@ std::vector<Column> columns_of(std::string_view names, const LabviewSegment& seg
 }
 
 /// The header's Decimal_Separator may be missing or wrong: the rows show it.
-char decimal_of(const std::vector<std::string_view>& rows, char separator, const ReadOptions& options) {
+char labview_decimal(const std::vector<std::string_view>& rows, char separator, const ReadOptions& options) {
   if (separator == ',') return '.';
   ReadOptions known = options;
   known.delimiter = "tab";
@@ -226,11 +226,11 @@ Result<Sets> read_labview(const Source& source) {
     from = to;
     Set set;
     set.names_line = static_cast<long>(segment.names) + 1;
-    set.columns = columns_of(lines[segment.names], segment, file);
+    set.columns = labview_columns(lines[segment.names], segment, file);
     if (set.columns.size() < 2) return in_line(set.names_line, Notice{"labview_without_channel"});
     const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
                                              lines.begin() + static_cast<std::ptrdiff_t>(to));
-    found.decimal = decimal_of(part, file.separator, source.options);
+    found.decimal = labview_decimal(part, file.separator, source.options);
     std::vector<std::string> names;
     for (const Column& column : set.columns) names.push_back(column_title(column));
     auto rows = read_rows(part, Layout{file.separator, found.decimal, set.columns.size()}, names,

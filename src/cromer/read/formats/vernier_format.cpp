@@ -23,7 +23,7 @@ bool may_be_row(std::string_view line, char decimal) {
 }
 
 /// Columns named by the three lines of a set's header; a unit left empty may stand in the name.
-std::vector<Column> columns_of(std::string_view long_names, std::string_view units) {
+std::vector<Column> vernier_columns(std::string_view long_names, std::string_view units) {
   const Layout tabs{'\t', '.', 1};
   std::vector<std::string_view> names, unit_cells;
   split_cells(long_names, tabs, names);
@@ -61,7 +61,7 @@ Result<Sets> read_vernier_format(const Source& source) {
     set.names_line = static_cast<long>(i) + 2;
     if (is_blank(lines[i + 1]))
       return in_line(set.names_line, Notice{"set_without_names", {{"set", shown(set.label)}}});
-    set.columns = columns_of(lines[i + 1], lines[i + 3]);
+    set.columns = vernier_columns(lines[i + 1], lines[i + 3]);
     const std::size_t from = i + 4;
     std::size_t to = from;
     while (to < lines.size() && may_be_row(lines[to], found.decimal)) ++to;

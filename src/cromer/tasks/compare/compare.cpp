@@ -31,7 +31,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double most_steps = 1e8;
 constexpr double of_fits = 0.7;  // of the work, roughly
 
 /// Keeps the states of a run at the times `t` [s], strictly increasing, which must outlive it. Between two
@@ -163,7 +162,7 @@ struct NamedLaw {
   Motion motion;  ///< from the recording's first sample on
 };
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// The option of a term that has no closed form; empty if there is none. With friction alone beside the
 /// linear law there is one, in arcs.
@@ -266,8 +265,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   curve.method = options.method;
   curve.step = step;
   curve.trajectory = keep.take();
-  curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = unknown;
-  curve.law_rms = curve.law_amplitude_ratio_end = curve.method_amplitude_ratio = curve.method_phase = unknown;
+  curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = not_known;
+  curve.law_rms = curve.law_amplitude_ratio_end = curve.method_amplitude_ratio = curve.method_phase =
+      not_known;
   if (outcome.status != Status::reached_end || curve.trajectory.size() < series.t.size()) {
     curve.complete = false;
     curve.diverged = !outcome.interrupted;
@@ -368,8 +368,8 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
   const double step = options.step.value_or(dividing_step(spacing, period));
-  if (!(step > 0) || duration / step > most_steps)
-    return Error{"compared_step", {{"step", step}, {"most", most_steps}, {"duration", duration}}};
+  if (!(step > 0) || duration / step > most_steps_of_a_run)
+    return Error{"compared_step", {{"step", step}, {"most", most_steps_of_a_run}, {"duration", duration}}};
 
   const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));
   if (!constant) return constant.error();

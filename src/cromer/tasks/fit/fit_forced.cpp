@@ -16,11 +16,10 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/simulate/drive_record.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double most_uneven = 0.02;  // of a sample spacing
 
 /// The even times at which the force was sampled.
 struct ForceGrid {
@@ -105,8 +104,9 @@ bool is_outlier(const Series& series, std::size_t i) {
 }
 
 // Fills what both kinds of driven fits have.
-void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
-              std::string_view force_unit, bool has_force_column, const Watch& watch) {
+void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Record& record,
+                         const std::vector<double>& t, std::string_view force_unit, bool has_force_column,
+                         const Watch& watch) {
   result.fit = std::move(choice.chosen);
   result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice.candidates)
@@ -198,8 +198,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   for (const double at : result.series.t)
     of_series.push_back(
         grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
-  describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true,
-           watch);
+  describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity),
+                      true, watch);
   result.between_samples = name(result.fit.drive.force.between);
   add_unused_notices(result);
   std::vector<double> law_motion;
@@ -246,7 +246,8 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
   const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
-  describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false, watch);
+  describe_forced_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false,
+                      watch);
   add_unused_notices(result);
   const LawFit& fit = result.fit;
   if (!result.driven) return result;

@@ -10,7 +10,7 @@
 namespace cromer::core {
 namespace {
 
-Error wrong(const Option& option, const Notice& what) {
+Error wrong_option(const Option& option, const Notice& what) {
   return Error{"option_is_wrong", {{"option", option.name}, {"what", what}}};
 }
 
@@ -45,16 +45,16 @@ bool in_range(Range range, double value) {
 Result<void> check_value(const Option& option, double value) {
   if (in_range(option.range, value)) return {};
   const bool any = option.range == Range::any || option.range == Range::not_negative_unless_bounded;
-  return wrong(option, Notice{"must_keep_to",
-                              {{"rule", any ? Notice{"be_finite"} : constraint(option.range)},
-                               {"value", value},
-                               {"unit", option.unit == "1" ? std::string_view{} : option.unit}}});
+  return wrong_option(option, Notice{"must_keep_to",
+                                     {{"rule", any ? Notice{"be_finite"} : constraint(option.range)},
+                                      {"value", value},
+                                      {"unit", option.unit == "1" ? std::string_view{} : option.unit}}});
 }
 
 Result<Quantity> parse_value(const Option& option, std::string_view text) {
-  if (trimmed(text).empty()) return wrong(option, Notice{"value_is_empty"});
+  if (trimmed(text).empty()) return wrong_option(option, Notice{"value_is_empty"});
   auto quantity = parse_quantity(text, option.unit);
-  if (!quantity) return wrong(option, quantity.error().notice);
+  if (!quantity) return wrong_option(option, quantity.error().notice);
   return quantity;
 }
 
@@ -69,7 +69,8 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
 Result<double> parse_certain(const Option& option, std::string_view text) {
   auto quantity = parse_in_range(option, text);
   if (!quantity) return quantity.error();
-  if (quantity->uncertainty != 0) return wrong(option, Notice{"uncertainty_not_used", {{"text", text}}});
+  if (quantity->uncertainty != 0)
+    return wrong_option(option, Notice{"uncertainty_not_used", {{"text", text}}});
   return quantity->value;
 }
 
@@ -79,9 +80,9 @@ Result<Integer> parse_whole(const Option& option, std::string_view text) {
   Integer number = 0;
   const auto [rest, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (status != std::errc{} || rest != digits.data() + digits.size())
-    return wrong(option, Notice{status == std::errc::result_out_of_range ? "whole_number_too_large"
-                                                                         : "not_whole_number",
-                                {{"text", text}}});
+    return wrong_option(option, Notice{status == std::errc::result_out_of_range ? "whole_number_too_large"
+                                                                                : "not_whole_number",
+                                       {{"text", text}}});
   if (auto good = check_value(option, static_cast<double>(number)); !good) return good.error();
   return number;
 }
@@ -122,17 +123,17 @@ struct Assigner {
   }
   Result<void> operator()(bool* to) const {
     if (text != "true" && text != "false")
-      return wrong(option, Notice{"neither_true_nor_false", {{"text", text}}});
+      return wrong_option(option, Notice{"neither_true_nor_false", {{"text", text}}});
     *to = text == "true";
     return {};
   }
   Result<void> operator()(std::string* to) const {
-    if (text.empty()) return wrong(option, Notice{"value_is_empty"});
+    if (text.empty()) return wrong_option(option, Notice{"value_is_empty"});
     *to = text;
     return {};
   }
   Result<void> operator()(std::vector<std::string>* to) const {
-    if (text.empty()) return wrong(option, Notice{"value_is_empty"});
+    if (text.empty()) return wrong_option(option, Notice{"value_is_empty"});
     to->emplace_back(text);
     return {};
   }
@@ -157,7 +158,7 @@ struct Checker {
     if (!*value) return {};
     const double uncertainty = (*value)->uncertainty;
     if (!(uncertainty >= 0) || !std::isfinite(uncertainty))
-      return wrong(option, Notice{"uncertainty_is_wrong", {{"uncertainty", uncertainty}}});
+      return wrong_option(option, Notice{"uncertainty_is_wrong", {{"uncertainty", uncertainty}}});
     return check_value(option, (*value)->value);
   }
   Result<void> operator()(const std::optional<int>* value) const {
@@ -172,7 +173,7 @@ struct Checker {
   Result<void> operator()(const std::vector<std::string>*) const { return {}; }
 };
 
-Error unknown(std::string_view name, const std::vector<Option>& options, std::string_view task) {
+Error unknown_option(std::string_view name, const std::vector<Option>& options, std::string_view task) {
   std::vector<std::string_view> names;
   for (const Option& option : options) names.push_back(option.name);
   const std::string near = nearest(name, names);
@@ -221,7 +222,7 @@ Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<
   for (const TypedOption& setting : settings) {
     const auto option = std::find_if(options.begin(), options.end(),
                                      [&](const Option& each) { return each.name == setting.first; });
-    if (option == options.end()) return unknown(setting.first, options, task);
+    if (option == options.end()) return unknown_option(setting.first, options, task);
     if (auto good = assign(*option, setting.second); !good) return good;
     if (auto good = check(*option); !good) return good;
   }

@@ -19,7 +19,6 @@ namespace cromer::core {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_steps = 1e8;
 constexpr double reference_tolerance = 1e-13;
 
 /// The errors of a run with a step; the worst is infinite if it fails.
@@ -141,7 +140,7 @@ Accuracy compared(const SimulateOptions& options, const SimulatedRun& run, doubl
 
 Error none(double asked, double step, double until) {
   return Error{"accuracy_out_of_reach",
-               {{"accuracy", asked}, {"step", step}, {"steps", most_steps}, {"until", until}}};
+               {{"accuracy", asked}, {"step", step}, {"steps", most_steps_of_a_run}, {"until", until}}};
 }
 
 /// The largest step below `longest` (within 1 %) whose errors keep to `asked`, and those of all shorter
@@ -156,7 +155,7 @@ Result<double> largest_step(const Attempt& trial, double asked, double longest, 
   for (double h = longest; kept < in_a_row; h *= ratio) {
     if (watch.interrupted()) return Error{"interrupted"};
     // Shorter steps only confirm that all below are good: they are predicted, not run.
-    if (until / (kept > 0 ? low : h) > most_steps) return none(asked, h, until);
+    if (until / (kept > 0 ? low : h) > most_steps_of_a_run) return none(asked, h, until);
     if (good(h)) {
       if (kept++ == 0) low = h;
     } else {

@@ -11,8 +11,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr double most_uneven = 0.02;  // of a spacing
-
 bool wants_force(const DriveRequest& request) { return request.quantity == "force"; }
 
 Notice use_of(const DriveRequest& request) {
@@ -20,7 +18,7 @@ Notice use_of(const DriveRequest& request) {
 }
 
 /// The one column that can be meant: of the quantity, or the only one beside the time.
-Result<std::string> column_of(const Recording& recording, int run, const DriveRequest& request) {
+Result<std::string> drive_column(const Recording& recording, int run, const DriveRequest& request) {
   std::vector<std::string> alike, others;
   for (const Column& column : recording.table.columns) {
     if (column.run != run || column.quantity == "time" || column.quantity == "index") continue;
@@ -60,7 +58,7 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   const int run = request.run > 0 ? request.run : all.front();
   if (const auto known = check_run(recording, run); !known) return known.error();
   Result<std::string> name = std::string(request.column);
-  if (name->empty()) name = column_of(recording, run, request);
+  if (name->empty()) name = drive_column(recording, run, request);
   if (!name) return refuse(name.error().notice);
   const auto series = take_series(recording, *name, run, options);
   if (!series) return series.error();

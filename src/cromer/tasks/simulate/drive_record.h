@@ -10,6 +10,9 @@
 
 namespace cromer::core {
 
+/// How far samples of a recorded force may lie off an even grid, of a spacing.
+inline constexpr double most_uneven = 0.02;
+
 /// Evenly spaced samples in SI units, the first at the run's start.
 struct DriveRecord {
   std::vector<double> values;  ///< at least two; all finite

@@ -43,7 +43,7 @@ Notice kept_energy_notice(const EnergyBalance& balance, bool symplectic) {
 
 /// Name of a term that gives or takes energy.
 template <class T>
-Notice name_of() {
+Notice name_of_resistance() {
   if constexpr (std::is_same_v<T, Viscous>) return Notice{"damping"};
   if constexpr (std::is_same_v<T, Drag>) return Notice{"drag"};
   if constexpr (std::is_same_v<T, Friction>) return Notice{"friction"};
@@ -60,7 +60,7 @@ Notice energy_notice(const EnergyBalance& balance, bool symplectic) {
     givers = givers.empty() ? what : Notice{"and_the", {{"one", givers}, {"other", what}}};
   };
   gain(Notice{"drive"}, balance.drive);
-  for_each_resistance([&]<class T>() { gain(name_of<T>(), -balance.taken_by<T>()); });
+  for_each_resistance([&]<class T>() { gain(name_of_resistance<T>(), -balance.taken_by<T>()); });
   if (!(there > 0)) return {};
   std::vector<Notice> takers;
   const auto add = [&](const Notice& what, double part) {
@@ -68,7 +68,7 @@ Notice energy_notice(const EnergyBalance& balance, bool symplectic) {
       takers.push_back(Notice{takers.empty() ? "first_taker" : "next_taker",
                               {{"what", what}, {"percent", 100 * part / there}}});
   };
-  for_each_resistance([&]<class T>() { add(name_of<T>(), balance.taken_by<T>()); });
+  for_each_resistance([&]<class T>() { add(name_of_resistance<T>(), balance.taken_by<T>()); });
   if (takers.empty()) return balance.drive == 0 ? kept_energy_notice(balance, symplectic) : Notice{};
   if (!givers.empty()) givers = Notice{"with_what_gave", {{"givers", givers}}};
   const double made = balance.method() / there;
@@ -85,7 +85,7 @@ Notice joined(const Notice& first, const Notice& second) {
   return Notice{"both", {{"first", first}, {"second", second}}};
 }
 
-std::optional<Transmission> simulated(const RunTransmission& asked, const SimulatedRun& run) {
+std::optional<Transmission> simulated_transmission(const RunTransmission& asked, const SimulatedRun& run) {
   if (!run.effect || !run.effect->effective.steady_state) return std::nullopt;
   const EffectiveOscillator& effective = run.effect->effective;
   if (asked.of_motion) return transmitted_motion(asked.sent, *effective.steady_state);
@@ -155,7 +155,7 @@ std::optional<RunTransmission> transmission_of(const SimulateOptions& options, c
   found.sent = sent_amplitude(options, run);
   found.frequency_ratio = run.drive.frequency / natural_frequency(law);
   found.exact = transmissibility(law, run.drive.frequency);
-  found.simulated = simulated(found, run);
+  found.simulated = simulated_transmission(found, run);
   return found;
 }
 

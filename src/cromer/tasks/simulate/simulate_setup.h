@@ -40,6 +40,9 @@ Result<Event> parse_event(std::string_view text);
 inline constexpr double default_steps_per_period = 200;
 inline constexpr double default_periods = 20;
 
+/// Motions of more steps than these are refused.
+inline constexpr double most_steps_of_a_run = 1e8;
+
 /// The shorter of two periods [s]; 0 means that there is none.
 double shorter_period(double one, double other);
 

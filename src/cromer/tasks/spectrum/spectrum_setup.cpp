@@ -96,7 +96,7 @@ Result<Component> read_component(const Recording& recording, const std::string& 
   return component;
 }
 
-std::string name_of(const Component& component) {
+std::string component_name(const Component& component) {
   return component.column.empty() ? component.file
                                   : fmt::format("{} \"{}\"", component.file, component.column);
 }
@@ -117,8 +117,8 @@ Result<void> match(std::vector<Component>& components, std::vector<Notice>& noti
                               {"second", second.file},
                               {"second_motion", second.motion}}});
   if (first.acceleration == second.acceleration)
-    notices.push_back(
-        Notice{"same_component_twice", {{"first", name_of(first)}, {"second", name_of(second)}}});
+    notices.push_back(Notice{"same_component_twice",
+                             {{"first", component_name(first)}, {"second", component_name(second)}}});
   if (first.acceleration.size() == second.acceleration.size()) return {};
   Component& longer = first.acceleration.size() > second.acceleration.size() ? first : second;
   const Component& shorter = &longer == &first ? second : first;

@@ -256,8 +256,8 @@ Notice steps_notice(const SweepWork& work) {
 }
 
 /// All that the rows depend on, in a fixed order, as JSON; `settings` are those of the first row.
-std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
-                     const SweepPlan& plan) {
+std::string description_of(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
+                           const SweepPlan& plan) {
   std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
                                  with_blanks(code_of(work.way)), options.direction);
   if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
@@ -278,7 +278,7 @@ std::string describe(const SweepOptions& options, const SweepWork& work, const M
   return text + "]}";
 }
 
-std::string column_of(const SweepAxis& axis, std::string_view unit) {
+std::string axis_column(const SweepAxis& axis, std::string_view unit) {
   const std::string name = with_underscores(axis.name);
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
@@ -291,8 +291,8 @@ void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan
                                    : Notice{code_of(work.way)};
   plan.steps = steps_notice(work);
   for (const SweepAxis& axis : work.axes)
-    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
-                          column_of(axis, axis.typed.name), axis.typed.factor});
+    plan.swept.push_back({axis.name, axis_column(axis, axis.unit), axis.grid.size(),
+                          axis_column(axis, axis.typed.name), axis.typed.factor});
   for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
   for (const Measure* measure : work.measures)
     for (const std::string& column : measure->columns) plan.measured.push_back(column);
@@ -301,7 +301,8 @@ void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan
   plan.rows.rows = 1;
   for (const SweepAxis& axis : work.axes) plan.rows.rows *= axis.grid.size();
   plan.rows.rows_per_chunk = work.rows_per_chunk();
-  plan.rows.description = describe(options, work, SweepPoints(work.base, work.axes).settings_of(0), plan);
+  plan.rows.description =
+      description_of(options, work, SweepPoints(work.base, work.axes).settings_of(0), plan);
 }
 
 }  // namespace

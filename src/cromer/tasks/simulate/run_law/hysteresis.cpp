@@ -14,12 +14,12 @@ namespace cromer::core {
 namespace {
 
 /// Any drive as a function of time, per unit mass.
-class AnyForce {
+class ForceOfAnyDrive {
  public:
   using Drives =
       std::variant<HarmonicForce<double>, PulseForce<double>, ChirpForce<double>, SampledForce<double>>;
 
-  explicit AnyForce(Drives force) : force_(std::move(force)) {}
+  explicit ForceOfAnyDrive(Drives force) : force_(std::move(force)) {}
 
   double operator()(double t) const {
     return std::visit([&](const auto& force) { return double(force(t)); }, force_);
@@ -32,8 +32,8 @@ class AnyForce {
         },
         force_);
   }
-  AnyForce within(double t) const {
-    return AnyForce(std::visit(
+  ForceOfAnyDrive within(double t) const {
+    return ForceOfAnyDrive(std::visit(
         [&](const auto& force) {
           if constexpr (requires { force.within(t); }) return Drives(force.within(t));
           return Drives(force);
@@ -53,10 +53,10 @@ class AnyForce {
   Drives force_;
 };
 
-AnyForce force_of(const LawRun& run) {
+ForceOfAnyDrive force_of(const LawRun& run) {
   const double m = run.oscillator.mass;
-  if (!run.general) return AnyForce(cromer::core::force_of(run.drive, m));
-  return std::visit([&](const auto& drive) { return AnyForce(cromer::core::force_of(drive, m)); },
+  if (!run.general) return ForceOfAnyDrive(cromer::core::force_of(run.drive, m));
+  return std::visit([&](const auto& drive) { return ForceOfAnyDrive(cromer::core::force_of(drive, m)); },
                     *run.general);
 }
 
