@@ -120,7 +120,7 @@ TEST(Axes, ATitleTooLongIsSetSmallerButNotBelowARemark) {
   for (const int count : {7, 8, 40}) {
     panel.title = "";
     for (int i = 0; i < count; ++i) panel.title += "wwwwwwwwww";
-    const PlacedText& title = *find(sole(panel), panel.title);
+    const PlacedText title = *find(sole(panel), panel.title);
     const double room = 760 - 6 - 6;
     EXPECT_NEAR(title.size, count * one <= room ? 13 : std::max(11.0, 13 * room / (count * one)), 1e-9)
         << count;
