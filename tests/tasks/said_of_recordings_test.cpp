@@ -172,25 +172,24 @@ TEST(SaidOfRecordings, HarmonicsAreNoModes) {
 }
 
 TEST(SaidOfRecordings, BeatsAreNamed) {
-  for (unsigned seed = 1; seed <= 2; ++seed)
-    for (const double part : {1.0, 0.5, 0.2})
-      for (const auto& [g, duration] :
-           {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
-        const FittedRecording fit =
-            fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
-              return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
-            }));
-        ASSERT_EQ(fit.modes.size(), 2u)
-            << seed << ' ' << part << ' ' << g << ": " << in_words(fit.fit.message);
-        double low = fit.modes[0].angular_frequency.value, high = fit.modes[1].angular_frequency.value;
-        if (low > high) std::swap(low, high);
-        EXPECT_NEAR(low / two_pi, 0.7085, 5e-4);
-        EXPECT_NEAR(high / two_pi, 0.73, 5e-4);
-        std::vector<std::string> said = in_words(fit.notices);
-        said.push_back(in_words(fit.fit.message));
-        EXPECT_THAT(said, Contains(AllOf(HasSubstr("two modes swing here"), HasSubstr("beat every 46"))))
-            << seed << ' ' << part << ' ' << g;
-      }
+  unsigned seed = 0;
+  for (const double part : {1.0, 0.5, 0.2})
+    for (const auto& [g, duration] : {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
+      ++seed;
+      const FittedRecording fit =
+          fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
+            return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
+          }));
+      ASSERT_EQ(fit.modes.size(), 2u) << seed << ' ' << part << ' ' << g << ": " << in_words(fit.fit.message);
+      double low = fit.modes[0].angular_frequency.value, high = fit.modes[1].angular_frequency.value;
+      if (low > high) std::swap(low, high);
+      EXPECT_NEAR(low / two_pi, 0.7085, 5e-4);
+      EXPECT_NEAR(high / two_pi, 0.73, 5e-4);
+      std::vector<std::string> said = in_words(fit.notices);
+      said.push_back(in_words(fit.fit.message));
+      EXPECT_THAT(said, Contains(AllOf(HasSubstr("two modes swing here"), HasSubstr("beat every 46"))))
+          << seed << ' ' << part << ' ' << g;
+    }
 }
 
 TEST(SaidOfRecordings, NoiseHasNoModes) {
