@@ -98,17 +98,12 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
-/// Whether there is no line only because fits did not succeed: that is no wrong input.
-bool lacks_points(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
-  if (fits.size() != masses.size()) return false;
-  const auto another = [](const Quantity& one, const Quantity& mass) { return one.value != mass.value; };
-  std::vector<Quantity> left;
-  for (std::size_t i = 0; i < fits.size(); ++i)
-    if (fits[i].succeeded()) left.push_back(masses[i]);
-  const auto differ = [&](const std::vector<Quantity>& these) {
-    return std::adjacent_find(these.begin(), these.end(), another) != these.end();
-  };
-  return differ(masses) && !differ(left);
+/// Whether there is no line only because fits did not succeed, which is no wrong input: the masses given
+/// differ.
+bool lacks_points(const Error& why, const std::vector<Quantity>& masses) {
+  const auto differ = [](const Quantity& one, const Quantity& other) { return one.value != other.value; };
+  return why.notice.code == "mass_line_of_one_mass" &&
+         std::adjacent_find(masses.begin(), masses.end(), differ) != masses.end();
 }
 
 /// Checks that the --motion file can be written without losing another.
@@ -205,7 +200,7 @@ int run_fit(const Arguments& arguments) {
     auto through = mass_line(*fits, masses);
     if (through)
       line = *std::move(through);
-    else if (lacks_points(*fits, masses))
+    else if (lacks_points(through.error(), masses))
       no_line = Error{"no_mass_line", {{"what", through.error().notice}}};
     else
       return refuse(through.error());

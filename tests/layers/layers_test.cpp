@@ -1,5 +1,5 @@
 // Which folder may include which: the includes are read and held to the list of the architecture. And no two
-// types have one name.
+// types have one name, nor do two files that are compiled as one unit give one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -69,7 +69,7 @@ bool is_named(std::string_view heading, std::string_view name);
 void append_row(std::string& text, double t, std::span<const double> values);
 
 /// The times of a file: to the microsecond, each at least one above that before.
-constexpr double least_step = 1e-6;  // [s]
+inline constexpr double least_step = 1e-6;  // [s]
 double to_microseconds(double t);
 
 enum class TimesBy { nothing, device, count, rate, arrival };
