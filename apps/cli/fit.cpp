@@ -200,7 +200,7 @@ int run_fit(const Arguments& arguments) {
     auto through = mass_line(*fits, masses);
     if (through)
       line = *std::move(through);
-    else if (lacks_points(through.error(), masses))
+    else if (!good && lacks_points(through.error(), masses))
       no_line = Error{"no_mass_line", {{"what", through.error().notice}}};
     else
       return refuse(through.error());
