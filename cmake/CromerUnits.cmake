@@ -3,7 +3,7 @@
 # -O3 whatever the build type (the sanitizers' builds apart): nothing of a unit may be left that others could share.
 set(CROMER_UNIT_OPTIONS -O3 -ffp-contract=fast)
 if(CROMER_SANITIZE)
-  set(CROMER_UNIT_OPTIONS -O1 -ffp-contract=fast -DCROMER_ONE_PACK)  # a quarter of the code: two minutes each, not ten
+  set(CROMER_UNIT_OPTIONS -O1 -ffp-contract=fast)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # A step that is called, not inlined, keeps its numbers in memory: 1.3 to 1.8 times as long.
   list(APPEND CROMER_UNIT_OPTIONS --param=max-inline-insns-single=4000 --param=max-inline-insns-auto=4000

@@ -13,6 +13,7 @@
 #include "tests/cluster/datasets.h"
 #include "tests/cluster/started.h"
 #include "tests/support/bytes_of.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -48,10 +49,11 @@ const char* const both =
     "--cubic 0.3 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 0.8:2:40 --method rk4 --step 0.05 "
     "--direction both";
 /// A few seconds of one thread.
-const char* const slow =
+const std::string slow =
     "--cubic 0.05 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 1.3 --method gauss-legendre4 --step "
     "0.05 "
-    "--until 1000 --position -4:4:100 --velocity -4:4:25 --measure final --threads 1";
+    "--until " +
+    std::to_string(cases(1000)) + " --position -4:4:100 --velocity -4:4:25 --measure final --threads 1";
 
 class SweepFile : public testing::Test {
  protected:
@@ -67,7 +69,7 @@ TEST_F(SweepFile, is_the_same_bits_on_any_number_of_threads) {
   for (const char* options : {settled, closed, to_the_end, hysteresis, both}) {
     const std::string one = folder / "one.h5", many = folder / "many.h5";
     ASSERT_EQ(run(sweep(options, {"-o", one, "--threads", "1"})).status, 0);
-    for (const char* threads : {"2", "3", "7"}) {
+    for (const char* threads : cases({"2", "3", "7"})) {
       ASSERT_EQ(run(sweep(options, {"-o", many, "--threads", threads})).status, 0);
       EXPECT_TRUE(same_bits(datasets(one), datasets(many))) << threads << " threads, " << options;
     }

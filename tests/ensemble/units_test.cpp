@@ -16,6 +16,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/run/keep.h"
 #include "cromer/tasks/simulate/run_law.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -105,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Units, OfUnit, testing::ValuesIn(units_here()),
                          [](const auto& unit) { return std::string(unit.param.name); });
 
 TEST_P(OfUnit, LanesAgreeWithTheScalarRun) {
-  constexpr long long steps = 10000;
+  constexpr long long steps = cases(10000);
   for (const Case& law : laws)
     for (std::size_t m = 0; m < method_infos.size(); ++m) {
       const MethodInfo& info = method_infos[m];

@@ -10,6 +10,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/record.h"
 #include "tests/identify/synthetic.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -25,7 +26,7 @@ std::vector<std::string> doubts_about(const SyntheticRecord& record) {
 }
 
 TEST(Doubts, NoneAboutAFreeDecay) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= cases(5u); ++seed) {
     EXPECT_THAT(doubts_about(viscous_record({}, even_times(6000, 0.01), 3e-4, 1e-4, seed)), IsEmpty());
     EXPECT_THAT(doubts_about(viscous_record({.g = 0.3}, even_times(6000, 0.01), 3e-4, 1e-4, seed)),
                 IsEmpty());

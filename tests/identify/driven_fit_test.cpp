@@ -8,6 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 #include "tests/identify/forced_truth.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -148,7 +149,7 @@ TEST(DrivenFit, VelocitiesAndAccelerationsAreFittedAsThat) {
   const auto force = [](double t) { return 0.25 * std::cos(7.58 * t + 1.1); };
   for (const int derivative : {1, 2}) {
     int inside = 0, all = 0;
-    for (unsigned seed = 0; seed < 60; ++seed) {
+    for (unsigned seed = 0; seed < cases(60u); ++seed) {
       const auto record =
           forced_synthetic(truth, force, 2000, 0.02, 1e-3 * std::pow(truth.w0, derivative), seed, derivative);
       const LawFit fit = fit_driven({record.t, record.y, 0, derivative}, law_of("viscous"), {});

@@ -3,6 +3,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -216,7 +217,7 @@ TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
   const ForcedTruth truth{.offset = 0, .equilibrium = 0.3};  // the sensor's offset
   for (const int derivative : {1, 2}) {
     int inside = 0, all = 0;
-    for (unsigned seed = 0; seed < 60; ++seed) {
+    for (unsigned seed = 0; seed < cases(60u); ++seed) {
       const auto record = forced_synthetic(truth, multisine(20, seed + 1), 400, 0.03,
                                            5e-3 * std::pow(truth.w0, derivative), seed, derivative);
       const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);

@@ -6,6 +6,7 @@
 
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -27,7 +28,7 @@ MotionJudgement judged(const SyntheticRecord& record) {
 }
 
 TEST(KindOfMotion, AFreeSwingIsNotDriven) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= cases(20u); ++seed) {
     const SyntheticRecord record =
         viscous_record({.g = 0.01, .position = 0.05}, even_times(1500, 0.02), 1e-3, 0, seed);
     EXPECT_EQ(judged(record).kind, MotionKind::free) << seed;

@@ -12,6 +12,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
+#include "tests/support/cases.h"
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
@@ -57,8 +58,8 @@ std::string driven_at(double w) { return concat({shortest(w), " rad/s"}); }
 
 // A generator that runs down a little looks like a swing with a very high quality factor.
 TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
-  for (const double quality : {16000.0, 60000.0})
-    for (const double periods : {30.0, 100.0, 300.0}) {
+  for (const double quality : cases({16000.0, 60000.0}))
+    for (const double periods : cases({30.0, 100.0, 300.0})) {
       const double w = 6, fall = periods * std::numbers::pi / quality;
       const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5},
                                   [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
@@ -76,7 +77,7 @@ TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
 }
 
 TEST(SaidOfRecordings, ASensorThatLosesTheMotionIsNamed) {
-  for (unsigned seed = 1; seed <= 6; ++seed)
+  for (unsigned seed = 1; seed <= cases(6u); ++seed)
     for (const double level : {0.0, 0.3, -1.2})
       for (const double spikes : {0.0, 0.05, 0.2}) {
         const double lost = 12 + 3.1 * seed;
@@ -118,7 +119,7 @@ TEST(SaidOfRecordings, AMotionThatComesToRestIsNotLost) {
 }
 
 TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
-  for (unsigned seed = 1; seed <= 4; ++seed)
+  for (unsigned seed = 1; seed <= cases(4u); ++seed)
     for (const double size : {0.3, 0.6, 0.8}) {
       const double offset = 0.01 * std::fmod(0.3819660113 * seed, 1.0);
       const FittedRecording fit =
@@ -156,7 +157,7 @@ TEST(SaidOfRecordings, TimesRoundedToHalfTheirSpacingMakeNoGapsAndNoModes) {
 
 TEST(SaidOfRecordings, HarmonicsAreNoModes) {
   // A sensor that is not linear: sin² makes the second, sin³ the third harmonic.
-  for (const auto& [g, seed] : {std::pair{0.005, 1u}, {0.02, 2u}})
+  for (const auto& [g, seed] : cases({std::pair{0.005, 1u}, {0.02, 2u}}))
     for (const auto& [second, third] : {std::pair{0.03, 0.03}, {0.05, 0.0}, {0.0, 0.05}, {0.02, 0.01}}) {
       const FittedRecording fit =
           fitted(recorded({.noise = 1e-4, .seed = seed}, [g = g, second = second, third = third](double t) {
@@ -173,7 +174,7 @@ TEST(SaidOfRecordings, HarmonicsAreNoModes) {
 
 TEST(SaidOfRecordings, BeatsAreNamed) {
   unsigned seed = 0;
-  for (const double part : {1.0, 0.5, 0.2})
+  for (const double part : cases({1.0, 0.5, 0.2}))
     for (const auto& [g, duration] : {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
       ++seed;
       const FittedRecording fit =
@@ -205,7 +206,7 @@ TEST(SaidOfRecordings, NoiseHasNoModes) {
 }
 
 TEST(SaidOfRecordings, ASecondSteadyLineHasTwoReadings) {
-  for (const auto& [one, other] : {std::pair{5.0, 7.0}, {4.3, 6.5}, {5.5, 5.9}})
+  for (const auto& [one, other] : cases({std::pair{5.0, 7.0}, {4.3, 6.5}, {5.5, 5.9}}))
     for (const double part : {1.0, 0.3})
       for (const bool first : {true, false}) {
         const double named = first ? one : other, second = first ? other : one;
@@ -220,7 +221,7 @@ TEST(SaidOfRecordings, ASecondSteadyLineHasTwoReadings) {
 }
 
 TEST(SaidOfRecordings, ADrivenBodyThatRingsDownHasOneReading) {
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (unsigned seed = 1; seed <= cases(4u); ++seed) {
     const auto bytes = recorded({.noise = 1e-4, .seed = seed},
                                 [](double t) { return 0.05 * std::cos(5 * t) - 0.05 * swing(t, 6, 0.05); });
     EXPECT_THAT(in_words(fitted(bytes, {.drive_frequency = driven_at(5)}).notices),

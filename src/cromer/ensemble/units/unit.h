@@ -236,12 +236,17 @@ template <std::size_t count, class Real, class M, Terms terms, bool measured>
       });
 }
 
-/// How many packs are stepped side by side: as many as registers hold. The sanitizers take one: the code of
-/// four would take ten minutes to compile.
-#ifdef CROMER_ONE_PACK
+/// side_by_side: how many packs are stepped together, as many as registers hold.
+/// kernel_laws: the laws with code of their own in the kernel, which every unit compiles for every method and
+/// drive: a measured choice. All other laws share the code of any_terms.
+/// The sanitizers take one of each: the whole would take ten minutes to compile.
+#ifdef CROMER_SANITIZED
 inline constexpr std::size_t side_by_side = 1;
+inline constexpr Law kernel_laws[] = {law_of("viscous+drag+cubic")};
 #else
 inline constexpr std::size_t side_by_side = 4;
+inline constexpr Law kernel_laws[] = {law_of("viscous"), law_of("viscous+cubic"),
+                                      law_of("viscous+drag+cubic")};
 #endif
 
 /// All packs of the group, `side_by_side` at a time.
@@ -253,11 +258,6 @@ void advance_all(cromer_group::Group& group, const M& method, const cromer_group
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
-
-/// The laws with code of their own in the kernel, which every unit compiles for every method and drive: a
-/// measured choice. All other laws share the code of any_terms.
-inline constexpr Law kernel_laws[] = {law_of("viscous"), law_of("viscous+cubic"),
-                                      law_of("viscous+drag+cubic")};
 
 /// With the terms that the group has. The general law is always compiled with a drive, which may be 0.
 template <class Real, class M, bool measured>
