@@ -91,7 +91,8 @@ TEST(Report, OfTheMethodsLabHasEveryMethodAndTheTheorysNumbers) {
     }
     return false;
   };
-  for (const auto& method : lab.folder.run({"methods", "--json"}).json()["methods"]) {
+  const auto document = lab.folder.run({"methods", "--json"}).json();
+  for (const auto& method : document["methods"]) {
     const std::string name = method["name"];
     EXPECT_TRUE(shown("map", name)) << name;
     if (name != "exact") {

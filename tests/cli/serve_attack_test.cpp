@@ -20,6 +20,13 @@ using ::testing::Not;
 /// Others are to be answered within 0.1 s; a machine that runs other tests meanwhile gets more.
 constexpr double soon = 1;  // [s]
 
+/// What the server may take for all of them. The address sanitizer keeps what was freed for a while.
+#ifdef CROMER_SANITIZED
+constexpr double little = 40;  // [MB]
+#else
+constexpr double little = 10;
+#endif
+
 /// The median time of an answer to others, while whatever goes on goes on.
 double time_of_an_answer(int port) {
   std::vector<double> times;
@@ -260,12 +267,12 @@ TEST(ServeAttack, DownloadsThatNobodyReadsTakeLittleMemory) {
     deaf.back().send(request(port, "GET /api/recordings/swing.csv"));
   }
   EXPECT_LT(time_of_an_answer(port), soon);
-  EXPECT_LT(served.memory() - before, 10);
+  EXPECT_LT(served.memory() - before, little);
   // Whoever reads gets all of it.
   const std::string answer = ask(port, request(port, "GET /api/recordings/swing.csv"), 30);
   EXPECT_EQ(status_of(answer), 200);
   EXPECT_EQ(body_of(answer), folder.read("swing.csv"));
-  EXPECT_LT(served.memory() - before, 10);
+  EXPECT_LT(served.memory() - before, little);
 }
 
 TEST(ServeAttack, PagesThatNobodyReadsTakeLittleMemory) {
@@ -281,7 +288,7 @@ TEST(ServeAttack, PagesThatNobodyReadsTakeLittleMemory) {
     deaf.back().send(request(port, "GET /"));
   }
   EXPECT_LT(time_of_an_answer(port), soon);
-  EXPECT_LT(served.memory() - before, 10);
+  EXPECT_LT(served.memory() - before, little);
 }
 
 TEST(ServeAttack, FewDescriptorsLeaveRoomForOthersAndForARecording) {

@@ -11,6 +11,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "tests/identify/forced_truth.h"
+#include "tests/support/cases.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/of_bytes.h"
 
@@ -289,7 +290,7 @@ TEST(FitDriven, FindsTheGeneratorOfTheBeats) {
   const std::string path =
       data("spring-disc-pasco/molla_dura_discopieno_battimenti_0.1419kg_frequenza_1.207hz.csv");
   SKIP_WITHOUT(path);
-  for (const char* drive : {"1.207 Hz", "auto"}) {
+  for (const char* drive : cases({"1.207 Hz", "auto"})) {
     FitOptions options;
     options.column = "position";
     options.drive_frequency = drive;

@@ -158,7 +158,8 @@ TEST(SaidOfRecordings, TimesRoundedToHalfTheirSpacingMakeNoGapsAndNoModes) {
 TEST(SaidOfRecordings, HarmonicsAreNoModes) {
   // A sensor that is not linear: sin² makes the second, sin³ the third harmonic.
   for (const auto& [g, seed] : cases({std::pair{0.005, 1u}, {0.02, 2u}}))
-    for (const auto& [second, third] : {std::pair{0.03, 0.03}, {0.05, 0.0}, {0.0, 0.05}, {0.02, 0.01}}) {
+    for (const auto& [second, third] :
+         cases({std::pair{0.03, 0.03}, {0.05, 0.0}, {0.0, 0.05}, {0.02, 0.01}})) {
       const FittedRecording fit =
           fitted(recorded({.noise = 1e-4, .seed = seed}, [g = g, second = second, third = third](double t) {
             const double u = swing(t, 6, g);
@@ -175,7 +176,8 @@ TEST(SaidOfRecordings, HarmonicsAreNoModes) {
 TEST(SaidOfRecordings, BeatsAreNamed) {
   unsigned seed = 0;
   for (const double part : cases({1.0, 0.5, 0.2}))
-    for (const auto& [g, duration] : {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
+    for (const auto& [g, duration] :
+         cases({std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}})) {
       ++seed;
       const FittedRecording fit =
           fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
