@@ -12,6 +12,7 @@
 
 #include "targets.h"
 #include "tests/support/bytes_of.h"
+#include "tests/support/cases.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // of a recording
 
@@ -73,7 +74,7 @@ TEST_P(MutatedSeeds, AreReadOrRefused) {
   const std::vector<std::string> seeds = seeds_in(fs::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / folder);
   // Many more by hand: CROMER_FUZZ_TIMES=50000 test_fuzz_targets
   const char* wanted = std::getenv("CROMER_FUZZ_TIMES");
-  const int times = wanted ? std::atoi(wanted) : usual;
+  const int times = wanted ? std::atoi(wanted) : cases(usual);
   ASSERT_GE(seeds.size(), 3u);
   std::mt19937 engine(7);
   for (int i = 0; i < times; ++i) {

@@ -13,6 +13,7 @@
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 #include "sweep_options.h"
+#include "tests/support/cases.h"
 
 namespace cromer::core {
 namespace {
@@ -213,15 +214,18 @@ Jumps jumps_by_theory(double c, double cubic, double force) {
 TEST(Sweep, DuffingJumpsWhereHarmonicBalancePutsIt) {
   const double c = 0.02, cubic = 0.05, force = 0.05;
   const Jumps theory = jumps_by_theory(c, cubic, force);
-  const Values law{
-      {"damping", "0.02"}, {"cubic", "0.05"}, {"drive-amplitude", "0.05"}, {"drive-frequency", "1:1.2:1000"}};
-  for (const bool up : {true, false}) {
+  const std::size_t points = cases(1000u);
+  const Values law{{"damping", "0.02"},
+                   {"cubic", "0.05"},
+                   {"drive-amplitude", "0.05"},
+                   {"drive-frequency", "1:1.2:" + std::to_string(points)}};
+  for (const bool up : cases({true, false})) {
     SweepOptions options = options_with(law, "rk4");
     options.direction = up ? "up" : "down";
     const SweepResult result = swept(options);
     EXPECT_EQ(result.counts.not_settled, 0u);
     double jump = 0, largest = 0;
-    for (std::size_t i = 1; i < 1000; ++i) {
+    for (std::size_t i = 1; i < points; ++i) {
       const double change = std::abs(result.rows[3 * i + 1] - result.rows[3 * (i - 1) + 1]);
       if (change > largest) largest = change, jump = (result.rows[3 * i] + result.rows[3 * (i - 1)]) / 2;
     }
