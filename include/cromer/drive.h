@@ -9,7 +9,7 @@
 namespace cromer {
 
 /// What a recorded quantity did between its samples: straight lines; each value until the next, as a
-/// converter does; or the sinc series through all of them.
+/// converter does (in spectra the last one for as long); or the sinc series through all of them.
 enum class BetweenSamples { linear, hold, band_limited };
 
 /// "linear", "hold", "band-limited".

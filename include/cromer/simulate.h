@@ -33,7 +33,7 @@ struct SimulateOptions {
   std::optional<double> tolerance{};      // 1e-15 to 1e-2, relative bound on Newton's last update (1e-12)
                                           // or on an adaptive method's error in a step (1e-9)
   std::optional<double> accuracy{};       ///< 1e-9 to 0.5, in place of step: the largest relative error of
-                                          ///< frequency, decay and amplitude in a period
+                                          ///< frequency, decay and amplitude over the run
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8
   long long every = 1;                    ///< keep every n-th state, > 0

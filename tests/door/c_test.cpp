@@ -152,6 +152,11 @@ TEST(CallC, BadInputIsSaid) {
   expect_refused(call("fit", R"({"rate": 100})", made.arrays()), "rate", "is for a file");
   expect_refused(call("spectrum", R"({"spacing": 0.01, "unit": "g"})", {{"acceleration", made.y.data(), 99}}),
                  "unit", "is for a file");
+  expect_refused(
+      call("spectrum", R"({"spacing": 0.01, "file": "a.csv"})", {{"acceleration", made.y.data(), 99}}),
+      "file", "leave one of them out");
+  expect_refused(call("sweep", R"({"drive_frequency": 2})", {{"drive_frequency", made.t.data() + 1, 9}}),
+                 "drive_frequency", "leave one out");
   expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "neither is given");
   expect_refused(call("simulate", "{}", {{"force", made.y.data(), 9}}), "spacing", "in seconds");
   expect_refused(call("simulate", "{}", {{"speed", made.y.data(), 9}}), "speed",

@@ -163,6 +163,8 @@ TEST(DoorFit, ErrorsNameTheArgument) {
   expect_refused(cromer::fit(t, y, {.spring_mass = 0.1}), "spring_mass", "needs mass");
   expect_refused(cromer::fit(t, y, {.mass = 1, .disc_diameter = {0, 0}}), "disc_diameter", "positive");
   expect_refused(cromer::fit(t, y, {.force = std::span(y).first(3)}), "force", "3 values");
+  expect_refused(cromer::fit(t, y, {.force = y, .between_samples = static_cast<cromer::BetweenSamples>(9)}),
+                 "between_samples", "no enumerator 9");
   expect_refused(cromer::fit(t, y, {.segment = -1.0}), "segment", "positive");
   expect_refused(cromer::fit(t, y, {.drive_frequency = -2}), "drive_frequency", "");
   expect_refused(cromer::fit(t, y, {.hold_out = 2}), "hold_out", "");
@@ -198,6 +200,17 @@ TEST(DoorFit, RecordedForceDrives) {
   EXPECT_NEAR(fit->find("decay_rate")->value, 0.1, 1e-6);
   EXPECT_NEAR(fit->find("force_gain")->value, 0.5, 1e-6);
   EXPECT_FALSE(fit->at(std::vector<double>{1}));
+}
+
+TEST(DoorCompare, AStepFitsIntoTheRecord) {
+  const Swing made = swing();
+  const auto fit = cromer::fit(made.t, made.y, {.law = "viscous"});
+  ASSERT_TRUE(fit);
+  for (const double step : {0.0, 1e3, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    const auto compared = cromer::compare(*fit, {.method = "rk4", .step = step});
+    ASSERT_FALSE(compared) << step;
+    EXPECT_EQ(compared.error().argument, "step");
+  }
 }
 
 TEST(DoorCompare, RefusesWhatSomethingDrives) {
@@ -373,6 +386,8 @@ TEST(DoorSimulate, ErrorsNameTheArgument) {
   refused({.damping = -1}, {}, "damping");
   refused({}, {.method = "rk5"}, "method");
   refused({}, {.step = 0.0}, "step");
+  refused({}, {.position = 1e200}, "position");
+  refused({}, {.velocity = 1e200}, "velocity");
   refused({}, {.step = 1e-12, .until = 1e9}, "step");
   refused({}, {.until = -1}, "until");
   refused({}, {.every = 0}, "every");
@@ -493,6 +508,9 @@ TEST(DoorSweep, ErrorsNameTheArgument) {
   EXPECT_EQ(cromer::sweep({}, one, {.drive_amplitude = 0}).error().argument, "drive_amplitude");
   EXPECT_EQ(cromer::sweep({}, one, {.method = "rk5"}).error().argument, "method");
   EXPECT_EQ(cromer::sweep({.mass = -1}, one).error().argument, "mass");
+  EXPECT_EQ(cromer::sweep({}, std::vector<double>{0}).error().argument, "drive_frequency");
+  const cromer::Oscillator loop{.hysteresis_stiffness = 5, .hysteresis_beta = 3, .hysteresis_gamma = 1};
+  EXPECT_EQ(cromer::sweep(loop, one).error().argument, "hysteresis_stiffness");
 }
 
 TEST(DoorRead, ColumnsComeWithTheirUnits) {

@@ -95,6 +95,27 @@ TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
   EXPECT_THAT(in_words(told.chosen.notices), testing::Not(testing::Contains(testing::HasSubstr("is open"))));
 }
 
+// Nobody set the instrument to zero: that the zero lies amid the motion is chance, and the bent spring tells.
+TEST(ForcedFit, AZeroAmidTheMotionByChanceIsSeenWhereTheSpringBends) {
+  int inside = 0, all = 0;
+  for (unsigned seed = 0; seed < cases(24u); ++seed) {
+    ForcedTruth truth{.cubic = 400};
+    truth.equilibrium = 0.006;
+    const auto record = forced_synthetic(truth, multisine(40, seed), 1000, 0.03, 5e-4, seed);
+    const LawFit fit = fit_forced(record, law_of("viscous+cubic"), BetweenSamples::band_limited);
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+    const auto count = [&](const Estimate& e, double value) {
+      inside += e.low <= value && value <= e.high;
+      ++all;
+    };
+    count(fit.angular_frequency(), truth.w0);
+    count(fit["cubic"], truth.cubic);
+    count(fit.equilibrium(), truth.equilibrium);
+    EXPECT_EQ(fit["force_offset"].value, 0) << seed;
+  }
+  EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all));
+}
+
 TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
   const struct {
     ForcedTruth truth;

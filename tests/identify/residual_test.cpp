@@ -39,6 +39,33 @@ TEST(Residual, WhiteNoiseIsCalledWhiteNinetyNineTimesInAHundred) {
   EXPECT_NEAR(called_normal, 380, 18);  // sd 4.4, and the test is only asymptotically exact
 }
 
+TEST(Residual, WhiteNoiseWithGapsIsCalledWhiteAsOften) {
+  std::mt19937_64 engine(5);
+  for (const double missing : {0.15, 0.5, 0.64}) {
+    int called_white = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      std::vector<double> t;
+      for (int i = 0; i < 1000; ++i)
+        if (std::uniform_real_distribution<double>(0, 1)(engine) >= missing) t.push_back(0.02 * i);
+      const SampleGrid grid = find_grid(t);
+      const std::vector<double> r = white(t.size(), seed);
+      called_white += describe_residual(r, autocorrelations(r, grid, first_lags(r.size())), grid).white;
+    }
+    EXPECT_GE(called_white, 192) << missing;
+  }
+}
+
+TEST(Residual, CorrelationIsSeenAcrossGaps) {
+  const std::vector<double> all = autoregressive(2000, 0.5, 4);
+  std::vector<double> t, r;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i % 7 < 3) t.push_back(0.01 * static_cast<double>(i)), r.push_back(all[i]);
+  const SampleGrid grid = find_grid(t);
+  const Residual residual = describe_residual(r, autocorrelations(r, grid, first_lags(r.size())), grid);
+  EXPECT_FALSE(residual.white);
+  EXPECT_NEAR(residual.autocorrelation, 0.5, 4 * residual.autocorrelation_error);
+}
+
 TEST(Residual, CorrelationAndSkewnessAreSeen) {
   EXPECT_FALSE(described(autoregressive(2000, 0.2, 1)).white);
   EXPECT_NEAR(described(autoregressive(20000, 0.6, 1)).autocorrelation, 0.6, 0.02);

@@ -50,9 +50,10 @@ TEST(Axes, EveryTickStandsAtItsValueWithItsNumberBeside) {
   const PlacedPanel panel = sole(line({0, 10}, {-0.9, 0.9}));
   const Box& f = panel.frame;
   for (const auto& [label, value] : {std::pair{"0", 0.0}, {"2", 2.0}, {"8", 8.0}, {"10", 10.0}}) {
-    const auto number = std::find_if(panel.texts.begin(), panel.texts.end(), [&](const PlacedText& text) {
-      return text.text == label && text.align == Align::centre && text.at.y > f.bottom();
-    });
+    const auto number =
+        std::find_if(panel.texts.begin(), panel.texts.end(), [&, label = label](const PlacedText& text) {
+          return text.text == label && text.align == Align::centre && text.at.y > f.bottom();
+        });
     ASSERT_NE(number, panel.texts.end()) << label;
     EXPECT_NEAR(number->at.x, f.x + f.width * value / 10, 1e-9);
     EXPECT_NEAR(middle_x(number->box), number->at.x, 1e-9);

@@ -62,7 +62,8 @@ TEST(StudyFile, names_the_place_of_what_is_wrong) {
   EXPECT_EQ(message("titel = \"x\"\n"), "lab.toml:1:9: \"titel\" is not known here; did you mean \"title\"?");
   EXPECT_EQ(message("\ntitle = 3\n").rfind("lab.toml:2:9: ", 0), 0u);
   EXPECT_EQ(message("title = \"x\n").rfind("lab.toml:1:", 0), 0u);
-  for (const char* no_key : {"[=]\n", "[[%]]\n", "[a.=]\n"})
+  for (const char* no_key :
+       {"[=]\n", "[[%]]\n", "[a.=]\n", "[a\xC2\xB1]\n", "m\xC2\xB1 = 1\n", "m = 1 \xC2\xB1 2\n"})
     EXPECT_EQ(message(no_key).rfind("lab.toml:1:", 0), 0u) << no_key;
   EXPECT_NE(message("[[task]]\nmass = 1\n").find("needs its command"), std::string::npos);
   EXPECT_NE(message("[[task]]\nfit = \"a\"\n[[task]]\nfit = \"a\"\n")

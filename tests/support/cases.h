@@ -1,4 +1,5 @@
-// How many cases a long test looks at. The sanitizers watch the memory, which a few cases show as well as many.
+// How many cases a long test looks at. The sanitizers watch the memory, which a few cases show as well as
+// many.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr Number cases(Number all) {
 /// So many from the front of the list.
 template <class T>
 std::vector<T> cases(std::initializer_list<T> all) {
-  return {all.begin(), all.begin() + cases(static_cast<int>(all.size()))};
+  return std::vector<T>(all.begin(), all.begin() + cases(static_cast<int>(all.size())));
 }
 
 }  // namespace cromer::core

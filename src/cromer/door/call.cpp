@@ -109,6 +109,9 @@ class Call {
                        [&](const cromer_array& each) { return name == each.name; });
   }
 
+  /// Whether the request has that argument.
+  bool asks(const std::string& argument) const { return request_.contains(argument); }
+
   /// What is left of the request, into the options.
   Result<void> assign_rest(const std::vector<Option>& options) const {
     std::vector<TypedOption> settings;
@@ -233,7 +236,7 @@ Result<Motion> take_motion(Call& call, FitOptions& options, const std::vector<Op
   if (!motion) return motion;
   if (motion->of_arrays) {
     options.column = "y";
-    if (call.has_array("force")) options.force_column = "force";
+    if (!call.take_array("force").empty()) options.force_column = "force";
   }
   return motion;
 }
@@ -351,8 +354,10 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   if (!file) return file.error();
   const auto spacing = call.take_number("spacing");
   if (!spacing) return spacing.error();
-  if (call.has_array("acceleration"))
+  if (call.has_array("acceleration")) {
+    if (!file->empty()) return Error{Notice{"file_and_arrays"}, "file"};
     if (auto good = call.refuse_of_files(); !good) return good;
+  }
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
   const auto periods = call.take_array("periods");
   if (auto good = check_samples(periods, "periods", 0); !good) return good;
@@ -384,6 +389,8 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
     const std::string option = with_hyphens(array->name);
     if (std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == option; }))
       return Error{Notice{"not_an_array_of", {{"array", array->name}, {"verb", call.verb()}}}, array->name};
+    if (call.asks(array->name))
+      return Error{Notice{"array_and_argument", {{"array", array->name}}}, array->name};
     grids.emplace_back(option, list_of({array->values, array->length}));
   }
   if (auto good = assign(grids, table, call.verb()); !good) return good;

@@ -63,6 +63,12 @@ LawFit fit_of(core::FittedRecording fitted, bool of_arrays) {
   return fit;
 }
 
+/// What the tasks, whose options are texts, cannot see.
+Result<void> check_enumerators(const FitOptions& options) {
+  if (options.between_samples) return core::check_enumerator(*options.between_samples, 3, "between_samples");
+  return {};
+}
+
 }  // namespace
 
 std::optional<Estimate> LawFit::find(std::string_view wanted) const {
@@ -115,6 +121,7 @@ Result<Oscillator> LawFit::oscillator() const {
 }
 
 Result<LawFit> fit(std::span<const double> t, std::span<const double> y, const FitOptions& options) {
+  if (auto good = check_enumerators(options); !good) return good.error();
   const auto recording = core::recording_of(t, y, options.force, options.observed);
   if (!recording) return recording.error();
   core::FitOptions asked = core::fit_options(options, {});
@@ -132,6 +139,7 @@ Result<std::vector<LawFit>> fit(const Recording& recording, const FitOptions& op
                                 const Selection& selection) {
   if (!recording.detail) return Error{Notice{"recording_is_empty"}, "recording"};
   if (!options.force.empty()) return Error{Notice{"force_is_a_column"}, "force"};
+  if (auto good = check_enumerators(options); !good) return good.error();
   core::FitOptions asked = core::fit_options(options, selection);
   asked.read = recording.options;
   const core::Watching watching(options.progress);

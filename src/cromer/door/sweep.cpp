@@ -44,6 +44,11 @@ Result<FrequencyResponse> sweep(const Oscillator& oscillator, std::span<const do
   constexpr const char* directions[] = {"", "up", "down", "both"};
   if (auto good = core::check_enumerator(options.direction, 4, "direction"); !good) return good.error();
   if (auto good = core::check_samples(drive_frequency, "drive_frequency", 1); !good) return good.error();
+  for (std::size_t i = 0; i < drive_frequency.size(); ++i)
+    if (!(drive_frequency[i] > 0))
+      return Error{Notice{"value_not_positive",
+                          {{"argument", "drive_frequency"}, {"index", i}, {"value", drive_frequency[i]}}},
+                   "drive_frequency"};
   if (!(options.drive_amplitude > 0))
     return Error{Notice{"drive_amplitude_not_positive", {{"amplitude", options.drive_amplitude}}},
                  "drive_amplitude"};

@@ -212,7 +212,7 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   fit.fitted = fitted.count;
   const SampleGrid grid = find_grid(record.t);
   const std::vector<double> rho = autocorrelations(residuals, grid, first_lags(residuals.size()));
-  fit.residual = describe_residual(residuals, rho);
+  fit.residual = describe_residual(residuals, rho, grid);
   const auto n = static_cast<double>(residuals.size());
   const double norm = centred_norm(record.y);
   fit.explained = 1 - fit.residual.rms * fit.residual.rms * n / (norm * norm);

@@ -18,6 +18,7 @@
 #include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/rest_minima.h"
 #include "cromer/identify/start/driven_start.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core {
 namespace {
@@ -447,15 +448,46 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
   return beginning;
 }
 
-LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
-                  const Watch& watch, bool roughly) {
+namespace {
+
+/// Whether a record under a recorded force tells offset and equilibrium apart: where the spring bends, and
+/// not so that moving the origin turns one law into another of the same terms.
+bool tells_its_origin(const Law& law) {
+  constexpr Law cubic_and_below = law_with<Spring, Quadratic, Cubic>;
+  const Law bent{law.terms & terms_of_position.terms};
+  if (bent == law_with<Spring>) return false;
+  return !bent.has<Quadratic>() || !cubic_and_below.contains(bent);
+}
+
+/// The same motion as far as the spring does not bend: about this equilibrium, with the force's offset to
+/// match.
+Motion about(double equilibrium, Motion motion) {
+  const double moved = equilibrium - motion.equilibrium, w = motion.angular_frequency();
+  if (motion.force_gain != 0) motion.force_offset -= w * w * moved / motion.force_gain;
+  motion.equilibrium = equilibrium;
+  motion.position -= moved;
+  return motion;
+}
+
+/// About the place of rest where the force has no offset.
+Motion without_offset(const Motion& motion) {
+  const double w = motion.angular_frequency();
+  const double stretched = motion.force_gain * motion.force_offset / (w * w);
+  Motion moved = std::isfinite(stretched) ? about(motion.equilibrium + stretched, motion) : motion;
+  moved.force_offset = 0;
+  return moved;
+}
+
+LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFitOptions& options,
+                   KnownMotion known, const Watch& watch, bool roughly) {
   LawFit fit;
   fit.law = options.law;
   fit.drive = options.drive;
+  if (held.equilibrium && known.motion.equilibrium != 0) known.motion = about(0, known.motion);
+  if (held.force_offset && known.motion.force_offset != 0) known.motion = without_offset(known.motion);
   Motion values = known.motion;
   values.per_mass.hysteresis_exponent = options.hysteresis_exponent;
-  const FittedParameters fitted = fitted_parameters(
-      options.law, options.drive.kind, held_parameters(record, options.law, options.drive.kind), values);
+  const FittedParameters fitted = fitted_parameters(options.law, options.drive.kind, held, values);
   const Problem problem(record, options, fitted, watch);
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
@@ -521,6 +553,27 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
       refuse(fit, *refusal);
   refuse_what_explains_too_little(fit);
   return fit;
+}
+
+}  // namespace
+
+LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
+                  const Watch& watch, bool roughly) {
+  const HeldParameters held = held_parameters(record, options.law, options.drive.kind);
+  LawFit fit = fit_holding(held, record, options, known, watch, roughly);
+  const bool by_convention = held.equilibrium && record.derivative == 0 && options.law.shares(springs);
+  if (!by_convention || !tells_its_origin(options.law) || watch.interrupted()) return fit;
+  // The zero may lie amid the motion by chance: the record tells.
+  constexpr double clearly = 2;  // of the residuals' variance
+  LawFit other =
+      fit_holding({.force_offset = true}, record, options,
+                  fit.is_usable() ? KnownMotion{fit.motion, record.t.size(), 0} : known, watch, roughly);
+  if (!other.is_usable()) return fit;
+  const auto squares = [&](const LawFit& each) {
+    return each.residual.rms * each.residual.rms * static_cast<double>(record.t.size());
+  };
+  const double variance = other.residual.rms * other.residual.rms;
+  return fit.is_usable() && squares(fit) < squares(other) + clearly * variance ? fit : other;
 }
 
 }  // namespace cromer::core

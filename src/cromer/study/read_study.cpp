@@ -1,10 +1,15 @@
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
-#include <toml++/impl/preprocessor.h>
-// toml++ 3.3 takes it as given that behind "[" stands a key, and clang may rely on it. A user may write
-// anything.
+#include <toml++/impl/forward_declarations.h>
+// toml++ 3.3 takes it as given that behind "[" stands a key, and that outside quotes no letter between U+00A1
+// and U+0499 occurs, such as ±; a compiler may rely on both. A user may write anything.
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(expr) static_assert(true)
+#pragma push_macro("TOML_UNREACHABLE")
+#undef TOML_UNREACHABLE
+#define TOML_UNREACHABLE return false
+#include <toml++/impl/unicode.h>
+#pragma pop_macro("TOML_UNREACHABLE")
 #include <toml++/toml.h>
 
 #include <algorithm>

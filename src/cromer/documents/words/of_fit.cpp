@@ -468,9 +468,11 @@ constexpr Entry entries[] = {
      "ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte mit "
      "{--column} wählen"},
     {"compared_step", error,
-     "{--step} {step}: it must be positive and give at most {most:.0e} steps over {duration:.6g} s",
-     "{--step} {step}: das muss größer als 0 sein und höchstens {most:.0e} Schritte in {duration:.6g} s "
-     "geben"},
+     "{--step} {step}: it must be positive, at most the recording's {duration:.6g} s, and give at most "
+     "{most:.0e} steps over them",
+     "{--step} {step}: das muss größer als 0 sein, höchstens so lang wie die Aufnahme ({duration:.6g} s), "
+     "und "
+     "darf in ihr höchstens {most:.0e} Schritte geben"},
     {"compared_has_no_closed_form", error,
      "{--method} exact: there is no closed form with {term}; choose rk4 or another method, or {--law} "
      "viscous",

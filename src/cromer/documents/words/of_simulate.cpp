@@ -33,7 +33,7 @@ constexpr Entry entries[] = {
      "Zahl"},
     {"damping_is_wrong", error, "{--damping}: {what}", "{--damping}: {what}"},
     {"start_energy_too_large", error,
-     "{--position}: the energy at the start (x = {x} m, v = {v} m/s) is beyond the largest number",
+     "{option:option}: the energy at the start (x = {x} m, v = {v} m/s) is beyond the largest number",
      "die Energie am Anfang übersteigt die größte Zahl: bitte Ort oder Geschwindigkeit verkleinern"},
 
     // Step, end and method

@@ -317,8 +317,8 @@ Notice widening(const LawFit& fit, std::size_t samples) {
   if (fit.residual.white || !(fit.independent_samples > 0)) return {};
   // What neighbours show, unless that is no more than chance makes.
   const Residual& left = fit.residual;
-  const double chance = 2 / std::sqrt(static_cast<double>(samples));
-  const bool neighbours = left.strongest_lag == 1 || std::abs(left.autocorrelation) > chance;
+  const bool neighbours =
+      left.strongest_lag == 1 || std::abs(left.autocorrelation) > 2 * left.autocorrelation_error;
   const Notice correlated = neighbours
                                 ? Notice{"residuals_correlated", {{"correlation", left.autocorrelation}}}
                                 : Notice{"residuals_correlated_apart",

@@ -195,7 +195,8 @@ bool is_arithmetic(double rms, std::span<const double> y) {
   return y.empty() || rms < 1e-9 * (*high - *low);
 }
 
-Residual describe_residual(std::span<const double> r, const std::vector<double>& rho) {
+Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,
+                           const SampleGrid& grid) {
   Residual result;
   const auto n = static_cast<double>(r.size());
   result.rms = std::sqrt(dot(r.data(), r.data(), r.size()) / n);
@@ -218,19 +219,31 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
   }
 
   const std::size_t lags = std::min<std::size_t>(20, rho.size() - 1);
-  if (lags == 0) return result;
-  result.autocorrelation = rho[1];
-  double q = 0;
+  std::vector<double> count;
+  if (grid.has_gaps()) count = pairs(grid, lags);
+  constexpr double fewest_pairs = 20;
+  double q = 0, k = 0, strongest = 0;
   for (std::size_t l = 1; l <= lags; ++l) {
-    q += rho[l] * rho[l] / (n - static_cast<double>(l));
-    if (std::abs(rho[l]) <= std::abs(result.strongest)) continue;
+    const double lag = static_cast<double>(l), all = n - lag;
+    const double taken = grid.has_gaps() ? count[l] : all;
+    if (grid.has_gaps() && taken < fewest_pairs) continue;
+    // Of white noise: (1 - l / n) of a correlation of so many pairs.
+    const double error = all / std::sqrt(n * (n + 2) * taken), standardised = rho[l] / error;
+    if (l == 1) {
+      result.autocorrelation = rho[1];
+      result.autocorrelation_error = error;
+    }
+    q += standardised * standardised;
+    ++k;
+    if (std::abs(standardised) <= strongest) continue;
+    strongest = std::abs(standardised);
     result.strongest = rho[l];
     result.strongest_lag = static_cast<int>(l);
   }
-  q *= n * (n + 2);
+  result.white = true;
+  if (k == 0) return result;
   // 99 % quantile of chi-squared, Wilson & Hilferty, PNAS 17, 684 (1931); at 20 degrees of freedom 37.57
   // (tables: 37.566).
-  const auto k = static_cast<double>(lags);
   const double root = 1 - 2 / (9 * k) + 2.326348 * std::sqrt(2 / (9 * k));
   result.white = q <= k * root * root * root;
   return result;

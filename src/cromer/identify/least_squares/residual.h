@@ -33,17 +33,20 @@ struct Autoregression {
 Autoregression yule_walker(std::span<const double> rho, std::size_t samples, std::size_t most);
 
 struct Residual {
-  double rms = 0;              ///< in the unit of the record
-  double normality = 0;        ///< p of the Jarque-Bera test for the normal distribution
-  double autocorrelation = 0;  ///< at lag 1
-  int strongest_lag = 1;       ///< where the autocorrelation is largest in size, of those looked at
-  double strongest = 0;        ///< the autocorrelation there
-  bool white = false;          ///< autocorrelations up to lag 20 are compatible with none (Ljung-Box, 1 %)
+  double rms = 0;                    ///< in the unit of the record
+  double normality = 0;              ///< p of the Jarque-Bera test for the normal distribution
+  double autocorrelation = 0;        ///< at lag 1; 0 where too few samples are neighbours
+  double autocorrelation_error = 0;  ///< standard error of it, were the residuals white
+  int strongest_lag = 1;  ///< where the autocorrelation is largest beside its error, of those looked at
+  double strongest = 0;   ///< the autocorrelation there
+  bool white = false;     ///< autocorrelations up to lag 20 are compatible with none (Ljung-Box, 1 %)
 };
 
-/// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978). `r` is not empty; `rho`
-/// is autocorrelations(r, first_lags(r.size())).
-Residual describe_residual(std::span<const double> r, const std::vector<double>& rho);
+/// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978), where samples are
+/// missing with as many pairs as there are. `r` is not empty; `rho` is autocorrelations(r, grid,
+/// first_lags(r.size())).
+Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,
+                           const SampleGrid& grid = {});
 
 /// Residuals of this rms are what double arithmetic makes of a motion with the values `y`: no sensor sees a
 /// billionth of its motion, and nothing is learnt from them.

@@ -368,7 +368,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
   const double step = options.step.value_or(dividing_step(spacing, period));
-  if (!(step > 0) || duration / step > most_steps_of_a_run)
+  if (!(step > 0) || step > duration || duration / step > most_steps_of_a_run)
     return Error{"compared_step", {{"step", step}, {"most", most_steps_of_a_run}, {"duration", duration}}};
 
   const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));

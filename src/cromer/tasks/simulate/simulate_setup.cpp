@@ -43,7 +43,9 @@ Result<void> check_alternatives(const SimulateOptions& o) {
 /// Energies are results too, so they must be finite.
 Result<void> check_start(const SimulatedRun& run) {
   if (std::isfinite(energy(run.oscillator, run.start))) return {};
-  return Error{"start_energy_too_large", {{"x", run.start.x}, {"v", run.start.v}}};
+  const bool by_place = !std::isfinite(energy(run.oscillator, {run.start.x, 0}));
+  return Error{"start_energy_too_large",
+               {{"option", by_place ? "position" : "velocity"}, {"x", run.start.x}, {"v", run.start.v}}};
 }
 
 /// Where a body that is pushed away from x = 0 comes to rest [m]: the first such place on either side,
@@ -119,8 +121,7 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
   if (!o.compensated) return {};
   const MethodInfo& method = *find_method(run.method);
   if (!method.takes_fixed_steps())
-    return Error{method.is_adaptive() ? "compensated_of_adaptive_method"
-                                                        : "compensated_of_exact_method",
+    return Error{method.is_adaptive() ? "compensated_of_adaptive_method" : "compensated_of_exact_method",
                  {{"method", run.method}}};
   if (law_of(run.oscillator).has<Friction>())
     return Error{"compensated_with_friction",

@@ -31,6 +31,7 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
   for (const Option& option : point_options(work.base)) {
     const auto typed = options.values.find(option.name);
     if (typed == options.values.end() || typed->second.empty()) continue;
+    if (const Notice why = sweep_refusal(option.name, ""); !why.empty()) return Error{why};
     const auto wrong = [&](const Error& error) {
       return Error{"option_is_wrong", {{"option", option.name}, {"what", error.notice}}};
     };
