@@ -171,9 +171,13 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   fit.independent_samples = 100;
   EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("those of 100 independent samples"));
   // Where neighbours show nothing, the distance that does is named.
-  fit.residual = {.autocorrelation = -0.036, .strongest_lag = 7, .strongest = 0.11, .white = false};
+  fit.residual = {.autocorrelation = -0.036,
+                  .autocorrelation_error = 0.0183,
+                  .strongest_lag = 7,
+                  .strongest = 0.11,
+                  .white = false};
   EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("are correlated (0.110 at a lag of 7 samples): the"));
-  fit.residual.autocorrelation = -0.037;  // beyond 2/sqrt(3000)
+  fit.residual.autocorrelation = -0.037;  // beyond two standard errors
   EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("are correlated (-0.037 from sample to sample): the"));
   fit.residual.white = true;
   EXPECT_EQ(in_words(widening(fit, 3000)), "");

@@ -270,7 +270,7 @@ TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
 TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
   CompareOptions options;
   options.fit.law = "viscous";
-  options.step = 100;
+  options.step = 5;
   const CompareResult result = compared(disc_recording(4, 20), options);
   ASSERT_EQ(result.curves.size(), 2u);
   EXPECT_TRUE(result.curves[0].diverged);

@@ -235,8 +235,9 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
     }
     q += standardised * standardised;
     ++k;
-    if (std::abs(standardised) <= strongest) continue;
-    strongest = std::abs(standardised);
+    const double size = std::abs(rho[l]) * std::sqrt(taken / all);
+    if (size <= strongest) continue;
+    strongest = size;
     result.strongest = rho[l];
     result.strongest_lag = static_cast<int>(l);
   }

@@ -37,7 +37,7 @@ struct Residual {
   double normality = 0;              ///< p of the Jarque-Bera test for the normal distribution
   double autocorrelation = 0;        ///< at lag 1; 0 where too few samples are neighbours
   double autocorrelation_error = 0;  ///< standard error of it, were the residuals white
-  int strongest_lag = 1;  ///< where the autocorrelation is largest beside its error, of those looked at
+  int strongest_lag = 1;  ///< where the autocorrelation is largest in size, less so where few pairs show it
   double strongest = 0;   ///< the autocorrelation there
   bool white = false;     ///< autocorrelations up to lag 20 are compatible with none (Ljung-Box, 1 %)
 };
