@@ -93,6 +93,20 @@ TEST(FitTask, GivesTheLargestReynoldsNumber) {
   EXPECT_EQ(result.reynolds[1].t, 0.5);
 }
 
+TEST(FitTask, WithoutASpeedAlongALineThereIsNoReynoldsNumber) {
+  for (const char* quantity : {"acceleration", "angle"}) {
+    Series series = disc();
+    series.quantity = quantity;
+    FitOptions options;
+    options.law = "viscous";
+    options.disc_diameter = disc_options().disc_diameter;
+    const FittedRecording result = fitted(std::move(series), options);
+    EXPECT_FALSE(result.reynolds_max.has_value()) << quantity;
+    EXPECT_THAT(in_words(result.notices), testing::Contains(testing::HasSubstr("no Reynolds number")))
+        << quantity;
+  }
+}
+
 TEST(FitTask, CarriesTheMassesUncertainty) {
   FitOptions options = disc_options();
   const Estimate with = *fitted(disc(), options).find("stiffness");
