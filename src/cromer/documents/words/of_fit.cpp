@@ -471,8 +471,7 @@ constexpr Entry entries[] = {
      "{--step} {step}: it must be positive, at most the recording's {duration:.6g} s, and give at most "
      "{most:.0e} steps over them",
      "{--step} {step}: das muss größer als 0 sein, höchstens so lang wie die Aufnahme ({duration:.6g} s), "
-     "und "
-     "darf in ihr höchstens {most:.0e} Schritte geben"},
+     "und darf in ihr höchstens {most:.0e} Schritte geben"},
     {"compared_has_no_closed_form", error,
      "{--method} exact: there is no closed form with {term}; choose rk4 or another method, or {--law} "
      "viscous",
