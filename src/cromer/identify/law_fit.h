@@ -11,8 +11,8 @@
 // changing the motion (a shift of x turns a cubic into a cubic): no record tells all three, and of a linear
 // law none tells two. An instrument whose zero lies amid the motion is taken to have been set to zero where
 // the spring is at rest: its equilibrium is 0, and the force's offset is fitted. Where the zero is elsewhere,
-// the force's is trusted. A spring that bends without a quadratic term has one place of rest that fits: a zero
-// amid the motion may then be chance, and the record tells.
+// the force's is trusted. A spring that bends without a quadratic term has one place of rest that fits: a
+// zero amid the motion may then be chance, and the record tells.
 #pragma once
 
 #include <optional>
