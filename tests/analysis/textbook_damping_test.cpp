@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <vector>
@@ -143,6 +144,30 @@ TEST(HalfPowerBandwidth, OfALineThatDoesNotFallOnBothSidesIsNone) {
   EXPECT_FALSE(half_power_bandwidth(few.t, few.y, 6));
   const std::vector<double> t{0, 1, 2, 3, 4, 5, 6, 7}, y{1, 0, -1, 0, 1, 0, -1, 0};
   EXPECT_TRUE(half_power_bandwidth(t, y, std::numbers::pi / 2)) << "eight are enough";
+}
+
+TEST(HalfPowerBandwidth, MeasuresEachSideOfALineThatLeans) {
+  // A weaker line a little above it: the upper side falls slower.
+  Decay record = decay(0.1, 6, 100);
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    record.y[i] += 0.4 * std::exp(-0.1 * record.t[i]) * std::cos(6.15 * record.t[i]);
+  const auto power = [&](double w) {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < record.t.size(); ++i) sum += std::polar(record.y[i], -w * record.t[i]);
+    return std::norm(sum);
+  };
+  double top = 5.9;
+  for (double w = 5.9; w < 6.2; w += 1e-3)
+    if (power(w) > power(top)) top = w;
+  const auto side = [&](double step) {
+    double w = top;
+    while (power(w) > 0.5 * power(top)) w += step;
+    return std::abs(w - top);
+  };
+  ASSERT_GT(side(1e-3), 1.3 * side(-1e-3));
+  const auto found = half_power_bandwidth(record.t, record.y, 6);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->width, side(1e-3) + side(-1e-3), 0.003);
 }
 
 }  // namespace

@@ -133,6 +133,22 @@ TEST(RefusalLimits, TopsCutOff) {
     }
 }
 
+// The amplitude is that of the start: with damping it is no longer hypot(x, v / w).
+TEST(RefusalLimits, TheAmplitudeCountsTheDampingAtTheStart) {
+  const Seen seen{.damping_ratio = 0.2};
+  SyntheticRecord record =
+      viscous_record({.w0 = 2 * pi, .g = 0, .equilibrium = 0, .position = 1, .velocity = 0},
+                     even_times(10001, duration / 10000));
+  record.resolution = 1e-3;
+  for (double& y : record.y) y = std::min(0.99785, y);  // 21 samples a top, 1 ms apart
+  LawFit fit = fit_of(seen);
+  // 1.56 m may stay 0.0201 s near its top, 1.28 m 0.0219 s.
+  fit.find("velocity")->value = 2 * pi;
+  EXPECT_THAT(told(refuse_fit(record.record(), fit)), StartsWith("clipped: "));
+  fit.find("velocity")->value = -2 * pi;
+  EXPECT_EQ(told(refuse_fit(record.record(), fit)), "");
+}
+
 TEST(RefusalLimits, FrequenciesUnknown) {
   LawFit fit = fit_of({});
   fit.law = law_of("viscous+drag");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/documents/words/words.h"
+#include "cromer/live/descriptor.h"
 #include "cromer/live/source.h"
 #include "server.h"
 
@@ -100,6 +101,24 @@ TEST(HttpClient, ASilentOneIsNotAskedAgain) {
   EXPECT_EQ(got(client, "/"), "a");
   EXPECT_EQ(got(client, "/", 0.1), "Error: no answer in time");
   EXPECT_EQ(server.requests().size(), 2u);
+}
+
+TEST(HttpClient, IsGivenItsTimeToConnect) {
+  // A host that takes no more connections: one waits to be taken, the next ones go unanswered.
+  const Descriptor busy(::socket(AF_INET, SOCK_STREAM, 0));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(::bind(busy.number(), reinterpret_cast<sockaddr*>(&address), size), 0);
+  ASSERT_EQ(::listen(busy.number(), 0), 0);
+  ::getsockname(busy.number(), reinterpret_cast<sockaddr*>(&address), &size);
+  const Descriptor first(::socket(AF_INET, SOCK_STREAM, 0));
+  ASSERT_EQ(::connect(first.number(), reinterpret_cast<sockaddr*>(&address), size), 0);
+  HttpClient client("127.0.0.1", ntohs(address.sin_port));
+  const double begun = steady_seconds();
+  EXPECT_THAT(got(client, "/", 0.3), testing::EndsWith(": Connection timed out"));
+  EXPECT_GE(steady_seconds() - begun, 0.29);
 }
 
 TEST(HttpClient, WhereNobodyListensItSaysSo) {

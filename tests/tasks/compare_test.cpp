@@ -333,6 +333,28 @@ TEST(CompareTask, ProgressNeverGoesBack) {
   EXPECT_NEAR(furthest, 1, 1e-9);
 }
 
+TEST(CompareTask, WhatIsSaidOfAFileStaysWhereItsFirstRunCannotBeCompared) {
+  std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
+  const Series series = disc_recording(4, 20);
+  std::mt19937 noise(1);
+  for (std::size_t i = 0; i < series.t.size(); ++i)
+    file += std::to_string(series.t[i]) + "," + std::to_string(std::normal_distribution(0.0, 0.01)(noise)) +
+            "," + std::to_string(series.y[i]) + "\n" + (i == 100 ? "no number,0,0\n" : "");
+  CompareOptions options;
+  options.fit.column = "Position";
+  options.fit.law = "viscous";
+  options.fit.read.skip_bad_rows = true;
+  const auto result = compare(file, "two.csv", options);
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  ASSERT_EQ(result->size(), 2u);
+  EXPECT_EQ(result->at(0).curves.size(), 0u);
+  EXPECT_EQ(result->at(0).recording.of_file, 2u);
+  EXPECT_THAT(in_words(result->at(0).notices),
+              testing::ElementsAre(HasSubstr("1 bad row left out"), HasSubstr("is called")));
+  EXPECT_EQ(result->at(1).curves.size(), 2u);
+  EXPECT_THAT(in_words(result->at(1).notices), testing::Not(testing::Contains(HasSubstr("left out"))));
+}
+
 TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
   Series series = disc_recording(4, 30);
   for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];

@@ -127,6 +127,10 @@ TEST(Explanation, SaysWhatTheMethodAddsToTheLaw) {
                                    "amplitude 1.0\u00a0% smaller by the end.");
   EXPECT_EQ(added(0, 1.0055),
             leaves + "0.0100\u00a0m: the method makes the amplitude 0.55\u00a0% larger by the end.");
+  EXPECT_EQ(added(0.0009, 1.0055), added(0, 1.0055));
+  EXPECT_THAT(added(0.0011, 1.0055), testing::HasSubstr("adds a phase of 0.0011\u00a0rad"));
+  EXPECT_EQ(added(0.0101, 1.0009), added(0.0101, 1));
+  EXPECT_THAT(added(0.0101, 1.0011), testing::HasSubstr("makes the amplitude 0.11\u00a0% larger"));
 }
 
 /// A run of a law that drags, of which nothing is known.
