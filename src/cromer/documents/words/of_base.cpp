@@ -11,7 +11,7 @@ constexpr Entry entries[] = {
     {"not_a_number", error, "\"{text}\" is not a number", "„{text}“ ist keine Zahl"},
     {"too_large", error, "\"{text}\" is too large", "„{text}“ ist zu groß"},
     {"has_decimal_comma", error, "\"{text}\" has a decimal comma: write {cure}",
-     "„{text}“ hat ein Dezimalkomma: bitte einen Punkt schreiben"},
+     "„{text}“ hat ein Dezimalkomma: bitte {cure} schreiben"},
     {"bad_concise_uncertainty", error,
      "\"{text}\" is not a number with its uncertainty; write it as 0.2176(3)",
      "„{text}“ ist keine Zahl mit Unsicherheit; bitte wie 0.2176(3) schreiben"},

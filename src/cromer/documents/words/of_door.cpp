@@ -52,7 +52,7 @@ constexpr Entry entries[] = {
      "observed is for the array y; a file's columns say what they hold, so leave it out",
      "observed gehört zum Feld y; die Spalten einer Datei sagen selbst, was sie enthalten; bitte weglassen"},
     {"no_record", error, "there is nothing to {verb}: give the arrays t and y, or a file",
-     "eine Aufnahme fehlt: bitte die Felder t und y oder eine Datei angeben"},
+     "für {verb} fehlt eine Aufnahme: bitte die Felder t und y oder eine Datei angeben"},
     {"no_file", error, "there is nothing to read: give a file",
      "es gibt nichts zu lesen: bitte eine Datei angeben"},
     {"no_acceleration", error, "there is no acceleration: give the array, or a file",

@@ -15,8 +15,8 @@ constexpr Entry entries[] = {
     {"temperature_without_disc", error,
      "{--temperature} needs {--disc-diameter}: the air's temperature matters only to the Reynolds number and "
      "the drag coefficient of a disc",
-     "zur Lufttemperatur gehört der Durchmesser einer Scheibe: nur deren Reynolds-Zahl und "
-     "Widerstandsbeiwert hängen davon ab"},
+     "zu {--temperature} gehört {--disc-diameter}: die Lufttemperatur zählt nur für die Reynolds-Zahl und "
+     "den Widerstandsbeiwert einer Scheibe"},
     {"seed_without_monte_carlo", error, "{--seed} needs {--monte-carlo}: it is the seed of its trials",
      "{--seed} braucht {--monte-carlo}: damit beginnen dessen Versuche"},
     {"no_spring_without_force", error,
@@ -28,7 +28,7 @@ constexpr Entry entries[] = {
      "{--no-spring} and {--law} pendulum exclude each other: a pendulum's weight is its spring",
      "{--no-spring} und {--law} pendulum schließen einander aus: beim Pendel ist das Gewicht die Feder"},
     {"from_behind_to", error, "{--from} {from} must lie before {--to} {to}",
-     "der Anfang, {from} s, muss vor dem Ende, {to} s, liegen"},
+     "{--from} {from} muss vor {--to} {to} liegen"},
     {"two_drives", error,
      "{--force-column} and {--drive-frequency} exclude each other: the drive is recorded, or it is harmonic",
      "{--force-column} und {--drive-frequency} schließen einander aus: der Antrieb ist aufgenommen oder "
@@ -64,7 +64,8 @@ constexpr Entry entries[] = {
     {"pendulum_without_angle", error,
      "{--law} {law}: a pendulum's law needs an angle, but column \"{column}\" holds {kind}; use cubic, or "
      "choose an angle with {--column}",
-     "das Pendelgesetz braucht einen Winkel: bitte die kubische Feder oder einen Winkel wählen"},
+     "{--law} {law}: das Pendelgesetz braucht einen Winkel, doch die Spalte „{column}“ enthält {kind}; bitte "
+     "cubic nehmen oder mit {--column} einen Winkel wählen"},
 
     // Which samples
     {"nothing_left_from", error,
@@ -88,20 +89,22 @@ constexpr Entry entries[] = {
      "angeben"},
     {"time_jumps", error,
      "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {--from} and {--to}",
-     "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit den Griffen eine Seite wählen"},
+     "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit {--from} und {--to} eine Seite "
+     "wählen"},
     {"all_set_aside", error, "all values of column \"{column}\" are set aside",
      "alle Werte der Spalte „{column}“ sind beiseitegelegt"},
     {"free_part_taken", worth_knowing,
      "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {--from} and "
      "{--to} choose another part",
-     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung"},
+     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit {--from} und "
+     "{--to} lässt sich ein anderer Teil wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
      "fitted; {--from} and {--to} choose another part",
      "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an bei "
      "{value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} von "
-     "{samples} Messwerten"},
+     "{samples} Messwerten; mit {--from} und {--to} lässt sich ein anderer Teil wählen"},
     {"drop_outs_aside", detail,
      "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
      "drop-outs of the sensor and set aside",
@@ -141,7 +144,7 @@ constexpr Entry entries[] = {
     // What a fit says
     {"mass_gives_no_stiffness", worth_knowing,
      "{--mass} gives no stiffness here: column \"{column}\" is no length",
-     "aus der Masse folgt hier keine Federkonstante: die Spalte „{column}“ ist keine Länge"},
+     "aus {--mass} folgt hier keine Federkonstante: die Spalte „{column}“ ist keine Länge"},
     {"no_reynolds_number", worth_knowing,
      "no Reynolds number: column \"{column}\" is neither a position nor a velocity",
      "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
@@ -181,13 +184,13 @@ constexpr Entry entries[] = {
     {"segment_too_short", worth_knowing,
      "no decay rates by segment: those of {--segment} {length:.3g} would be {length:.3g} s long, but a "
      "segment must hold 1.5 periods and 8 samples, here {shortest:.3g} s",
-     "keine Abklingraten nach Abschnitten: sie wären {length:.3g} s lang, und ein Abschnitt muss 1,5 "
-     "Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
+     "keine Abklingraten nach Abschnitten: die von {--segment} {length:.3g} wären {length:.3g} s lang, doch "
+     "ein Abschnitt muss 1,5 Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
     {"segments_too_short", worth_knowing,
      "no decay rates by segment: those of {--segments} {count} would be {length:.3g} s long, but a segment "
      "must hold 1.5 periods and 8 samples, here {shortest:.3g} s",
-     "keine Abklingraten nach Abschnitten: von {count} wäre jeder {length:.3g} s lang, und ein Abschnitt "
-     "muss 1,5 Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
+     "keine Abklingraten nach Abschnitten: die von {--segments} {count} wären {length:.3g} s lang, doch ein "
+     "Abschnitt muss 1,5 Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
     {"fewer_segments", worth_knowing,
      "the record of {duration:.6g} s holds {whole} of the {count} segments of {length:.6g} s",
      "in die Aufnahme von {duration:.6g} s passen {whole} der {count} Abschnitte von {length:.6g} s"},
@@ -209,12 +212,12 @@ constexpr Entry entries[] = {
     {"unused_if_driven", worth_knowing, "{option:option} is not used: the motion is driven",
      "{option:option} wird nicht gebraucht: die Bewegung ist angetrieben"},
     {"driven_has_no_reynolds", worth_knowing, "{--disc-diameter} gives no Reynolds number of a driven motion",
-     "zu einer angetriebenen Bewegung gibt es keine Reynolds-Zahl"},
+     "aus {--disc-diameter} folgt keine Reynolds-Zahl einer angetriebenen Bewegung"},
     {"driven_has_no_drag_number", worth_knowing,
      "{--disc-diameter} gives no Reynolds number of a driven motion; and no drag coefficient: that needs "
      "{--mass} and drag in the law",
-     "zu einer angetriebenen Bewegung gibt es keine Reynolds-Zahl; auch keinen Widerstandsbeiwert: der "
-     "braucht {--mass} und den Luftwiderstand im Gesetz"},
+     "aus {--disc-diameter} folgt keine Reynolds-Zahl einer angetriebenen Bewegung; auch kein "
+     "Widerstandsbeiwert: der braucht {--mass} und den Luftwiderstand im Gesetz"},
     {"overdamped_law", worth_knowing, "the law is overdamped: it has no frequency and no period of its own",
      "das Gesetz ist überdämpft: es hat keine eigene Frequenz und Periode"},
     {"something_else_drives", wrong_if_ignored,
@@ -271,8 +274,8 @@ constexpr Entry entries[] = {
      "driven one leaves {driven:.3g}; give fit {--drive-frequency} if it is known, or choose a free part "
      "with {--from} and {--to}",
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
-     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte mit den Griffen einen freien Teil "
-     "wählen"},
+     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte für fit {--drive-frequency} angeben, "
+     "falls bekannt, oder mit {--from} und {--to} einen freien Teil wählen"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,
@@ -294,7 +297,8 @@ constexpr Entry entries[] = {
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
      "no single swing: {modes}. Let one of them swing alone, or choose another {--column}",
-     "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder eine andere Spalte wählen"},
+     "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder mit {--column} eine andere "
+     "Spalte wählen"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
@@ -564,7 +568,8 @@ constexpr Entry entries[] = {
     // What is in a file
     {"inspected_one_of_several", worth_knowing,
      "several columns may be meant: times and outliers are those of \"{column}\"; a fit needs {--column}",
-     "mehrere Spalten kommen infrage: Zeiten und Ausreißer sind die von „{column}“"},
+     "mehrere Spalten kommen infrage: Zeiten und Ausreißer sind die von „{column}“; eine Anpassung braucht "
+     "{--column}"},
     {"outliers_in_column", worth_knowing,
      "column \"{column}\": {outliers:outlier|outliers}, the first in {@line}: {value:n}",
      "Spalte „{column}“: {outliers:Ausreißer|Ausreißer}, der erste in {@line}: {value:n}"},

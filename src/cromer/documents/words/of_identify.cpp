@@ -129,16 +129,16 @@ constexpr Entry entries[] = {
      "the damping terms of {law} cannot be told apart here: their sum is known, {sum}, but not its parts, "
      "and the interval of the {parameters} is cut at its bound 0",
      "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
-     "ihre Teile"},
+     "ihre Teile, und der 95-%-Bereich ist an der Grenze 0 abgeschnitten ({parameters})"},
     {"mean_decay_rate", clause, "decay rate {rate:n} at the record's mean amplitude",
      "Abklingrate {rate:n} bei der mittleren Amplitude der Aufnahme"},
     {"parameter_on_bound", worth_knowing, "the {parameter} is on its bound 0: the record shows no {damping}",
-     "{parameter} liegt an der Grenze 0: die Aufnahme zeigt nichts davon"},
+     "{parameter} liegt an der Grenze 0: die Aufnahme zeigt nichts davon ({damping})"},
     {"interval_cut_at_bound", worth_knowing,
      "the 95 % interval of the {parameter} is cut at its bound 0: the record does not show that there is "
      "any {damping}",
      "der 95-%-Bereich ist an der Grenze 0 abgeschnitten ({parameter}): die Aufnahme zeigt nicht, ob es das "
-     "gibt"},
+     "gibt ({damping})"},
     {"periods_in_gaps_unsure", wrong_if_ignored,
      "{rival:.5g} rad/s fits nearly as well as {frequency:.5g} rad/s: how many periods passed in the gaps "
      "is not certain",
@@ -268,14 +268,16 @@ constexpr Entry entries[] = {
     {"swing_stops", wrong_if_ignored,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it within a period, as when a hand catches it: end before with {--to}",
-     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s binnen einer Periode, wie von einer Hand "
-     "gehalten: bitte mit {--to} vorher enden"},
+     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
+     "} auf weniger als ein Zehntel davon binnen einer Periode, wie von einer Hand gehalten: bitte mit "
+     "{--to} vorher enden"},
     {"few_samples_in_a_period", wrong_if_ignored,
      "only {samples:.2g} samples in a period: sampled at {rate:.4g} Hz, a swing of {slower:.5g} or "
      "{faster:.5g} Hz would look the same as this one of {frequency:.5g} Hz; sample faster if it may be one "
      "of them",
      "nur {samples:.2g} Messwerte je Periode: bei {rate:.4g} Hz sähe eine Schwingung von {slower:.5g} oder "
-     "{faster:.5g} Hz genauso aus; schneller messen, wenn es eine davon sein kann"},
+     "{faster:.5g} Hz genauso aus wie diese von {frequency:.5g} Hz; schneller messen, wenn es eine davon "
+     "sein kann"},
     {"turns_over", wrong_if_ignored,
      "the angle goes through {turns:.2g} turns: the pendulum turns over, which is no swing",
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich"},

@@ -112,7 +112,8 @@ constexpr Entry entries[] = {
 
     // apps/web/core
     {"page_setting", error, "\"{line}\" is not option=value", "„{line}“ ist nicht Option=Wert"},
-    {"nothing_drives_it", error, "{--drive-amplitude}: nothing drives it", "nichts treibt den Schwinger an"},
+    {"nothing_drives_it", error, "{--drive-amplitude}: nothing drives it",
+     "{--drive-amplitude}: nichts treibt den Schwinger an"},
     {"page_drives_by_sine", error,
      "{--drive} {drive}: the page drives by a sine; run the others with the program",
      "{--drive} {drive}: die Seite treibt mit einem Sinus an; alles andere rechnet das Programm"},

@@ -80,10 +80,10 @@ constexpr Entry entries[] = {
     {"rows_read_in_two_ways", error,
      "the rows can be read in two ways: \"{row}\" as {whole} whole numbers or as {decimal} with a decimal "
      "comma; {--delimiter} comma says the one, {--decimal} comma the other",
-     "die Zeilen lassen sich auf zwei Arten lesen, mit Dezimalkomma und ohne: bitte mit Semikolon oder "
-     "Tabulator trennen"},
+     "die Zeilen lassen sich auf zwei Arten lesen: „{row}“ als {whole} ganze Zahlen oder als {decimal} mit "
+     "Dezimalkomma; {--delimiter} comma sagt das eine, {--decimal} comma das andere"},
     {"bad_row", error, "{what}; {--skip-bad-rows} drops such rows",
-     "{what}; bitte die Zeile in der Datei ausbessern oder entfernen"},
+     "{what}; mit {--skip-bad-rows} bleiben solche Zeilen weg"},
     {"bad_cell", error, "column \"{column}\": \"{cell}\" is not a number",
      "Spalte „{column}“: „{cell}“ ist keine Zahl"},
     {"bad_cell_but", error, "column \"{column}\": \"{cell}\" is not a number; {what}",
@@ -131,11 +131,13 @@ constexpr Entry entries[] = {
      "„{name}“ passt auf mehrere Spalten; es gibt {columns}"},
     {"columns_alike", error,
      "several columns are alike: {columns}; say which with {--column}, for instance {--column} \"{first}\"",
-     "mehrere Spalten gleichen einander: {columns}; bitte eine wählen"},
+     "mehrere Spalten gleichen einander: {columns}; bitte mit {--column} eine nennen, zum Beispiel "
+     "{--column} „{first}“"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; say which with {--column}, for "
      "instance {--column} \"{first}\"",
-     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {columns}; bitte eine wählen"},
+     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {columns}; bitte mit {--column} eine "
+     "nennen, zum Beispiel {--column} „{first}“"},
     {"only_column_taken", worth_knowing,
      "no column is known to be a position, angle or velocity: \"{column}\" is taken",
      "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: „{column}“ wird genommen"},
@@ -148,7 +150,7 @@ constexpr Entry entries[] = {
      "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit one "
      "all the same, name it with {--column}, for instance {--column} \"{first}\"",
      "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten Frequenzen}; "
-     "soll sie dennoch angepasst werden, bitte wählen"},
+     "soll sie dennoch angepasst werden, bitte mit {--column} nennen, zum Beispiel {--column} „{first}“"},
     {"no_column_beside_time", error, "there is no column beside the time",
      "neben der Zeit gibt es keine Spalte"},
     {"column_without_values", error, "column \"{column}\" of run {run} has no values",
@@ -189,24 +191,25 @@ constexpr Entry entries[] = {
 
     // Times
     {"rate_no_number", error, "{--rate} must be a number of samples per second above 0",
-     "die Messwerte je Sekunde müssen eine Zahl über 0 sein"},
+     "{--rate} muss eine Zahl von Messwerten je Sekunde über 0 sein"},
     {"rate_not_used", worth_knowing, "{--rate} is not used: the times stand in \"{column}\"",
-     "die Messwerte je Sekunde werden nicht gebraucht: die Zeiten stehen in „{column}“"},
+     "{--rate} wird nicht gebraucht: die Zeiten stehen in „{column}“"},
     {"no_time_column", error,
      "there is no time column: give the samples per second with {--rate}, or name the column with "
      "{--time-column}",
-     "eine Zeitspalte fehlt: bitte die Messwerte je Sekunde angeben"},
+     "eine Zeitspalte fehlt: bitte mit {--rate} die Messwerte je Sekunde angeben oder mit {--time-column} "
+     "die Spalte nennen"},
     {"time_column_refused", error, "{--time-column}: {what}", "{--time-column}: {what}"},
     {"bad_time_unit", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h behind the time's name "
      "(seconds need none)",
-     "Spalte „{column}“: „{unit}“ ist keine Zeiteinheit: bitte s, ms, us, min oder h hinter den Namen "
-     "schreiben"},
+     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
+     "schreiben (Sekunden brauchen keine)"},
     {"bad_time_unit_or_column", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h behind the time's name "
      "(seconds need none), or name another column with {--time-column}",
-     "Spalte „{column}“: „{unit}“ ist keine Zeiteinheit: bitte s, ms, us, min oder h hinter den Namen "
-     "schreiben"},
+     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
+     "schreiben (Sekunden brauchen keine) oder mit {--time-column} eine andere Spalte nennen"},
     {"is_not_known", clause, "is not known", "ist unbekannt"},
     {"is_no_unit_of_time", clause, "is no unit of time", "ist keine Zeiteinheit"},
     {"taken_as_time", worth_knowing, "\"{column}\" runs evenly upward: it is taken as the time in seconds",

@@ -34,7 +34,7 @@ constexpr Entry entries[] = {
     {"damping_is_wrong", error, "{--damping}: {what}", "{--damping}: {what}"},
     {"start_energy_too_large", error,
      "{option:option}: the energy at the start (x = {x} m, v = {v} m/s) is beyond the largest number",
-     "die Energie am Anfang übersteigt die größte Zahl: bitte Ort oder Geschwindigkeit verkleinern"},
+     "{option:option}: die Energie am Anfang (x = {x} m, v = {v} m/s) übersteigt die größte Zahl"},
 
     // Step, end and method
     {"no_period_for_until", error,
@@ -53,7 +53,8 @@ constexpr Entry entries[] = {
     {"run_of_too_many_steps", error,
      "{--step}: {step} s up to {until} s are {steps:.3g} steps, too many to be told apart; take a longer "
      "step",
-     "{step} s bis {until} s sind {steps:.3g} Schritte, zu viele: bitte länger schreiten"},
+     "{--step}: {step} s bis {until} s sind {steps:.3g} Schritte, zu viele, um sie zu unterscheiden; bitte "
+     "längere Schritte nehmen"},
     {"states_beyond_memory", error,
      "{--step}: keeping {states:.3g} states needs {needed:n} of memory, but there are only {memory:n}; take "
      "a longer {--step}, a shorter {--until}, or keep every Nth state with {--every} N",
@@ -201,12 +202,13 @@ constexpr Entry entries[] = {
     {"no_column_of_numbers", error, "there is no column of numbers", "es gibt keine Spalte mit Zahlen"},
     {"column_holds_no_force", error,
      "column \"{column}\" holds {quantity}, not a force (N); choose another with {option:option}",
-     "die Spalte „{column}“ enthält keine Kraft (N); bitte mit {option:option} eine andere wählen"},
+     "die Spalte „{column}“ enthält {quantity}, keine Kraft (N); bitte mit {option:option} eine andere "
+     "wählen"},
     {"column_holds_no_acceleration", error,
      "column \"{column}\" holds {quantity}, not an acceleration (m/s^2 or g); choose another with "
      "{option:option}",
-     "die Spalte „{column}“ enthält keine Beschleunigung (m/s^2 oder g); bitte mit {option:option} eine "
-     "andere wählen"},
+     "die Spalte „{column}“ enthält {quantity}, keine Beschleunigung (m/s^2 oder g); bitte mit "
+     "{option:option} eine andere wählen"},
     {"column_has_no_sample", error,
      "column \"{column}\" has no sample, and a {use} needs at least two samples",
      "die Spalte „{column}“ hat keinen Messwert, und ein {use} braucht mindestens zwei"},
