@@ -1,4 +1,4 @@
-// What was fitted can be simulated: by another method, further on, beside the record.
+// A fitted law can be simulated: beside the record, by any method, beyond the record's end.
 #include <cromer/cromer.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Long work tells how far it is, and can be ended early: what exists is there.
+// Long work reports its progress and can be ended early: what was computed by then comes back.
 #include <cromer/cromer.h>
 
 #include <cstdio>

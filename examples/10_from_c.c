@@ -1,4 +1,4 @@
-/* The same door from C, on which other languages stand: JSON and arrays in, JSON and arrays out. */
+/* The same from C, as other languages call it: JSON and arrays in, JSON and arrays out. */
 #include <cromer/c.h>
 #include <stdio.h>
 

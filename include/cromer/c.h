@@ -1,5 +1,5 @@
-/* The door for other languages: a request and arrays in, a document and arrays out. C99, no exceptions, no
- * globals: any number of threads may call at once. */
+/* The C interface, which other languages call: a request and arrays in, a document and arrays out. C99, no
+ * exceptions, no globals: any number of threads may call at once. */
 #ifndef CROMER_C_H
 #define CROMER_C_H
 
@@ -21,7 +21,8 @@ typedef struct cromer_array {
 
 typedef struct cromer_result cromer_result;
 
-/* Called now and then with the share done, 0 to 1, from a working thread; returning 0 ends the work. */
+/* Called up to twenty times a second with the share done, 0 to 1: from the calling thread or from one that
+ * works for it, never from two at once. Returning 0 ends the work. */
 typedef int (*cromer_progress)(double done, void* user);
 
 /* Status of a call: the document says more. */
@@ -33,26 +34,34 @@ enum {
   CROMER_BAD_INPUT = 2
 };
 
-/* verb: read, fit, simulate, compare, methods, spectrum or sweep. request: a JSON object (UTF-8; NULL or ""
- * for {}) whose names are the options of the program with _ for -: {"mass": "217.6 ± 0.3 g", "law": "auto"};
- * numbers are SI, texts may have units, an option that may be given several times takes a list. "file"
- * names a file; "language" is the language of the document's sentences, "en" (if not given) or "de".
+/* verb: read, fit, simulate, compare, methods, spectrum or sweep.
  *
- * Arrays: fit and compare take t [s], y [SI unit of "observed": position, angle, velocity, angular_velocity,
- * acceleration] and force [N]; simulate takes force [N] or acceleration [m/s^2] of the ground, with "spacing"
- * [s]; spectrum takes acceleration [m/s^2], second and periods [s], with "spacing" [s]; sweep takes any
- * option that has a grid, by its name, for instance drive_frequency.
+ * request: a JSON object (UTF-8; NULL or "" for {}) whose names are the options of the program with _ for -:
+ * {"mass": "217.6 ± 0.3 g", "law": "auto"}. Numbers are SI, texts may have units, [0.2176, 0.0003] is a value
+ * with its standard uncertainty; an option that has a grid or may be given several times takes a list. "file"
+ * names the recording of read, fit, compare and spectrum. "language" is the language of the document's
+ * sentences, "en" (if not given) or "de".
  *
- * What comes back: read: each column by its title; fit: t, measured, residual, x, v of each run as "1.t";
- * simulate: t, x, v, energy of each run; compare: t, x, v of each curve; spectrum: period, displacement;
- * sweep: a column each. NULL only if memory has run out. */
+ * Arrays in. fit: t [s], y [SI unit of "observed": position (if not given), angle, velocity,
+ * angular_velocity or acceleration] and force [N]. compare: t and y. simulate: force [N] or acceleration
+ * [m/s^2] of the ground, with "spacing" [s]. spectrum: acceleration [m/s^2], second [m/s^2] and periods [s],
+ * with "spacing" [s]. sweep: any option that has a grid, by its name, for instance drive_frequency.
+ *
+ * Arrays out. read: each column by its title. fit: of run 1 "1.t", "1.measured", "1.residual", "1.x", "1.v".
+ * simulate: of the first run "1.t", "1.x", "1.v", "1.energy", and "1.sensor" if there is one. compare: of the
+ * first curve of run 1 "1.1.t", "1.1.x", "1.1.v". spectrum: "period", "displacement" (of the first
+ * component), of two components "rotd50" and "rotd100"; with several damping ratios "1.displacement" and so
+ * on. sweep: each column of its rows by its title, "amplitude (m)". NULL only if memory has run out. */
 CROMER_API cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays,
                                       size_t count, cromer_progress progress, void* user);
 
 /* The document of the program's --json, without what the arrays hold. */
 CROMER_API const char* cromer_document(const cromer_result* result);
+/* CROMER_DONE, CROMER_NO_SUCCESS or CROMER_BAD_INPUT (of NULL as well). */
 CROMER_API int cromer_status(const cromer_result* result);
+/* The arrays that came back; `count` is set to their number. They end with the result. */
 CROMER_API const cromer_array* cromer_arrays(const cromer_result* result, size_t* count);
+/* NULL is allowed. */
 CROMER_API void cromer_free(cromer_result* result);
 
 /* "0.1.0" */

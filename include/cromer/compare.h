@@ -21,19 +21,22 @@ struct CompareResult;
 
 struct CompareOptions {
   Method method = "euler-cromer";
-  std::optional<double> step{};  // [s] > 0; the sample spacing, divided to have 200 steps in a period
+  /// [s] > 0, at most the recording's length; by default the sample spacing, divided until a period has at
+  /// least 200 steps.
+  std::optional<double> step{};
   Progress progress{};
 };
 
 /// One simulation laid beside the recording, at the recording's own times; x is the displacement from the
-/// fitted equilibrium. The figures are NaN if it ended early.
+/// fitted equilibrium. The figures are NaN if it ended early; those at the end also if the measured motion
+/// has stopped by then.
 struct ComparedCurve {
   std::string label;  ///< "one constant decay rate", "viscous+drag"
   std::string law;
   double step = 0;  // [s]
   Trajectory trajectory;
   bool complete = true;            ///< it reached the recording's end
-  double rms = 0;                  ///< its residual, in the unit of the record
+  double rms = 0;                  ///< of measured minus simulated, in the unit of the record
   double r_squared = 0;            ///< share of the record's variance that it accounts for
   double amplitude_ratio_end = 0;  ///< simulated over measured, at the end
   double phase_drift = 0;          // [rad] simulated minus measured, at the end
@@ -41,16 +44,19 @@ struct ComparedCurve {
 
 struct Comparison {
   LawFit fit;
-  std::vector<ComparedCurve> curves;  ///< one constant decay rate, then the law that the data chose
-  std::string explanation;            ///< whether one decay rate is enough, in an English sentence
-  bool complete = true;               ///< all curves are
-  bool interrupted = false;           ///< progress ended it
-  std::vector<Notice> notices;        ///< what else there is to know, the fit's first
+  /// One constant decay rate, then the fitted law; none where the fit's status is `undetermined`, or where
+  /// progress ended it before.
+  std::vector<ComparedCurve> curves;
+  std::string explanation;      ///< whether one decay rate is enough, in English
+  bool complete = true;         ///< all curves are
+  bool interrupted = false;     ///< progress ended it
+  std::vector<Notice> notices;  ///< what else there is to know, the fit's first
   std::shared_ptr<const core::CompareResult> detail{};
 };
 
 /// Simulates what was fitted and lays it beside the record. An Error if the fit was refused, if something
-/// drives the motion, or if an argument is wrong, which it names.
+/// drives the motion, if velocities or accelerations were recorded, or if an argument is wrong, which it
+/// names.
 CROMER_API Result<Comparison> compare(const LawFit& fit, const CompareOptions& options = {});
 
 }  // namespace cromer

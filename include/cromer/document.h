@@ -25,9 +25,9 @@ CROMER_API std::string json(const FrequencyResponse& response, Language language
 CROMER_API std::string json(const Simulation& simulation, bool with_states = true,
                             Language language = Language::english);
 
-/// A table with a header row; every number reads back as the same double. A fit: its parameters, one row. A
-/// comparison: the measured and simulated motions. A simulation: its states. "" of a result that no call has
-/// filled, and of a spectrum that was interrupted.
+/// A table with a header row; every number reads back as the same double. A fit: one row, with its numbers,
+/// their standard errors and 95 % intervals. A comparison: the measured and simulated motions. A simulation:
+/// its states. "" of a result that no call has filled, and of a spectrum that was interrupted.
 CROMER_API std::string csv(const LawFit& fit);
 CROMER_API std::string csv(const Comparison& comparison);
 CROMER_API std::string csv(const ResponseSpectrum& spectrum);

@@ -8,8 +8,9 @@
 
 namespace cromer {
 
-/// What a recorded quantity did between its samples: straight lines; each value until the next, as a
-/// converter does (in spectra the last one for as long); or the sinc series through all of them.
+/// What a recorded quantity did between its samples: straight lines; each value held until the next, as a
+/// digital-to-analogue converter does (in spectra the last one for one spacing as well); or what a
+/// band-limited signal does, by a windowed sinc over 16 samples to each side, in spectra over 128.
 enum class BetweenSamples { linear, hold, band_limited };
 
 /// "linear", "hold", "band-limited".
@@ -50,7 +51,7 @@ struct Pulse {
   double duration = 0;   // [s] > 0; ignored for a step
 };
 
-/// A sine whose frequency rises or falls, linearly or in even ratios.
+/// F cos(angle), whose frequency rises or falls evenly or, if logarithmic, by equal ratios in equal times.
 struct Chirp {
   double amplitude = 0;              // [N] > 0
   double from = 0, to = 0;           // [rad/s] >= 0; > 0 if logarithmic
@@ -60,7 +61,7 @@ struct Chirp {
   bool logarithmic = false;
 };
 
-/// A recorded force, evenly sampled from t = 0 on.
+/// A recorded force, evenly sampled from t = 0 on. A run that lasts longer is an Error.
 struct SampledForce {
   std::span<const double> force;  // [N] at least two, all finite
   double spacing = 0;             // [s] > 0
@@ -68,7 +69,7 @@ struct SampledForce {
 };
 
 /// The recorded acceleration of the ground, evenly sampled from t = 0 on; x is the displacement relative to
-/// it.
+/// it. A run that lasts longer is an Error.
 struct GroundMotion {
   std::span<const double> acceleration;  // [m/s^2] at least two, all finite
   double spacing = 0;                    // [s] > 0

@@ -46,24 +46,26 @@ class Law {
 
 inline const Law automatic{};
 
-/// What is known beforehand, and what is asked for. Everything may be left out.
+/// What is known beforehand, and what is asked for. Everything may be left out. An option that needs another
+/// is an Error without it.
 struct FitOptions {
   Law law{};
   OptionalQuantity mass{};                 // [kg] > 0, for the spring constant and all that is a force
-  OptionalQuantity spring_mass{};          // [kg] >= 0; a third of it is added
+  OptionalQuantity spring_mass{};          // [kg] >= 0, needs mass; a third of it is added
   OptionalQuantity disc_diameter{};        // [m] > 0, for the Reynolds number and the drag coefficient
-  OptionalQuantity temperature{};          // [K] 100 to 1900, of the air; 293.15 if not given
+  OptionalQuantity temperature{};          // [K] 100 to 1900, of the air, needs disc_diameter; else 293.15
   Observed observed = Observed::position;  ///< for arrays; a file's column says what it is
   std::span<const double> force{};  // [N] recorded beside the motion at the same, even times; empty: none
-  /// What the force did between its samples; the data choose if not given.
+  /// What the recorded force did between its samples; the data choose if not given.
   std::optional<BetweenSamples> between_samples{};
   std::optional<double> drive_frequency{};  // [rad/s] > 0, rough frequency of a harmonic drive
   bool find_drive = false;                  ///< there is a harmonic drive of unknown frequency
   bool no_spring = false;                   ///< a body without a spring, under a recorded force
   double hysteresis_exponent = 1;           ///< >= 1
-  std::optional<double>
-      hold_out{};  ///< above 0 to 0.9: share of the samples, the last ones, kept to test the law
-  std::optional<double> segment{};     // [s] > 0: a decay rate for each stretch of this length as well
+  /// Above 0 to 0.9, needs a recorded force: the share of the samples, the last ones, that are not fitted but
+  /// test the law; json() of the fit has the outcome.
+  std::optional<double> hold_out{};
+  std::optional<double> segment{};  // [s] > 0, of free motions: a decay rate for each stretch of this length
   std::optional<double> from{}, to{};  // [s] first and last time used
   Progress progress{};
 };
@@ -76,7 +78,7 @@ struct Selection {
 };
 
 struct Residual {
-  double rms = 0;              ///< in the unit of the record
+  double rms = 0;              ///< in the unit of the record, over the fitted samples
   double normality = 0;        ///< p of the Jarque-Bera test
   double autocorrelation = 0;  ///< from sample to sample
   bool white = false;          ///< compatible with no correlation up to lag 20 (Ljung-Box, 1 %)
@@ -105,11 +107,16 @@ struct FittedMotion : Trajectory {  ///< x is the displacement from the equilibr
 struct LawFit {
   FitStatus status = FitStatus::converged;
   std::string message;  ///< why, where it did not converge, in English
-  std::string law;      ///< "viscous+drag"; "" where the record could not be read
-  /// As fitted: per unit mass, then the drive, equilibrium, position and velocity at the first used sample,
-  /// `begin`; then, with a mass, what they are in newtons.
+  /// "viscous+drag"; "" where the run of a file could not be read (its status is then no_oscillation, and the
+  /// message says why).
+  std::string law;
+  /// As fitted: the law's terms per unit mass, the drive, equilibrium, position and velocity at the first
+  /// used sample, `begin`. Then, with a mass, the coefficients themselves: stiffness [N/m], damping [kg/s],
+  /// ...
   std::vector<Parameter> parameters;
-  std::vector<Parameter> derived;   ///< frequency, period, quality factor, ... at the first amplitude
+  /// Frequency, period, quality factor, ...: at the amplitude of the first used sample or, of a driven
+  /// motion, at that of a sinusoid as strong as the motion.
+  std::vector<Parameter> derived;
   std::vector<std::string> fitted;  ///< names of the fitted parameters, in the order of the covariance
   std::vector<double> covariance;   ///< row by row; its diagonal is the squares of the standard errors
   Residual residual;
@@ -117,18 +124,18 @@ struct LawFit {
   double begin = 0;                   // [s] the first used sample: position and velocity are those there
   std::vector<Candidate> candidates;
   std::vector<SegmentRate> segments;
-  std::optional<Estimate> decay_rate_mean;     // [1/s] of the segments
-  std::optional<Estimate> reynolds_max;        ///< with a disc diameter: the largest in any half second
+  std::optional<Estimate> decay_rate_mean;  // [1/s] of the segments
+  std::optional<Estimate> reynolds_max;     ///< with a disc diameter: v D/nu at the largest speed of the law
   std::optional<Estimate> keulegan_carpenter;  ///< with a disc diameter: 2 pi A/D at the largest amplitude
   std::string file, column;                    ///< where the record comes from; "" of arrays
   int run = 1;
-  bool interrupted = false;     ///< progress ended it; what is missing was not computed
+  bool interrupted = false;     ///< progress ended it; what was not computed is missing
   std::vector<Notice> notices;  ///< what else there is to know
   std::shared_ptr<const core::FittedRecording> detail{};  ///< for at() and document.h
 
   bool succeeded() const { return detail && status == FitStatus::converged; }
 
-  /// Among parameters and derived; empty where there is none of that name, or the fit has no values.
+  /// A number among parameters and derived; empty where none has that name.
   CROMER_API std::optional<Estimate> find(std::string_view name) const;
 
   /// The law's motion at times [s] that strictly increase from the first used sample's on. An Error where the

@@ -24,13 +24,14 @@ class Method {
   std::string name_;
 };
 
-/// What a method makes of a linear oscillator at one step: exactly the motion of another one.
+/// What a method with a given step makes of a linear oscillator: exactly the motion of another one.
 struct MethodEffect {
   std::optional<double> decay_rate{};  // [1/s] negative where it feeds the swing; empty where nothing swings
   std::optional<double> angular_frequency{};  // [rad/s] at most pi/step; empty where nothing swings
   double spectral_radius = 0;                 ///< of one step's map: above 1 the motion grows without end
   bool stable = true;
-  /// [s] largest step below which all are stable; 0 where none is; empty where there is no limit
+  /// [s] All shorter steps are stable; 0 where no step is; empty where there is no limit. A Simulation has it
+  /// only where its step is not stable.
   std::optional<double> stability_limit{};
 };
 

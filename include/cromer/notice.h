@@ -67,9 +67,11 @@ inline bool operator==(const Notice& a, const Notice& b) {
   return a.code == b.code && a.values == b.values && a.of_arrays == b.of_arrays;
 }
 
+/// Of an Error's notice, and of a code that is not known: wrong_if_ignored.
 CROMER_API Severity severity(const Notice& notice);
 
-/// One sentence without a full stop, for people. It names arguments as their fields are called.
+/// A sentence for people, seldom two, without the last full stop. It names arguments as their fields are
+/// called.
 CROMER_API std::string text(const Notice& notice, Language language = Language::english);
 
 }  // namespace cromer

@@ -8,7 +8,8 @@
 namespace cromer {
 
 /// The coefficients of the law over any scalar, SI throughout; each belongs to one term. Of an angle x [rad]
-/// the mass is a moment of inertia [kg m^2] and forces are torques [N m].
+/// the mass is a moment of inertia [kg m^2] and forces are torques [N m]. Hysteresis and friction do not go
+/// together in one run.
 template <class Real>
 struct OscillatorOf {
   Real mass = 1;       // [kg] > 0
@@ -23,12 +24,12 @@ struct OscillatorOf {
   Real quadratic = 0;      // [N/m^2] any sign
   Real odd_quadratic = 0;  // [N/m^2] any sign
   Real quintic = 0;        // [N/m^5] any sign
-  Real pendulum = 0;       // [N] of sin x, x an angle [rad]
+  Real pendulum = 0;       // [N] any sign, of sin x, x an angle [rad]
   Real van_der_pol = 0;    // [kg/(m^2 s)] any sign
 
   Real hysteresis_stiffness = 0;  // [N/m] A
-  Real hysteresis_beta = 0;       // [1/m], with an exponent of 1
-  Real hysteresis_gamma = 0;      // [1/m], with an exponent of 1
+  Real hysteresis_beta = 0;       // [1/m]; N^(1-n)/m with an exponent n
+  Real hysteresis_gamma = 0;      // [1/m], likewise
   Real hysteresis_exponent = 1;   ///< n >= 1
 
   friend bool operator==(const OscillatorOf&, const OscillatorOf&) = default;

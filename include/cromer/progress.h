@@ -5,8 +5,9 @@
 
 namespace cromer {
 
-/// Called up to twenty times a second, from a working thread, with the share done, 0 to 1. Returning false
-/// ends the work: what exists by then comes back, with `interrupted` true. May be empty.
+/// Called up to twenty times a second with the share done, 0 to 1: from the calling thread or from one that
+/// works for it, never from two at once. Returning false ends the work: what exists by then comes back, with
+/// `interrupted` true. May be empty.
 using Progress = std::function<bool(double done)>;
 
 }  // namespace cromer

@@ -30,7 +30,7 @@ struct OptionalQuantity : std::optional<Quantity> {
 struct Estimate {
   double value = 0;
   double standard_error = 0;  ///< widened for correlated residuals
-  double low = 0, high = 0;   ///< 95 % interval from Student's t
+  double low = 0, high = 0;   ///< 95 % interval from Student's t, cut at 0 where nothing below is possible
 };
 
 /// An estimate with its name, as the documents call it ("decay_rate"), and its SI unit ("1/s"; "1" or ""

@@ -16,15 +16,15 @@ namespace cromer {
 struct Error {
   Notice notice;
   std::string
-      argument{};  ///< the argument at fault, as its field is called: "step"; "" where it is none alone
+      argument{};  ///< the argument at fault, as its field is called: "step"; "" where it is not a single one
 
   Error(Notice what, std::string argument_at_fault = {})  // NOLINT: implicit on purpose
       : notice(std::move(what)), argument(std::move(argument_at_fault)) {}
   explicit Error(std::string code, std::vector<NoticeValue> values = {})
       : notice(std::move(code), std::move(values)) {}
 
-  /// One sentence that its reader can act on, without a full stop. It names arguments as their fields are
-  /// called.
+  /// A sentence that its reader can act on, without the last full stop. It names arguments as their fields
+  /// are called.
   std::string message(Language language = Language::english) const { return text(notice, language); }
 };
 
@@ -38,7 +38,7 @@ class [[nodiscard]] Result {
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  /// Only when ok().
+  /// Only when ok(); else std::get throws.
   T& value() & { return std::get<0>(content_); }
   const T& value() const& { return std::get<0>(content_); }
   T&& value() && { return std::get<0>(std::move(content_)); }
@@ -48,7 +48,7 @@ class [[nodiscard]] Result {
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  /// Only when not ok().
+  /// Only when not ok(); else std::get throws.
   const Error& error() const { return std::get<1>(content_); }
 
  private:

@@ -26,10 +26,14 @@ struct SimulateResult;
 struct SimulateOptions {
   Method method = "euler-cromer";
   Drive drive{};
-  std::optional<double> position{};       // [m] at t = 0; 1 where nothing else sets the motion going, else 0
-  std::optional<double> velocity{};       // [m/s] at t = 0; 0
-  std::optional<double> step{};           // [s] > 0; 1/200 of the shorter of natural and drive period
-  std::optional<double> until{};          // [s] > 0; 20 natural periods
+  std::optional<double> position{};  // [m] at t = 0; 1 where nothing else sets the motion going, else 0
+  std::optional<double> velocity{};  // [m/s] at t = 0; 0
+  /// [s] > 0; by default 1/200 of the shorter of natural and drive period, under a recorded drive a whole
+  /// part of its spacing. A method that chooses its own steps: the spacing of the states.
+  std::optional<double> step{};
+  /// [s] > 0; by default 20 natural periods, at least to the end of a pulse or chirp; the length of a
+  /// recorded drive.
+  std::optional<double> until{};
   std::optional<double> tolerance{};      // 1e-15 to 1e-2, relative bound on Newton's last update (1e-12)
                                           // or on an adaptive method's error in a step (1e-9)
   std::optional<double> accuracy{};       ///< 1e-9 to 0.5, in place of step: the largest relative error of
@@ -37,7 +41,9 @@ struct SimulateOptions {
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8
   long long every = 1;                    ///< keep every n-th state, > 0
-  bool compensated = false;               ///< states in compensated sums, for very long runs
+  /// States in compensated sums, for very long runs by methods of fixed steps: free or under a harmonic
+  /// drive, without friction and hysteresis.
+  bool compensated = false;
   Progress progress{};
 };
 
@@ -58,8 +64,8 @@ struct Simulation : Trajectory {
 };
 
 /// Integrates from t = 0. An Error names the argument, its value and what it must be: a method that does not
-/// exist or cannot integrate this law, a step that is not positive, more states than can be held, a law
-/// without a natural period and no `step` and `until`.
+/// exist or cannot integrate this law, a step that is not positive, more states than can be held; a law
+/// without a natural period under no periodic drive, unless `step` and `until` are both given.
 CROMER_API Result<Simulation> simulate(const Oscillator& oscillator, const SimulateOptions& options = {});
 
 }  // namespace cromer

@@ -29,16 +29,19 @@ constexpr std::string_view name(Peaks peaks) {
 }
 
 struct SpectrumOptions {
-  double damping_ratio = 0.05;          // 0 to 20
-  std::optional<double> loss_factor{};  // 0.001 to 2: hysteretic damping instead
-  std::span<const double> periods{};    // [s] > 0; empty: 200 from 0.01 s to 10 s in even ratios
-  std::span<const double> second{};     // [m/s^2] the other horizontal component, sampled alike; empty: none
-  Peaks peaks = Peaks::continuous;
+  double damping_ratio = 0.05;  // 0 to 20
+  /// 0.001 to 2: hysteretic damping instead; then without second, peaks and between.
+  std::optional<double> loss_factor{};
+  /// [s] From a thousandth of the spacing to a million times the record; empty: 200 from 0.01 s to 10 s in
+  /// even ratios.
+  std::span<const double> periods{};
+  std::span<const double> second{};  // [m/s^2] the other horizontal component, sampled alike; empty: none
+  Peaks peaks = Peaks::continuous;   // peer: with linear `between` only
   BetweenSamples between = BetweenSamples::linear;
   Progress progress{};
 };
 
-/// Each vector has one value for each period.
+/// Each vector has one value for each period. Of two components all but rotd50 and rotd100 are of the first.
 struct ResponseSpectrum {
   std::vector<double> period;               // [s]
   std::vector<double> displacement;         // [m] SD: largest |x| relative to the ground

@@ -6,7 +6,14 @@
 namespace cromer {
 
 /// How a run ended.
-enum class Status { reached_end, stopped_by_event, step_limit, step_too_small, no_convergence, not_finite };
+enum class Status {
+  reached_end,
+  stopped_by_event,  ///< or its caller interrupted it
+  step_limit,
+  step_too_small,  ///< of an adaptive method: the motion runs away, or the tolerance asks for too much
+  no_convergence,  ///< an implicit step found no solution
+  not_finite       ///< the motion ran away
+};
 
 /// "reached_end", "stopped_by_event", ...
 constexpr std::string_view name(Status status) {
@@ -39,12 +46,12 @@ struct Counts {
 /// How a fit ended.
 enum class FitStatus {
   converged,
-  iteration_limit,
+  iteration_limit,  ///< not converged, or interrupted
   no_oscillation,
-  too_short,
-  too_noisy,
-  clipped,
-  overdamped,
+  too_short,    ///< fewer than one and a half periods, or too few samples
+  too_noisy,    ///< the law accounts for too little, or the frequency is hardly known
+  clipped,      ///< the tops of the motion are cut off
+  overdamped,   ///< it comes to rest without oscillating
   undetermined  ///< of some parameters only a combination is known
 };
 

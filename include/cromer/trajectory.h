@@ -6,7 +6,7 @@
 
 namespace cromer {
 
-/// Position and velocity of one oscillator.
+/// Position and velocity of one oscillator; of an angle in rad and rad/s.
 template <class Real>
 struct State {
   Real x;  // [m]
@@ -15,7 +15,7 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
-/// Kept states in order of time; the three columns have the same length.
+/// Kept states in order of time; the three columns have the same length. Of an angle x is in rad, v in rad/s.
 struct Trajectory {
   std::vector<double> t;  // [s]
   std::vector<double> x;  // [m]
