@@ -13,7 +13,7 @@
 
 namespace cromer::core {
 
-/// Puts the messages of a result for callers (words.h).
+/// Marks the messages of a result as being about arrays, if it is of arrays (words.h).
 void put_in_arguments(FittedRecording& fitted, bool of_arrays);
 void put_in_arguments(CompareResult& compared, bool of_arrays);
 void put_in_arguments(SimulateResult& simulated, bool of_arrays);

@@ -70,10 +70,10 @@ struct Series {
   std::vector<double> t;    // [s]
   std::vector<double> y;    ///< in SI units
   std::vector<long> lines;
-  double rate = 0;        // [1/s] one over the median step, rounded as far as the times agree; or --rate
-  double jitter = 0;      ///< standard deviation of the steps over their median; 0 with --rate
-  double resolution = 0;  ///< rounding step of the values in SI, 0 if none is seen
-  std::vector<Gap> gaps;  ///< where samples are missing
+  double rate = 0;    // [1/s] one over the median step, rounded as far as the times agree; or the rate given
+  double jitter = 0;  ///< standard deviation of the steps over their median; 0 with a given rate
+  double resolution = 0;          ///< rounding step of the values in SI, 0 if none is seen
+  std::vector<Gap> gaps;          ///< where samples are missing
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y
   std::vector<Notice> notices;
 };

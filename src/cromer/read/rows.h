@@ -21,9 +21,9 @@ struct Rows {
 
 /// Which lines of the file hold rows, and what becomes of lines that are no rows.
 struct RowRules {
-  std::size_t from = 0, to = 0;  ///< indices of the first line and of the one behind the last
+  std::size_t from = 0, to = 0;  ///< indices of the first line and of the one after the last
   bool skip_bad_rows = false;
-  bool ignore_beyond = false;    ///< cells behind the last column are remarks, not values
+  bool ignore_beyond = false;    ///< cells after the last column are remarks, not values
   std::size_t lines_before = 0;  ///< lines of the file above the first of those given
 };
 
@@ -41,7 +41,7 @@ Error no_rows(const std::vector<std::string_view>& lines, const Error& reason, s
 struct NumberStream {
   std::vector<double> values;
   std::vector<long> lines;  ///< line number of each
-  std::size_t end = 0;      ///< index of the line behind the last that was read
+  std::size_t end = 0;      ///< index of the line after the last that was read
 };
 
 /// Reads at most `most` numbers from line index `from` on, separated by blanks, by commas or by a sign alone

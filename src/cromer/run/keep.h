@@ -25,7 +25,7 @@ void pause(Recorder& record) {
   if constexpr (requires { record.pause(); }) record.pause();
 }
 
-/// Keeps the first and every Nth state after it. Memory is reserved once, at the start, and used piece by
+/// Keeps the first and every n-th state after it. Memory is reserved once, at the start, and used piece by
 /// piece, between blocks of steps, so that a run that ends early costs what it kept. Check
 /// number_of_kept_states first. Or it hands every state to a function: one type does both, so that laws and
 /// methods are compiled once.

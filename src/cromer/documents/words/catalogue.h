@@ -6,7 +6,7 @@
 //   {laws:and}        for several, "a, b and c"; {laws:or} likewise; {laws} is "a, b, c"
 //   {unit: }          for a text with a blank before it, and for nothing where it is empty
 //   {value:n}         for a text of numbers, which gets its decimal comma in German
-//   {doubt:A}         for a notice with a capital letter at its begin
+//   {doubt:A}         for a notice with a capital letter at its beginning
 //   {--step}          for an option, "--step" on the command line and "step" elsewhere
 //   {option:option}   for an option whose name is a value
 //   {@line}           for a place in a file, "line 7", and of arrays "sample 7"

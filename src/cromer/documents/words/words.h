@@ -23,7 +23,7 @@ struct Voice {
   Audience audience = Audience::command_line;
 };
 
-/// One sentence without a full stop. A code that is not in the catalogue is shown as it is.
+/// A sentence, seldom two, without the last full stop. A code that is not in the catalogue is shown as it is.
 std::string in_words(const Notice& notice, const Voice& voice = {});
 std::string in_words(const Error& error, const Voice& voice = {});
 std::vector<std::string> in_words(std::span<const Notice> notices, const Voice& voice = {});

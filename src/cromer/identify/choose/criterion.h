@@ -1,4 +1,4 @@
-// Which of several fitted laws a record asks for, and which others it speaks against no more.
+// Which of several fitted laws to choose, and which others describe the record as well.
 #pragma once
 
 #include <algorithm>
@@ -22,24 +22,24 @@ inline double bayesian_criterion(double independent_samples, double rms, double 
 /// Differences of the criterion that are strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995).
 inline constexpr double strong_evidence = 6;
 
-/// Place of the admissible candidate of lowest BIC; 0 where none is. A law is admissible if it converged and
-/// each of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by more
-/// than 6 when it is taken away. Sets the candidates' BIC, all of the number of samples which the closest
-/// candidate's residuals leave independent, so that no law's misfit is taken for noise, and of this
-/// `resolution`. Of admissible candidates within 6 of the lowest the one with the fewest parameters, and of
-/// as many the lowest, or the first that is within 5 of it: laws met more often come first. `candidates` is
-/// not empty and begins with the simplest law.
+/// Place of the candidate to choose; 0 where none is admissible. A law is admissible if it converged and each
+/// of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by 6 or more
+/// when it is taken away. Among the admissible candidates whose BIC is less than 6 above the lowest, those
+/// with the fewest parameters count; of these the first whose BIC is less than 5 above their lowest is
+/// chosen: laws met more often come first. Sets the candidates' BIC, all with the number of samples which the
+/// closest candidate's residuals leave independent, so that no law's misfit is taken for noise, and with this
+/// `resolution`. `candidates` is not empty and begins with the simplest law.
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
 
 /// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low
 /// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
 
-/// Names the rival laws, which the record speaks against no more than against the chosen one and which
-/// would change its numbers; empty where there are none. A rival lies within 6 of the chosen candidate's
-/// BIC, has as many terms or one more (of a driven motion one more only with a lower criterion), and puts a
-/// coefficient that both share, or the frequency, further off than three of the standard errors that the
-/// chosen one claims; or it has another damping in the place of its own.
+/// Names at most three rival laws, which describe the record as well as the chosen one and would change its
+/// numbers; empty where there are none, or where the record shows no damping. The BIC of a rival is at most 6
+/// above the chosen candidate's, and it has as many parameters or one more. It either puts a coefficient that
+/// both share, or the frequency, further off than three of the standard errors that the chosen one claims;
+/// or, with as many parameters, it has another damping in the place of the chosen one's.
 Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer::core

@@ -43,7 +43,7 @@ struct ComparedCurve {
 struct CompareResult {
   FittedRecording recording;
   std::vector<ComparedCurve> curves;
-  bool complete = true;         ///< every curve is, and none is missing unless the fit was refused
+  bool complete = true;  ///< every curve is, and none is missing unless the fit was refused or undetermined
   bool others_tried = true;     ///< the fit chose among several laws
   std::vector<Notice> doubts;   ///< why no law describes the motion; also among the notices
   std::vector<Notice> notices;  ///< the fit's first

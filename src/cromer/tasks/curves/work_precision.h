@@ -13,7 +13,8 @@ namespace cromer::core {
 /// The law, its drive, the end and the methods are those of `simulate`; steps and tolerances are set here.
 struct WorkPrecisionOptions {
   SimulateOptions simulate;
-  double longest = 0.1;     ///< first step, > 0, over a period: 200 default steps of `simulate`
+  double longest =
+      0.1;  ///< first step, > 0, as a share of a period, which is 200 default steps of `simulate`
   long long halvings = 10;  ///< of the step, 1 to 30; adaptive methods: as many tolerances 1e-2, 1e-3, ...
 };
 

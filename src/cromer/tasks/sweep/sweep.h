@@ -49,7 +49,7 @@ struct SweepPlan {
   Notice way;                         ///< how points are found: in closed form, stepped until settled, ...
   Notice steps;                       ///< how long steps and runs are; may be empty
   std::string method;
-  std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
+  std::string simd;  ///< instruction set of the kernel: baseline, avx2, avx512
   ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)
   std::vector<Notice> notices;
   std::shared_ptr<const SweepWork> work;  ///< what the rows depend on (sweep_rows.h)

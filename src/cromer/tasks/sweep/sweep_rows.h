@@ -90,7 +90,7 @@ enum class SweepWay {
   one_by_one,   ///< with friction, or steps that the method chooses: run by run
 };
 
-/// With a direction, each point along the last axis starts where the one before ended (hysteresis). `both`:
+/// With a direction, each point along the last axis starts where the one before ended. `both`:
 /// the first axis is the direction, 1 up and -1 down.
 enum class SweepDirection { none, up, down, both };
 inline constexpr std::string_view direction_axis = "direction";
