@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "cromer/documents/words/words.h"
 #include "syntax.h"
 
@@ -48,8 +51,10 @@ void append_wrapped(std::string& out, std::string_view text) {
 
 void append_option(std::string& out, const Option& option) {
   std::string text(option.help);
-  if (option.range == Range::positive || option.range == Range::not_negative ||
-      option.range == Range::not_negative_unless_bounded)
+  // The other ranges stand in the option's own words.
+  constexpr Range said[] = {Range::positive,     Range::not_negative, Range::not_negative_unless_bounded,
+                            Range::at_least_one, Range::fraction,     Range::air_temperature};
+  if (std::find(std::begin(said), std::end(said), option.range) != std::end(said))
     text += fmt::format("; must {}", in_words(constraint(option.range)));
   if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
   const std::string left = left_side(option);

@@ -41,7 +41,9 @@ Syntax syntax_of(ServeOptions& o) {
       .example =
           "  cromer serve --from serial:/dev/ttyACM0 -o swing.csv\n"
           "  cromer serve --address 0.0.0.0 --port 8080"};
-  const auto recording = options_of(o.recording);
+  auto recording = options_of(o.recording);
+  for (Option& each : recording)
+    if (each.target == Option::Target(&o.recording.output)) each.default_text = "required with --from";
   syntax.options.insert(syntax.options.end(), recording.begin(), recording.end());
   syntax.options.push_back(
       {"quiet", &o.quiet, "", Range::any, "no warnings", "warnings on standard error", "Output"});

@@ -250,18 +250,21 @@ TEST(Descriptions, AreThePagesTypes) {
 }
 
 TEST(Descriptions, AreTheTableOfTheDocs) {
-  expect_in("docs/results.md",
-            "# What the results consist of\n\n"
-            "Every entry of the JSON documents, as `--json` prints them and the library gives them. A name "
-            "that ends\n"
-            "in `[]` is a list; `NAME` stands for the name of a parameter. A number that is not known or not "
-            "finite is\n"
-            "null. `SI` and `of the column` stand for the SI unit of the column.\n" +
-                table<FittedRecording>("fit") + table<CompareResult>("compare") +
-                table<DescribedRun>("simulate: each of `runs[]`") +
-                table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
-                table<SweepDocument>("sweep") + table<SpectrumDocument>("spectrum") +
-                table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
+  expect_in(
+      "docs/results.md",
+      "# What the results consist of\n\n"
+      "The entries of the JSON documents, as `--json` prints them and the library gives them. A name "
+      "that ends\n"
+      "in `[]` is a list; `NAME` stands for the name of a parameter. A number that is not known or not "
+      "finite is\n"
+      "null. `SI` and `of the column` stand for the SI unit of the column. A document of several runs has "
+      "its\n"
+      "`warnings` (texts) and `notices` (`code`, `severity`, `text`, `values`) at its top as well.\n" +
+          table<FittedRecording>("fit") + table<CompareResult>("compare") +
+          table<DescribedRun>("simulate: each of `runs[]`") +
+          table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
+          table<SweepDocument>("sweep") + table<SpectrumDocument>("spectrum") +
+          table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
 }
 
 }  // namespace

@@ -138,7 +138,9 @@ TEST(CallC, BadInputIsSaid) {
   const Swing made = swing();
   expect_refused(call("swim", "{}"), "verb", "no verb \"swim\"");
   expect_refused(call(nullptr, nullptr), "verb", "no verb");
-  expect_refused(call("fit", "{"), "request", "no JSON object");
+  expect_refused(call("fit", "{"), "request", "from byte 2 on");
+  expect_refused(call("fit", R"({"mass": 250 g})"), "request", "from byte 14 on");
+  expect_refused(call("fit", R"({"mass": 1e999})"), "request", "numbers end at 1.8e308");
   expect_refused(call("fit", "[1, 2]"), "request", "no JSON object");
   expect_refused(call("fit", "{}"), "t", "give the arrays t and y, or a file");
   expect_refused(call("fit", R"({"mas": 1})", made.arrays()), "mas", "did you mean mass?");
@@ -157,6 +159,11 @@ TEST(CallC, BadInputIsSaid) {
       "file", "leave one of them out");
   expect_refused(call("sweep", R"({"drive_frequency": 2})", {{"drive_frequency", made.t.data() + 1, 9}}),
                  "drive_frequency", "leave one out");
+  expect_refused(call("spectrum", R"({"spacing": 0.01, "periods": 1})",
+                      {{"acceleration", made.y.data(), 99}, {"periods", made.t.data() + 1, 9}}),
+                 "periods", "leave one out");
+  expect_refused(call("simulate", R"({"until": [1, 2]})"), "until", "one value, not a list of 2");
+  expect_refused(call("fit", R"({"mass": [1, 2, 3]})", made.arrays()), "mass", "one value, not a list of 3");
   expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "neither is given");
   expect_refused(call("simulate", "{}", {{"force", made.y.data(), 9}}), "spacing", "in seconds");
   expect_refused(call("simulate", "{}", {{"speed", made.y.data(), 9}}), "speed",

@@ -98,6 +98,13 @@ TEST(TakeSeries, AFrequencyIsNoMotion) {
               testing::DoubleEq(1));
 }
 
+TEST(TakeSeries, TheTimeIsNoMotion) {
+  EXPECT_EQ(refusal("Time (s),x (m),Force (N)\n0,1,2\n1,2,3\n2,3,4\n", "Time (s)"),
+            "lab.csv: column \"Time (s)\" is the time; name the column that moves with it with --column: "
+            "\"x (m)\" or \"Force (N)\"");
+  EXPECT_EQ(refusal("Time (s)\n0\n1\n2\n", "Time (s)"), "lab.csv: there is no column beside the time");
+}
+
 TEST(TakeSeries, SeveralAlikeAreListed) {
   const std::string text = "t,x,y\n0,1.5,2\n1,2,3\n2,1,4\n";
   EXPECT_EQ(refusal(text),

@@ -232,12 +232,16 @@ answer_column = 2
 [[block]]
 table = "plain"
 )") + std::string(a_task));
-  EXPECT_EQ(study.title + study.byline + study.summary, "TBS");
+  EXPECT_EQ(study.title.text + study.byline.text + study.summary.text, "TBS");
   ASSERT_EQ(study.key_figures.size(), 2u);
-  EXPECT_EQ(study.key_figures[0].name + study.key_figures[0].value + study.key_figures[0].remark, "nvr");
-  EXPECT_EQ(std::get<BlockSpec::Text>(study.blocks.at(0).content).text, "plain");
-  EXPECT_EQ(std::get<BlockSpec::Code>(study.blocks.at(1).content).text, "cromer");
-  EXPECT_EQ(std::get<BlockSpec::Code>(study.blocks.at(1).content).caption, "run");
+  EXPECT_EQ(
+      study.key_figures[0].name.text + study.key_figures[0].value.text + study.key_figures[0].remark.text,
+      "nvr");
+  EXPECT_EQ(study.title.place.line, 1u);
+  EXPECT_GT(study.key_figures[0].remark.place.line, study.key_figures[0].name.place.line);
+  EXPECT_EQ(std::get<BlockSpec::Text>(study.blocks.at(0).content).text.text, "plain");
+  EXPECT_EQ(std::get<BlockSpec::Code>(study.blocks.at(1).content).text.text, "cromer");
+  EXPECT_EQ(std::get<BlockSpec::Code>(study.blocks.at(1).content).caption.text, "run");
   const auto& table = std::get<TableSpec>(study.blocks.at(2).content);
   EXPECT_EQ(table.each, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(table.row, std::vector<std::string>{"{.x}"});

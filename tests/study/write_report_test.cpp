@@ -171,10 +171,10 @@ class MakePage : public testing::Test {
     results_.set("k", 3, "N/m");
     for (const char* run : {"a.1", "a.2", "a.4"}) results_.set(std::string(run) + ".label", std::string(run));
     study_.file = "lab.toml";
-    study_.title = "title {k}";
-    study_.byline = "byline {k}";
-    study_.summary = "summary {k}";
-    study_.key_figures = {{"name {k}", "value {k}", "remark {k}"}, {"n", "v", ""}};
+    study_.title.text = "title {k}";
+    study_.byline.text = "byline {k}";
+    study_.summary.text = "summary {k}";
+    study_.key_figures = {{{"name {k}"}, {"value {k}"}, {"remark {k}"}}, {{"n"}, {"v"}, {""}}};
     study_.figures.resize(2);
     study_.figures[0].look.id = "first";
     study_.figures[1].look.id = "second";
@@ -212,9 +212,9 @@ TEST_F(MakePage, FillsWhatStandsAtItsTop) {
 }
 
 TEST_F(MakePage, HasTheBlocksInTheirOrder) {
-  add(BlockSpec::Heading{"h {k}"});
-  add(BlockSpec::Text{"t {k}"});
-  add(BlockSpec::Code{"c {k}", "d {k}"});
+  add(BlockSpec::Heading{{"h {k}"}});
+  add(BlockSpec::Text{{"t {k}"}});
+  add(BlockSpec::Code{{"c {k}"}, {"d {k}"}});
   add(BlockSpec::FigureName{"second"});
   const Page made = page();
   ASSERT_EQ(made.blocks.size(), 4u);
@@ -250,15 +250,15 @@ TEST_F(MakePage, ATableRepeatsItsRowForEveryRun) {
 }
 
 TEST_F(MakePage, SaysWhereATextIsThatCannotBeFilled) {
-  add(BlockSpec::Text{"{first} {second}"});
-  EXPECT_EQ(refusal(), "lab.toml:9:1: \"first\" is no result of this study");
+  add(BlockSpec::Text{{"{first} {second}", {"lab.toml", 10, 8}}});
+  EXPECT_EQ(refusal(), "lab.toml:10:8: \"first\" is no result of this study");
   TableSpec table;
   table.each = {"b", "c"};
   study_.blocks.clear();
   add(table);
   EXPECT_EQ(refusal(), "lab.toml:9:1: \"b\" has no runs to list");
-  study_.key_figures[1].remark = "{missing}";
-  EXPECT_EQ(refusal(), "lab.toml:1:1: \"missing\" is no result of this study");
+  study_.key_figures[1].remark = {"{missing}", {"lab.toml", 4, 10}};
+  EXPECT_EQ(refusal(), "lab.toml:4:10: \"missing\" is no result of this study");
 }
 
 }  // namespace

@@ -133,10 +133,13 @@ class Call {
         settings.emplace_back(name, text_of(value[0]) + " ± " + text_of(value[1]));
       } else if (option.is_list()) {
         for (const auto& each : value) settings.emplace_back(name, text_of(each));
-      } else {
+      } else if (option.is_text()) {
         std::string list;
         for (const auto& each : value) list += (list.empty() ? "" : ",") + text_of(each);
         settings.emplace_back(name, std::move(list));
+      } else {
+        return Error{Notice{"takes_one_value", {{"argument", item.key()}, {"count", value.size()}}},
+                     item.key()};
       }
     }
     return assign(settings, options, verb_);
@@ -360,6 +363,8 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   }
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
   const auto periods = call.take_array("periods");
+  if (!periods.empty() && call.asks("periods"))
+    return Error{Notice{"array_and_argument", {{"array", "periods"}}}, "periods"};
   if (auto good = check_samples(periods, "periods", 0); !good) return good;
   options.these_periods.assign(periods.begin(), periods.end());
   options.memory = memory_for_results;
@@ -431,10 +436,23 @@ constexpr Verb verbs[] = {{"read", read_verb},       {"fit", fit_verb},         
                           {"compare", compare_verb}, {"methods", methods_verb}, {"spectrum", spectrum_verb},
                           {"sweep", sweep_verb}};
 
+/// The request, or where it ceases to be JSON.
+Result<Request> request_of(std::string_view text) {
+  if (text.empty()) return Request::object();
+  try {
+    return Request::parse(text);
+  } catch (const Request::parse_error& error) {
+    return Error{Notice{"request_is_no_json", {{"byte", error.byte}}}, "request"};
+  } catch (const Request::out_of_range&) {
+    return Error{Notice{"request_number_too_large"}, "request"};
+  }
+}
+
 /// `voice`: in which language the request wants its answer.
 Result<void> run(std::string_view verb, std::string_view text, std::span<const cromer_array> arrays,
                  const Progress& progress, Voice& voice, cromer_result& result) {
-  Request request = text.empty() ? Request::object() : Request::parse(text, nullptr, false);
+  Result<Request> parsed = request_of(text);
+  Request request = parsed ? *std::move(parsed) : Request();
   const auto language = request.is_object() ? take_language(request) : Language::english;
   if (language) voice.language = *language;
   const auto found =
@@ -444,6 +462,7 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
     for (const Verb& each : verbs) known.emplace_back(each.name);
     return Error{Notice{"no_verb", {{"verb", verb}, {"verbs", known}}}, "verb"};
   }
+  if (!parsed) return parsed.error();
   if (!request.is_object()) return Error{Notice{"request_is_no_object"}, "request"};
   if (!language) return language.error();
   std::set<std::string_view> names;

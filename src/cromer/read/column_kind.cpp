@@ -222,6 +222,20 @@ std::string quantity_of(std::string_view name, std::string_view unit) {
   return {};
 }
 
+Notice kind_of(std::string_view quantity) {
+  if (quantity == "position") return Notice{"kind_position"};
+  if (quantity == "angle") return Notice{"kind_angle"};
+  if (quantity == "velocity") return Notice{"kind_velocity"};
+  if (quantity == "angular velocity") return Notice{"kind_angular_velocity"};
+  if (quantity == "acceleration") return Notice{"kind_acceleration"};
+  if (quantity == "angular acceleration") return Notice{"kind_angular_acceleration"};
+  if (quantity == "force") return Notice{"kind_force"};
+  if (quantity == "voltage") return Notice{"kind_voltage"};
+  if (quantity == "frequency") return Notice{"kind_frequency"};
+  if (quantity == "time") return Notice{"kind_time"};
+  return quantity.empty() ? Notice{"kind_unknown"} : Notice{"kind_of_its_own", {{"quantity", quantity}}};
+}
+
 ToSi to_si(const Column& column) {
   if (column.unit.empty()) return {1, false};
   const auto unit = unit_of(column.unit, column.quantity);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cromer/base/table.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -29,6 +30,9 @@ ToSi to_si(const Column& column);
 
 /// The SI unit of a quantity ("m" of a position, Hz of a frequency); "" if it is not one of those above.
 std::string_view si_unit_of(std::string_view quantity);
+
+/// What a column holds, as a part of a sentence.
+Notice kind_of(std::string_view quantity);
 
 /// Lower case, without blanks, brackets, underscores, braces, backslashes and dollars: "x_{1}" is "x1".
 std::string plain_name(std::string_view name);

@@ -131,6 +131,19 @@ void describe_values(Series& series, const std::vector<double>& as_written) {
     series.notices.push_back(Notice{"column_never_changes", {{"column", series.column}}});
 }
 
+/// Why the only column of times cannot be the motion, and which columns may be.
+Notice column_is_the_time(const Recording& recording, std::size_t time) {
+  const auto& columns = recording.table.columns;
+  std::vector<std::size_t> others;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (columns[j].run == columns[time].run && columns[j].quantity != "time" &&
+        columns[j].quantity != "index")
+      others.push_back(j);
+  if (others.empty()) return Notice{"no_column_beside_time"};
+  return Notice{"column_is_the_time",
+                {{"column", column_title(columns[time])}, {"others", quoted_titles(columns, others)}}};
+}
+
 }  // namespace
 
 std::string unit_of(const Series& series) {
@@ -172,6 +185,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     series.notices.push_back(Notice{"column_of_frequency", {{"column", series.column}}});
 
   const auto time = dialects::time_column_of(recording.table, *chosen);
+  if (!time && value.quantity == "time") return refuse(column_is_the_time(recording, *chosen));
   if (!time && options.rate <= 0) return refuse(Notice{"no_time_column"});
   double seconds = 1;
   if (time) {

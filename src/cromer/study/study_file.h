@@ -22,6 +22,12 @@ struct Place {
   }
 };
 
+/// A text of the page, with results in it.
+struct PlacedText {
+  std::string text;
+  Place place;
+};
+
 /// One key of a task: the name of the option, with - for _, and one or more values as texts.
 struct Setting {
   std::string option;
@@ -80,13 +86,13 @@ struct TableSpec {
 /// [[block]]: a part of the page.
 struct BlockSpec {
   struct Heading {
-    std::string text;
+    PlacedText text;
   };
   struct Text {
-    std::string text;
+    PlacedText text;
   };
   struct Code {
-    std::string text, caption;
+    PlacedText text, caption;
   };
   struct FigureName {
     std::string id;
@@ -96,13 +102,13 @@ struct BlockSpec {
 };
 
 struct KeyFigureSpec {
-  std::string name, value, remark;
+  PlacedText name, value, remark;
 };
 
 struct Study {
   std::string file;
   std::string folder;  ///< paths in the study are relative to it
-  std::string title, byline, summary;
+  PlacedText title, byline, summary;
   std::vector<KeyFigureSpec> key_figures;
   std::vector<TaskSpec> tasks;
   std::vector<FigureSpec> figures;

@@ -150,11 +150,11 @@ struct Filler {
   const Results& results;
   std::optional<Error> error{};
 
-  std::string operator()(const std::string& text, std::string_view scope = "") {
-    auto filled = fill(text, results, scope);
+  std::string operator()(const PlacedText& placed, std::string_view scope = "") {
+    auto filled = fill(placed.text, results, scope);
     if (filled) return std::move(*filled);
-    if (!error) error = filled.error();
-    return text;
+    if (!error) error = placed.place.error(filled.error().notice);
+    return placed.text;
   }
 };
 
@@ -166,7 +166,11 @@ std::vector<std::string> runs_of(const Results& results, const std::string& id) 
   return names;
 }
 
-TableBlock make_table(const TableSpec& spec, Filler& text) {
+/// `place`: of the block, where every text of it is said to stand.
+TableBlock make_table(const TableSpec& spec, const Place& place, Filler& fill_in) {
+  const auto text = [&](const std::string& words, std::string_view scope = "") {
+    return fill_in({words, place}, scope);
+  };
   TableBlock table;
   table.caption = text(spec.caption);
   table.text_columns = spec.text_columns;
@@ -177,8 +181,9 @@ TableBlock make_table(const TableSpec& spec, Filler& text) {
     for (const auto& cell : row) cells.push_back(text(cell));
   }
   for (const auto& id : spec.each) {
-    const auto runs = runs_of(text.results, id);
-    if (runs.empty() && !text.error) text.error = Error{"no_runs_to_list", {{"task", id}}};
+    const auto runs = runs_of(fill_in.results, id);
+    if (runs.empty() && !fill_in.error)
+      fill_in.error = place.error(Notice{"no_runs_to_list", {{"task", id}}});
     for (const auto& run : runs) {
       auto& cells = table.rows.emplace_back();
       for (const auto& cell : spec.row) cells.push_back(text(cell, run));
@@ -199,8 +204,7 @@ Result<Page> make_page(const Study& study, const Results& results,
   page.footer = footer;
   for (const auto& key : study.key_figures)
     page.key_figures.push_back({text(key.name), text(key.value), text(key.remark)});
-  const Place top{study.file, 1, 1};
-  if (text.error) return top.error(text.error->notice);
+  if (text.error) return *text.error;
 
   std::map<std::string, int> numbers;
   for (std::size_t i = 0; i < study.figures.size(); ++i)
@@ -213,7 +217,7 @@ Result<Page> make_page(const Study& study, const Results& results,
     } else if (const auto* code = std::get_if<BlockSpec::Code>(&block.content)) {
       page.blocks.push_back(Code{text(code->text), text(code->caption)});
     } else if (const auto* table = std::get_if<TableSpec>(&block.content)) {
-      page.blocks.push_back(make_table(*table, text));
+      page.blocks.push_back(make_table(*table, block.place, text));
     } else {
       const std::string& id = std::get<BlockSpec::FigureName>(block.content).id;
       const DrawnFigure& figure = figures.at(id);
@@ -221,7 +225,7 @@ Result<Page> make_page(const Study& study, const Results& results,
                                         "Figure " + std::to_string(numbers.at(id)), figure.caption,
                                         figure.width});
     }
-    if (text.error) return block.place.error(text.error->notice);
+    if (text.error) return *text.error;
   }
   return page;
 }

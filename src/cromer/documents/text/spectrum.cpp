@@ -120,7 +120,7 @@ std::string spectrum_text(const SpectrumResult& result) {
     text += fmt::format("\n{} {}: {}\n", result.hysteretic() ? "loss factor" : "damping ratio",
                         shortest(spectrum.damping_ratio), conventions(result));
     text += spectrum_table(result, spectrum);
-    if (all > most_rows) text += fmt::format("{} of {} rows; -o FILE.csv writes all\n", most_rows, all);
+    if (all > most_rows) text += fmt::format("{} of {} rows; a file (-o) has them all\n", most_rows, all);
     text += summit(result, spectrum);
   }
   return text;

@@ -59,7 +59,7 @@ constexpr Entry entries[] = {
     // Grids
     {"no_grid", error,
      "\"{text}\" {what}; a grid is low:high:points, low:high:points:log, or a list with commas",
-     "„{text}“ {what}; ein Gitter ist kleinster:größter:Punkte, kleinster:größter:Punkte:log oder eine "
+     "„{text}“ {what}; ein Gitter ist von:bis:Punkte, von:bis:Punkte:log oder eine "
      "Liste mit Kommas"},
     {"grid_without_points", clause, "has no number of points", "nennt keine Zahl von Punkten"},
     {"grid_of_pieces", clause, "has {pieces} pieces", "hat {pieces} Teile"},
@@ -79,7 +79,7 @@ constexpr Entry entries[] = {
     {"grid_value_empty", error, "\"{text}\" has an empty value between its commas",
      "in „{text}“ fehlt ein Wert zwischen den Kommas"},
     {"grid_empty", error, "the grid is empty; give a value, a list with commas, or low:high:points",
-     "das Gitter ist leer; bitte einen Wert, eine Liste mit Kommas oder kleinster:größter:Punkte angeben"},
+     "das Gitter ist leer; bitte einen Wert, eine Liste mit Kommas oder von:bis:Punkte angeben"},
     {"points_too_many", error, "{points:.6g} points need {needed:n} of memory; ask for fewer",
      "{points:.6g} Punkte brauchen {needed:n} Speicher; bitte weniger verlangen"},
     {"points_beyond_memory", error,

@@ -65,7 +65,7 @@ constexpr Entry entries[] = {
     {"or_use_csv", error, "{what}; or use -o FILE.csv", "{what}; oder bitte -o FILE.csv nehmen"},
     {"hdf5_files", clause, "HDF5 files", "HDF5-Dateien"},
     {"mpirun_and_srun", clause, "mpirun and srun", "mpirun und srun"},
-    {"hdf5_not_made", clause, "cannot be made: {why}", "die Datei entsteht nicht: {why}"},
+    {"hdf5_not_made", clause, "cannot be made: {why}", "lässt sich nicht anlegen: {why}"},
     {"hdf5_part_not_made", clause, "{why}", "{why}"},
     {"hdf5_not_written", clause, "cannot be written: {why}", "das Schreiben misslingt: {why}"},
     {"hdf5_needs_a_file", error,
@@ -98,7 +98,7 @@ constexpr Entry entries[] = {
      "{journal} ist nicht das Tagebuch dieser Arbeit oder beschädigt; um neu zu beginnen, bitte diese Datei "
      "und {file} entfernen"},
     {"interrupted_at_first", error, "interrupted before the first point; nothing was begun",
-     "unterbrochen vor dem ersten Punkt; nichts ist begonnen"},
+     "abgebrochen vor dem ersten Punkt; nichts ist begonnen"},
     {"described_otherwise", clause, "its description differs", "die Beschreibung ist eine andere"},
     {"missing_there", clause, "{name} is missing there", "{name} fehlt dort"},
     {"missing_here", clause, "{name} is missing here", "{name} fehlt hier"},

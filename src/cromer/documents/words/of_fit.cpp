@@ -223,7 +223,7 @@ constexpr Entry entries[] = {
     {"something_else_drives", wrong_if_ignored,
      "the law accounts for {share:.0f} % of the motion's variance, and the rest is not noise: something else "
      "drives the motion as well or instead, or it has another law",
-     "das Gesetz erklärt {share:.0f} % der Streuung, und der Rest ist kein Rauschen: etwas anderes treibt "
+     "das Gesetz erklärt {share:.0f} % der Varianz, und der Rest ist kein Rauschen: etwas anderes treibt "
      "die Bewegung auch oder stattdessen, oder sie hat ein anderes Gesetz"},
     {"force_is_the_motion", error,
      "{--force-column}: \"{column}\" is the column that is fitted; say which holds the motion with "

@@ -58,13 +58,13 @@ constexpr Entry entries[] = {
      "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}: die Auflösung ist zu grob für "
      "eine so kleine Bewegung"},
     {"too_noisy", error, "too noisy: a sinusoid accounts for only {percent:.1f} % of the variance",
-     "zu viel Rauschen: eine Sinusschwingung erklärt nur {percent:.1f} % der Streuung"},
+     "zu viel Rauschen: eine Sinusschwingung erklärt nur {percent:.1f} % der Varianz"},
     {"noise_could_do_as_much", error,
      "no oscillation found: the best decaying sinusoid accounts for {percent:.1f} % of the variance, and "
      "noise like the residual could do as much; choose the part that oscillates with {--from} and {--to}, or "
      "another {--column}",
      "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
-     "Streuung, was Rauschen auch könnte; bitte mit {--from} und {--to} den Teil wählen, der schwingt, oder "
+     "Varianz, was Rauschen auch könnte; bitte mit {--from} und {--to} den Teil wählen, der schwingt, oder "
      "mit {--column} eine andere Spalte"},
     {"tops_cut_off", error,
      "the motion's peaks are cut off at the same value again and again: the sensor was out of its range; "
@@ -148,7 +148,7 @@ constexpr Entry entries[] = {
      "the frequency changes along the record: one decaying sinusoid accounts for only {percent:.0f} % of the "
      "variance",
      "die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur "
-     "{percent:.0f} % der Streuung"},
+     "{percent:.0f} % der Varianz"},
     {"half_swings_before_rest_unsure", worth_knowing,
      "the record does not tell after how many half swings the motion came to rest: another count has a "
      "probability of {percent:.0f} %, and the intervals are widened for it",

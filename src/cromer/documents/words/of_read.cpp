@@ -57,7 +57,7 @@ constexpr Entry entries[] = {
     {"is_clock_time", clause, "it is a clock time: write the seconds since the start",
      "das ist eine Uhrzeit: gebraucht werden Sekunden seit dem Anfang"},
     {"has_thousands_separators", clause, "it has thousands separators: write {cure}",
-     "Tausendertrennzeichen sind keine erlaubt: bitte {cure} schreiben"},
+     "Tausendertrennzeichen sind nicht erlaubt: bitte {cure} schreiben"},
     {"has_fortran_exponent", clause, "it has Fortran's exponent: write {cure}",
      "das ist ein Exponent wie in Fortran: bitte {cure} schreiben"},
     {"is_too_large", clause, "it is too large: numbers end at 1.8e308",
@@ -199,14 +199,17 @@ constexpr Entry entries[] = {
      "{--time-column}",
      "eine Zeitspalte fehlt: bitte mit {--rate} die Messwerte je Sekunde angeben oder mit {--time-column} "
      "die Spalte nennen"},
+    {"column_is_the_time", error,
+     "column \"{column}\" is the time; name the column that moves with it with {--column}: {others:or}",
+     "die Spalte „{column}“ ist die Zeit; bitte mit {--column} nennen, was sich mit ihr bewegt: {others:or}"},
     {"time_column_refused", error, "{--time-column}: {what}", "{--time-column}: {what}"},
     {"bad_time_unit", error,
-     "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h behind the time's name "
+     "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
      "(seconds need none)",
      "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
      "schreiben (Sekunden brauchen keine)"},
     {"bad_time_unit_or_column", error,
-     "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h behind the time's name "
+     "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
      "(seconds need none), or name another column with {--time-column}",
      "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
      "schreiben (Sekunden brauchen keine) oder mit {--time-column} eine andere Spalte nennen"},
@@ -219,8 +222,9 @@ constexpr Entry entries[] = {
      "die erste Spalte steigt gleichmäßig: sie gilt als Zeit in Sekunden"},
     {"no_step_of_time", error,
      "column \"{column}\": from {from:n} to {to:n} is no step of time: seconds are expected, or a unit "
-     "behind the name",
-     "Spalte „{column}“: von {from:n} nach {to:n} ist kein Zeitschritt; erwartet werden Sekunden"},
+     "after the name",
+     "Spalte „{column}“: von {from:n} nach {to:n} ist kein Zeitschritt; erwartet werden Sekunden oder eine "
+     "Einheit hinter dem Namen"},
     {"time_runs_backward", error, "the time runs backward from the first row to the last",
      "die Zeit läuft rückwärts, von der ersten Zeile bis zur letzten"},
     {"time_mostly_backward", error, "the time runs backward in most rows",
@@ -285,8 +289,8 @@ constexpr Entry entries[] = {
     {"peer_without_values", error, "no values follow", "es folgen keine Werte"},
     {"peer_fewer_values", worth_knowing, "NPTS says {promised:n} values, the file holds {values}",
      "NPTS nennt {promised:n} Werte, die Datei enthält {values}"},
-    {"peer_more_values", worth_knowing, "{more:value|values} behind the {values} of NPTS left out",
-     "{more:Wert|Werte} hinter den {values} von NPTS weggelassen"},
+    {"peer_more_values", worth_knowing, "{more:value|values} after the {values} that NPTS announces left out",
+     "{more:Wert|Werte} nach den {values}, die NPTS ankündigt, weggelassen"},
 
     // Universal files
     {"dataset_not_ieee", error, "its binary numbers are not IEEE 754: convert the file to dataset 58 as text",

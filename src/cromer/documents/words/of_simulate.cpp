@@ -201,13 +201,13 @@ constexpr Entry entries[] = {
      "{spacing:.6g} s ein Messwert); ein {use} braucht gleichmäßige Messwerte: bitte erst neu abtasten"},
     {"no_column_of_numbers", error, "there is no column of numbers", "es gibt keine Spalte mit Zahlen"},
     {"column_holds_no_force", error,
-     "column \"{column}\" holds {quantity}, not a force (N); choose another with {option:option}",
-     "die Spalte „{column}“ enthält {quantity}, keine Kraft (N); bitte mit {option:option} eine andere "
+     "column \"{column}\" holds {kind}, not a force (N); choose another with {option:option}",
+     "die Spalte „{column}“ enthält {kind}, keine Kraft (N); bitte mit {option:option} eine andere "
      "wählen"},
     {"column_holds_no_acceleration", error,
-     "column \"{column}\" holds {quantity}, not an acceleration (m/s^2 or g); choose another with "
+     "column \"{column}\" holds {kind}, not an acceleration (m/s^2 or g); choose another with "
      "{option:option}",
-     "die Spalte „{column}“ enthält {quantity}, keine Beschleunigung (m/s^2 oder g); bitte mit "
+     "die Spalte „{column}“ enthält {kind}, keine Beschleunigung (m/s^2 oder g); bitte mit "
      "{option:option} eine andere wählen"},
     {"column_has_no_sample", error,
      "column \"{column}\" has no sample, and a {use} needs at least two samples",

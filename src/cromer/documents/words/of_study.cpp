@@ -67,7 +67,7 @@ constexpr Entry entries[] = {
     {"task_does_not_show", wrong_if_ignored, "{command} {task} should show \"{shows}\", but does not",
      "{command} {task} soll „{shows}“ zeigen, zeigt es aber nicht"},
     {"run_ended_early", clause, "{run}: {what}", "{run}: {what}"},
-    {"task_interrupted", clause, "interrupted", "unterbrochen"},
+    {"task_interrupted", clause, "interrupted", "abgebrochen"},
     {"no_point_settled", clause, "no point settled", "kein Punkt hat sich eingeschwungen"},
     // Results in texts and figures.
     {"no_such_result", error, "\"{name}\" is no result of this study{near}",
@@ -90,7 +90,7 @@ constexpr Entry entries[] = {
      "„{minus}“ hat {minus_rows} Zeilen, „{of}“ hat {of_rows}: voneinander abziehen lassen sie sich nicht"},
     {"no_runs_to_list", error, "\"{task}\" has no runs to list",
      "„{task}“ hat keine Läufe, die aufzuzählen wären"},
-    {"interrupted_before", error, "interrupted before {figure}", "unterbrochen vor {figure}"},
+    {"interrupted_before", error, "interrupted before {figure}", "abgebrochen vor {figure}"},
     {"folder_not_made", error, "{folder}: cannot be made: {why}", "{folder} lässt sich nicht anlegen: {why}"},
 };
 

@@ -193,8 +193,9 @@ constexpr Entry entries[] = {
      "Ende"},
     {"points_ran_away", worth_knowing, "{points} of {all} points ran away",
      "{points} von {all} Punkten liefen davon"},
-    {"points_without_solution", worth_knowing, "{points} of {all} points found no solution of their step",
-     "{points} von {all} Punkten fanden keine Lösung für ihren Schritt"},
+    {"points_without_solution", worth_knowing,
+     "at {points} of {all} points an implicit step found no solution",
+     "an {points} von {all} Punkten fand ein impliziter Schritt keine Lösung"},
     {"rows_not_reached", clause, "interrupted: rows that were not reached are null",
      "abgebrochen: Zeilen, die nicht erreicht wurden, sind null"},
     // How points are found, and in which steps.

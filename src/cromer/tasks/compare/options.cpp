@@ -22,6 +22,11 @@ std::vector<Option> options_of(CompareOptions& o) {
     return std::find(of_driven.begin(), of_driven.end(), option.name) != of_driven.end();
   };
   std::erase_if(options, is_of_driven);
+  for (Option& option : options)
+    if (option.name == "column") {
+      option.help = "column to compare";
+      option.default_text = "a position, else an angle";
+    }
   options.insert(options.end(), std::begin(own), std::end(own));
   return options;
 }

@@ -9,6 +9,7 @@
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 

@@ -6,6 +6,7 @@
 #include "cromer/base/quantile.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/outliers.h"
+#include "cromer/read/column_kind.h"
 
 namespace cromer::core {
 namespace {
@@ -147,20 +148,6 @@ int derivative_order(std::string_view quantity) {
 
 bool is_linear_quantity(std::string_view quantity) {
   return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
-}
-
-Notice kind_of(std::string_view quantity) {
-  if (quantity == "position") return Notice{"kind_position"};
-  if (quantity == "angle") return Notice{"kind_angle"};
-  if (quantity == "velocity") return Notice{"kind_velocity"};
-  if (quantity == "angular velocity") return Notice{"kind_angular_velocity"};
-  if (quantity == "acceleration") return Notice{"kind_acceleration"};
-  if (quantity == "angular acceleration") return Notice{"kind_angular_acceleration"};
-  if (quantity == "force") return Notice{"kind_force"};
-  if (quantity == "voltage") return Notice{"kind_voltage"};
-  if (quantity == "frequency") return Notice{"kind_frequency"};
-  if (quantity == "time") return Notice{"kind_time"};
-  return quantity.empty() ? Notice{"kind_unknown"} : Notice{"kind_of_its_own", {{"quantity", quantity}}};
 }
 
 Notice fitted_as_it_is(std::string_view quantity, std::string_view column) {

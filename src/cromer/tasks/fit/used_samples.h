@@ -38,9 +38,6 @@ int derivative_order(std::string_view quantity);
 /// Whether the quantity is a length, a derivative of one, or not known; false for angles.
 bool is_linear_quantity(std::string_view quantity);
 
-/// What a column holds, as a part of a sentence.
-Notice kind_of(std::string_view quantity);
-
 /// The notice that a column of velocities or accelerations is fitted as what it is.
 Notice fitted_as_it_is(std::string_view quantity, std::string_view column);
 

@@ -64,9 +64,10 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   if (!series) return series.error();
 
   if (!series->quantity.empty() && series->quantity != request.quantity)
-    return refuse(Notice{
-        wants_force(request) ? "column_holds_no_force" : "column_holds_no_acceleration",
-        {{"column", series->column}, {"quantity", series->quantity}, {"option", request.column_option}}});
+    return refuse(Notice{wants_force(request) ? "column_holds_no_force" : "column_holds_no_acceleration",
+                         {{"column", series->column},
+                          {"kind", kind_of(series->quantity)},
+                          {"option", request.column_option}}});
   if (series->t.size() < 2)
     return refuse(Notice{series->t.empty() ? "column_has_no_sample" : "column_has_one_sample",
                          {{"column", series->column}, {"use", use_of(request)}}});

@@ -112,7 +112,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear)", "linear", recorded},
       {"method", &o.method, "", Range::any, "a name from `cromer methods`; may be given several times",
        "euler-cromer", integration},
-      {"step", &o.step, "s", Range::positive, "time step",
+      {"step", &o.step, "s", Range::positive, "time step; of an adaptive method the spacing of its states",
        "1/200 of the shorter of natural and drive period (or pulse); of a recorded drive a whole part of its "
        "spacing",
        integration},

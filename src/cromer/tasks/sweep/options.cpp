@@ -62,6 +62,28 @@ bool is_coefficient(std::string_view name) {
   return found;
 }
 
+/// What those options mean in a sweep, where that is less than in a run.
+void say_of_sweeps(std::vector<Option>& options) {
+  struct Said {
+    std::string_view name, help, default_text;
+  };
+  constexpr Said all[] = {
+      {"method", "a name from `cromer methods`", ""},
+      {"drive", "harmonic, unbalance (rotating, m_u e w^2) or base (shaking)", ""},
+      {"drive-amplitude", "amplitude F of the driving force", ""},
+      {"drive-frequency", "its angular frequency w", ""},
+      {"drive-phase", "its phase phi at t = 0", ""},
+      {"step", "time step", "1/200 of the shorter of natural and drive period"},
+      {"until", "end of each run", "20 natural periods, of the drive where the law has none"},
+  };
+  for (Option& option : options)
+    for (const Said& said : all)
+      if (option.name == said.name) {
+        option.help = said.help;
+        if (!said.default_text.empty()) option.default_text = said.default_text;
+      }
+}
+
 }  // namespace
 
 std::vector<Option> point_options(SimulateOptions& o) {
@@ -92,10 +114,10 @@ std::vector<Option> options_of(SweepOptions& o) {
       option.target = &o.values[option.name];
       options.push_back(option);
     } else if (is_in(as_it_is, option.name)) {
-      if (option.name == "drive") option.help = "harmonic, unbalance (rotating, m_u e w^2) or base (shaking)";
       options.push_back(option);
     }
   }
+  say_of_sweeps(options);
   options.insert(
       options.end(),
       {{"measure", &o.measure, "", Range::any,
@@ -105,8 +127,8 @@ std::vector<Option> options_of(SweepOptions& o) {
        {"settle", &o.settle, "", Range::not_negative, "cycles of the drive that are dropped",
         "as many as it takes until the changes still to come are below 1e-6", sweep},
        {"direction", &o.direction, "", Range::any,
-        "up, down or both: each point starts where the one before ended (hysteresis)", "each point by itself",
-        sweep},
+        "up, down or both: each point starts where the one before ended, so that jumps show",
+        "each point by itself", sweep},
        {"threads", &o.threads, "", Range::positive, "how many work at once", "one for each processor", sweep},
        {"check", &o.check, "", Range::any,
         "where the answer is a closed form, step eight points as well and say how far they differ", "",
