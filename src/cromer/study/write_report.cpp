@@ -298,7 +298,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);
   if (!figures) return figures.error();
-  study->byline += (study->byline.empty() ? "" : " · ") + date + " · " + program;
+  study->byline.text += (study->byline.text.empty() ? "" : " · ") + date + " · " + program;
   const auto page = make_page(*study, run->results, *figures, versions(program));
   if (!page) return page.error();
 
