@@ -186,8 +186,7 @@ TEST(AmplitudeDecay, IsTheSumOfWhatEachTermTakes) {
   const double w = 3, A = 0.7;
   const AmplitudeDecay law{
       .angular_frequency = w,
-      .per_mass = {
-          .stiffness = 9, .damping = 0.04, .drag = 0.02, .friction = 0.05, .cubic = 4, .van_der_pol = 0.03}};
+      .per_mass = {.stiffness = 9, .damping = 0.04, .drag = 0.02, .friction = 0.05, .van_der_pol = 0.03}};
   const double s = 2 * 0.05 / (pi * w), q = 4 * 0.02 * w / (3 * pi);
   EXPECT_NEAR(law.rate(A) * A, s + 0.02 * A + q * A * A + 0.03 * A * A * A / 8, 1e-12);
   EXPECT_NEAR((AmplitudeDecay{.per_mass = {.friction = 1}}.rate(1)), 2 / pi, 1e-12)
@@ -215,6 +214,46 @@ TEST(AmplitudeDecay, IsTheMeanOverACycleOfEveryTerm) {
   const AmplitudeDecay drag{.angular_frequency = 1, .per_mass = {.drag = 0.001}};
   EXPECT_NEAR(simulated_rate({.mass = 1, .stiffness = 1, .drag = 0.001}, A, 1) / drag.rate(A), 1, 3e-3);
   EXPECT_NEAR(drag.rate(2 * A) / drag.rate(A), 2, 1e-14);
+}
+
+/// By the turning points of a swing from x = A, in steps of 1e-4 s: the amplitude in the middle of the period
+/// after the first of them, and the rate at which it falls there.
+struct OfTurningPoints {
+  double amplitude, rate;
+};
+OfTurningPoints of_turning_points(const Oscillator<double>& law, double A) {
+  KeepEvery keep(1, count_steps({0, 40}, 1e-4));
+  with_terms(law, HarmonicDrive<double>{}, [&](const auto& system) {
+    return solve(system, Rk4{}, Interval{0, 40}, State<double>{A, 0}, 1e-4, keep);
+  });
+  const Trajectory motion = keep.take();
+  std::vector<double> x, t;
+  for (std::size_t i = 1; i + 1 < motion.t.size() && x.size() < 4; ++i)
+    if (motion.v[i] * motion.v[i + 1] < 0) x.push_back(motion.x[i]), t.push_back(motion.t[i]);
+  const double before = 0.5 * std::abs(x[1] - x[0]), after = 0.5 * std::abs(x[3] - x[2]);
+  return {std::sqrt(before * after), std::log(before / after) / (t[2] - t[0])};
+}
+
+TEST(AmplitudeDecay, OfABentSpringIsThatOfItsTurningPoints) {
+  const Oscillator<double> spring{.mass = 1, .stiffness = 9, .damping = 0.004};
+  const auto with = [&](double Oscillator<double>::*term, double value) {
+    Oscillator<double> law = spring;
+    law.*term = value;
+    return law;
+  };
+  const Oscillator<double> pendulum{.mass = 1, .stiffness = 0, .damping = 0.004, .pendulum = 9};
+  Oscillator<double> damped_by_all = with(&Oscillator<double>::cubic, 18);
+  damped_by_all.drag = 0.003;
+  damped_by_all.friction = 0.004;
+  for (const Oscillator<double>& law :
+       {pendulum, with(&Oscillator<double>::cubic, 18), with(&Oscillator<double>::quintic, 9),
+        with(&Oscillator<double>::odd_quadratic, 9), with(&Oscillator<double>::quadratic, 4),
+        damped_by_all}) {
+    const OfTurningPoints seen = of_turning_points(law, law.pendulum > 0 ? 2.07 : 1);
+    EXPECT_NEAR(AmplitudeDecay{.per_mass = law}.rate(seen.amplitude), seen.rate, 2e-3 * seen.rate);
+  }
+  EXPECT_NEAR(AmplitudeDecay{.per_mass = pendulum}.rate(2.07), 1.36 * 0.002, 0.01 * 0.002);
+  EXPECT_NEAR(AmplitudeDecay{.per_mass = pendulum}.rate(1e-3), 0.002, 1e-8);
 }
 
 TEST(AmplitudeDecay, FrictionTakesTheSameAmplitudeEveryCycle) {

@@ -213,7 +213,7 @@ TEST(CallC, RefusesInGermanWhereAsked) {
   const Swing made = swing();
   const auto message = [](const Answer& answer) { return document(answer)["message"].get<std::string>(); };
   EXPECT_EQ(message(call("fit", R"({"language": "de"})")),
-            "eine Aufnahme fehlt: bitte die Felder t und y oder eine Datei angeben");
+            "für fit fehlt eine Aufnahme: bitte die Felder t und y oder eine Datei angeben");
   EXPECT_EQ(
       message(call("swim", R"({"language": "de"})")),
       "das Verb „swim“ gibt es nicht; es gibt read, fit, simulate, compare, methods, spectrum und sweep");

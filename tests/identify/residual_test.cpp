@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 namespace cromer::core {
@@ -52,6 +53,21 @@ TEST(Residual, WhiteNoiseWithGapsIsCalledWhiteAsOften) {
       called_white += describe_residual(r, autocorrelations(r, grid, first_lags(r.size())), grid).white;
     }
     EXPECT_GE(called_white, 192) << missing;
+  }
+}
+
+TEST(Residual, IndependentNoiseThatIsUnevenIsCalledWhite) {
+  const auto loud_at_first = [](double share) { return 1 + 9 * std::exp(-10 * share); };
+  const auto loud_at_last = [](double share) { return share > 0.8 ? 5.0 : 1.0; };
+  for (const std::function<double(double)>& size :
+       {std::function<double(double)>(loud_at_first), std::function<double(double)>(loud_at_last)}) {
+    int called_white = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      std::vector<double> r = white(1000, seed);
+      for (std::size_t i = 0; i < r.size(); ++i) r[i] *= size(static_cast<double>(i) / 1000);
+      called_white += described(r).white;
+    }
+    EXPECT_GE(called_white, 194);
   }
 }
 

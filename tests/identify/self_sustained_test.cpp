@@ -53,6 +53,30 @@ TEST(SelfSustained, IsFittedWhereverItBegins) {
     }
 }
 
+// x'' - 6 mu (1 - x²/a²) x' + 36 x = 0 with a = 1 cm: the stronger, the more it moves in bursts.
+TEST(SelfSustained, OfStrongBurstsEveryParameterIsRight) {
+  for (const double mu : {0.5, 1.0, 1.5}) {
+    Motion motion{.law = fed, .position = 0.002};
+    motion.set_angular_frequency(6);
+    motion.set_decay_rate(-3 * mu);
+    motion.per_mass.van_der_pol = 6 * mu / 1e-4;
+    const std::vector<double> t = even_times(800, 0.025), exact = observed_motion(motion, {}, t, 0, 2e-4);
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      SCOPED_TRACE(testing::Message() << mu << ", seed " << seed);
+      std::mt19937_64 engine(seed);
+      std::normal_distribution<double> normal(0, 2e-4);
+      std::vector<double> y = exact;
+      for (double& each : y) each += normal(engine);
+      const LawFit fit = fit_law({t, y}, {.law = fed});
+      ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+      EXPECT_LT(fit.residual.rms, 2.2e-4);
+      EXPECT_NEAR(fit.decay_rate().value, -3 * mu, 4 * fit.decay_rate().standard_error);
+      EXPECT_NEAR(fit["van_der_pol"].value, 6 * mu / 1e-4, 4 * fit["van_der_pol"].standard_error);
+      EXPECT_NEAR(fit.angular_frequency().value, 6, 4 * fit.angular_frequency().standard_error);
+    }
+  }
+}
+
 TEST(SelfSustained, IsChosen) {
   for (const double position : {0.03, 0.1, 0.4}) {
     SCOPED_TRACE(position);

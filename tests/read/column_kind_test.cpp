@@ -147,13 +147,13 @@ TEST(TimeColumn, ThatIsAskedForIsTheOnlyOne) {
             "lab.txt: --time-column: no column is called \"clock\"; there are \"t (s)\", \"x (m)\"");
   EXPECT_EQ(
       refusal("t (s),clock (foo)\n0,5\n1,6\n", named),
-      "lab.txt: column \"clock (foo)\": the unit \"foo\" is not known: write s, ms, us, min or h behind the "
+      "lab.txt: column \"clock (foo)\": the unit \"foo\" is not known: write s, ms, us, min or h after the "
       "time's name (seconds need none)");
   named.time_column = "t";
   EXPECT_EQ(refusal("t (s),time (foo)\n0,5\n1,6\n", named), "read");
   EXPECT_EQ(
       refusal("Time (m),x\n0,5\n1,6\n"),
-      "lab.txt: column \"Time (m)\": the unit \"m\" is no unit of time: write s, ms, us, min or h behind the "
+      "lab.txt: column \"Time (m)\": the unit \"m\" is no unit of time: write s, ms, us, min or h after the "
       "time's name (seconds need none), or name another column with --time-column");
 }
 

@@ -56,9 +56,9 @@ TEST(PeerHead, ValuesBehindItsCountAreCounted) {
   EXPECT_THAT(in_words(read(peer("NPTS= 3, DT= 1")).notices), IsEmpty());
   EXPECT_TRUE(read(peer("NPTS= 3, DT= 1")).named);
   EXPECT_THAT(in_words(read(peer("NPTS= 2, DT= 1")).notices),
-              ElementsAre("1 value behind the 2 of NPTS left out"));
+              ElementsAre("1 value after the 2 that NPTS announces left out"));
   EXPECT_THAT(in_words(read(peer("NPTS= 4, DT= 1", "1 2 3\n4 5 6\n7\n")).notices),
-              ElementsAre("3 values behind the 4 of NPTS left out"));
+              ElementsAre("3 values after the 4 that NPTS announces left out"));
   EXPECT_THAT(in_words(read(peer("NPTS= 3, DT= 1", "1 2 3\nthe end\n")).notices), IsEmpty());
 }
 

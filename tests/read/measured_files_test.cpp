@@ -402,7 +402,8 @@ TEST(MeasuredFiles, ATableOfWordsIsRefused) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const auto recording = read_recording(bytes_of(path), "published.csv", {});
   ASSERT_FALSE(recording.ok());
-  EXPECT_THAT(in_words(recording.error()), HasSubstr("column \"num_parameters\": \"490 (support vectors)\" is not a number"));
+  EXPECT_THAT(in_words(recording.error()),
+              HasSubstr("column \"num_parameters\": \"490 (support vectors)\" is not a number"));
 }
 
 TEST(MeasuredFiles, TrackerNeedsAChoiceOfColumn) {

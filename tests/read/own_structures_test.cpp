@@ -95,7 +95,7 @@ TEST(Peer, ReadsBothHeadersAndStopsAtItsCount) {
     EXPECT_THAT(values(r, 0), ElementsAre(0, 0.5, 1, 1.5, 2));
     EXPECT_THAT(values(r, 1), ElementsAre(0.015, -0.025, 3, -1.234, -5.678));
     EXPECT_THAT(r.lines, ElementsAre(5, 5, 5, 6, 6));
-    EXPECT_THAT(in_words(r.notices), ElementsAre("2 values behind the 5 of NPTS left out"));
+    EXPECT_THAT(in_words(r.notices), ElementsAre("2 values after the 5 that NPTS announces left out"));
     const auto series = take_series(r, "", 1, {});
     ASSERT_TRUE(series.ok());
     EXPECT_DOUBLE_EQ(series->y[0], 0.015 * 9.80665);

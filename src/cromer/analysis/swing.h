@@ -87,24 +87,38 @@ struct Swing {
   /// would not come back. Relative error: 1e-12 as long as the stiffness stays above w0^2/20 throughout; of
   /// a pendulum up to 3 rad.
   Real angular_frequency(const Real& a) const {
-    using std::sqrt;
     constexpr int points = 96;
-    // The middle c: the potential is the same at c + a and c - a.
+    const Real c = middle(a);
+    Real sum = 0;
+    for (int i = 0; i < points; ++i)
+      sum += Real(1.0) / turning(c, a, std::cos((i + 0.5) * std::numbers::pi / points));
+    return Real(static_cast<double>(points)) / sum;
+  }
+
+  /// The middle c of a swing of amplitude a: the potential is the same at c + a and c - a.
+  Real middle(const Real& a) const {
     Real c = 0;
     if (value_of(per_mass.quadratic) != 0)
       for (int newton = 0; newton < 12; ++newton)
         c -= (potential(c + a) - potential(c - a)) / (pull(c + a) - pull(c - a));
+    return c;
+  }
+
+  /// theta' [rad/s] at u = a cos(theta) from the middle c, where the cosine is `share`.
+  Real turning(const Real& c, const Real& a, double share) const {
+    using std::sqrt;
     const auto force = [&](const Real& x) { return pull(x); };
-    Real sum = 0;
-    for (int i = 0; i < points; ++i) {
-      const double share = std::cos((i + 0.5) * std::numbers::pi / points);
-      const Real u = share * a;
-      // theta'^2, from the turning point on its own side: energies would cancel there.
-      const Real square = share > 0 ? 2.0 * mean_over(Real(c + u), Real(c + a), force) / (a + u)
-                                    : -2.0 * mean_over(Real(c - a), Real(c + u), force) / (a - u);
-      sum += Real(1.0) / sqrt(square);
-    }
-    return Real(static_cast<double>(points)) / sum;
+    const Real u = share * a;
+    // From the turning point on its own side: energies would cancel there.
+    return sqrt(share > 0 ? 2.0 * mean_over(Real(c + u), Real(c + a), force) / (a + u)
+                          : -2.0 * mean_over(Real(c - a), Real(c + u), force) / (a - u));
+  }
+
+  /// Whether a spring beside the linear one acts.
+  bool is_bent() const {
+    const Oscillator<Real>& p = per_mass;
+    return value_of(p.cubic) != 0 || value_of(p.quadratic) != 0 || value_of(p.odd_quadratic) != 0 ||
+           value_of(p.quintic) != 0 || value_of(p.pendulum) != 0;
   }
 };
 
@@ -158,18 +172,56 @@ CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
 
 template <class Real>
 struct CycleDecay {
-  Real angular_frequency = 1;   // [rad/s] > 0
+  Real angular_frequency = 1;   // [rad/s] > 0; `rate` does not use it where a spring is bent
   Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; hysteresis is ignored
 
-  /// (-dA/dt)/A [1/s] at amplitude A > 0 [unit]: the decay rate of the viscous law that takes as much
-  /// energy in a cycle.
+  /// (-dA/dt)/A [1/s] at amplitude A > 0 [unit], half the way from one turning point to the next: to the
+  /// first order in what damps, however far the springs are bent.
   Real rate(const Real& A) const {
+    if (const Swing<Real> swing{per_mass}; swing.is_bent())
+      if (const Real bent = rate_of(swing, A); std::isfinite(value_of(bent))) return bent;
+    return equivalent_rate(A);
+  }
+
+  /// The decay rate [1/s] of the viscous law that takes as much energy in a cycle: the same but for bent
+  /// springs, whose energy does not grow with the square of the amplitude.
+  Real equivalent_rate(const Real& A) const {
     Real sum = 0;
     for_each_term([&]<class T>() {
       if constexpr (!HasInnerState<T>) {
         const Real& coefficient = per_mass.*T::template members<Real>[0];
         if (T::info.acts_at_rest || value_of(coefficient) == 0) return;
         sum += coefficient * (cycle_average<T>(A, angular_frequency).fall / A);
+      }
+    });
+    return sum;
+  }
+
+ private:
+  /// What is lost in half a cycle, over what the energy grows by with the amplitude: with p and q the pulls
+  /// at the two turning points, dE/da = 2 p q/(p + q), as both move.
+  Real rate_of(const Swing<Real>& swing, const Real& a) const {
+    const Real c = swing.middle(a), p = swing.pull(c + a), q = -swing.pull(c - a);
+    Real lost = 0, time = 0;
+    for (const double from : {0.0, std::numbers::pi / 2}) {
+      const double to = from + std::numbers::pi / 2;
+      lost += mean_over(from, to, [&](double theta) {
+        const Real way = std::sin(theta) * a;
+        return -way * damping(Real(c + std::cos(theta) * a), -way * swing.turning(c, a, std::cos(theta)));
+      });
+      time += mean_over(from, to,
+                        [&](double theta) { return Real(Real(1.0) / swing.turning(c, a, std::cos(theta))); });
+    }
+    return lost / time * (p + q) / (2.0 * (p * q * a));
+  }
+
+  /// The force per unit mass against the motion.
+  Real damping(const Real& x, const Real& v) const {
+    Real sum = 0;
+    for_each_term([&]<class T>() {
+      if constexpr (!HasInnerState<T>) {
+        const Real& coefficient = per_mass.*T::template members<Real>[0];
+        if (!T::info.acts_at_rest && value_of(coefficient) != 0) sum += T::force(x, v, coefficient);
       }
     });
     return sum;

@@ -159,13 +159,20 @@ class StepLength {
   }
 
   // The method's error may move a parameter by a twentieth of its standard error, under a recorded force by a
-  // tenth.
-  double fine(const LeastSquaresSummary& at, double samples, double h) const {
+  // tenth. `measured`: found by halving, as it is under a recorded force; else by the formula for a sinusoid.
+  double fine(const LeastSquaresSummary& at, double samples, double h, bool measured) const {
     const double n = static_cast<double>(problem_.record().t.size());
     constexpr double least = 1e-6;  // of the motion: no record is better
     const double rms = std::max(std::sqrt(at.equations.sum_of_squares / samples),
                                 least * centred_norm(problem_.record().y) / std::sqrt(n));
-    if (!recorded()) return motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
+    if (!recorded()) {
+      h = motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
+      for (int halvings = 0; measured && halvings < 6; ++halvings, h /= 2) {
+        const double error = problem_.method_error(at.parameters, problem_.record().t.size(), h);
+        if (!(error * error * n > 0.0025 * rms * rms)) break;
+      }
+      return h;
+    }
     // A standard error moves the motion by one residual's rms in all. Steps shorter than this are not tried:
     // such a motion does not belong to the record.
     constexpr double shortest = 1.0 / 256;
@@ -215,14 +222,16 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     return found;
   }
   if (steps.recorded()) settings.error_tolerance = 1e-3;
-  found.h = steps.fine(summary, coarse.residuals, found.h);
+  // What feeds itself swings in bursts, of which a formula for sinusoids knows nothing.
+  const bool in_bursts = options.law.has<VanDerPol>();
+  found.h = steps.fine(summary, coarse.residuals, found.h, false);
   Parameters from = summary.parameters;
   for (int round = 0; round < 4; ++round) {
     found.minimum = minimise_both(problem.model(found.h), from, settings);
     found.iterations += found.minimum.bounded.iterations;
     from = found.minimum.bounded.parameters;
     if (!std::isfinite(found.minimum.bounded.equations.sum_of_squares)) break;
-    const double finer = steps.fine(found.minimum.bounded, n, found.h);
+    const double finer = steps.fine(found.minimum.bounded, n, found.h, in_bursts);
     if (finer > 0.8 * found.h) break;
     found.h = finer;
   }

@@ -51,7 +51,7 @@ class TomlReader {
   bool has(std::string_view key);
   std::vector<std::string> keys() const;
   /// A text with the place of its value; empty where the key is missing.
-  PlacedText placed_text(std::string_view key) {
+  StudyText study_text(std::string_view key) {
     return {text(key), table_.get(key) ? place_of_key(key) : place()};
   }
   Place place() const { return place_of(table_); }
@@ -388,11 +388,11 @@ struct StudyReader {
     BlockSpec block;
     block.place = toml.place();
     if (toml.has("heading"))
-      block.content = BlockSpec::Heading{toml.placed_text("heading")};
+      block.content = BlockSpec::Heading{toml.study_text("heading")};
     else if (toml.has("figure"))
       block.content = BlockSpec::FigureName{toml.text("figure")};
     else if (toml.has("code"))
-      block.content = BlockSpec::Code{toml.placed_text("code"), toml.placed_text("caption")};
+      block.content = BlockSpec::Code{toml.study_text("code"), toml.study_text("caption")};
     else if (toml.has("table")) {
       TableSpec table;
       table.caption = toml.text("table");
@@ -404,14 +404,14 @@ struct StudyReader {
       table.answer_column = toml.whole("answer_column", -1);
       block.content = std::move(table);
     } else {
-      block.content = BlockSpec::Text{toml.placed_text("text")};
+      block.content = BlockSpec::Text{toml.study_text("text")};
     }
     return block;
   }
 };
 
 KeyFigureSpec read_key_figure(TomlReader& toml) {
-  return {toml.placed_text("name"), toml.placed_text("value"), toml.placed_text("remark")};
+  return {toml.study_text("name"), toml.study_text("value"), toml.study_text("remark")};
 }
 
 bool is_file_name(std::string_view id) {
@@ -456,9 +456,9 @@ Result<Study> read_study(std::string_view bytes, const std::string& file) {
     Study read;
     read.file = file;
     read.folder = std::filesystem::path(file).parent_path().string();
-    read.title = toml.placed_text("title");
-    read.byline = toml.placed_text("byline");
-    read.summary = toml.placed_text("summary");
+    read.title = toml.study_text("title");
+    read.byline = toml.study_text("byline");
+    read.summary = toml.study_text("summary");
     read.key_figures = inner_tables<KeyFigureSpec>(toml, file, "key_figure", read_key_figure, reader.error);
     read.tasks = inner_tables<TaskSpec>(toml, file, "task", read_task, reader.error);
     read.figures = inner_tables<FigureSpec>(

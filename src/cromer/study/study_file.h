@@ -23,9 +23,9 @@ struct Place {
 };
 
 /// A text of the page, with results in it.
-struct PlacedText {
+struct StudyText {
   std::string text;
-  Place place;
+  Place place{};
 };
 
 /// One key of a task: the name of the option, with - for _, and one or more values as texts.
@@ -86,13 +86,13 @@ struct TableSpec {
 /// [[block]]: a part of the page.
 struct BlockSpec {
   struct Heading {
-    PlacedText text;
+    StudyText text;
   };
   struct Text {
-    PlacedText text;
+    StudyText text;
   };
   struct Code {
-    PlacedText text, caption;
+    StudyText text, caption;
   };
   struct FigureName {
     std::string id;
@@ -102,13 +102,13 @@ struct BlockSpec {
 };
 
 struct KeyFigureSpec {
-  PlacedText name, value, remark;
+  StudyText name, value, remark;
 };
 
 struct Study {
   std::string file;
   std::string folder;  ///< paths in the study are relative to it
-  PlacedText title, byline, summary;
+  StudyText title, byline, summary;
   std::vector<KeyFigureSpec> key_figures;
   std::vector<TaskSpec> tasks;
   std::vector<FigureSpec> figures;

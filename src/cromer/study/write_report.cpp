@@ -150,7 +150,7 @@ struct Filler {
   const Results& results;
   std::optional<Error> error{};
 
-  std::string operator()(const PlacedText& placed, std::string_view scope = "") {
+  std::string operator()(const StudyText& placed, std::string_view scope = "") {
     auto filled = fill(placed.text, results, scope);
     if (filled) return std::move(*filled);
     if (!error) error = placed.place.error(filled.error().notice);

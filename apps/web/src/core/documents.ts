@@ -203,7 +203,7 @@ export interface AmplitudeRate {
   standard_error: Maybe
   /** [1/s] 95 % interval */
   confidence_95: [Maybe, Maybe]
-  /** [1/s] decay rate of the fitted law at that amplitude, averaged over a cycle */
+  /** [1/s] rate at which the fitted law's amplitude falls there, averaged over a cycle */
   law_rate: Maybe
   /** [s] where the stretch begins */
   from: number

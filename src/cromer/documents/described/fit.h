@@ -142,7 +142,7 @@ struct Described<AmplitudeRate> {
                         "decay rate of one sinusoid fitted to this stretch alone")
                   .with_interval(),
               field("law_rate", &AmplitudeRate::law_rate, "1/s",
-                    "decay rate of the fitted law at that amplitude, averaged over a cycle"),
+                    "rate at which the fitted law's amplitude falls there, averaged over a cycle"),
               field("from", &AmplitudeRate::from, "s", "where the stretch begins").known(),
               field("to", &AmplitudeRate::to, "s", "where it ends").known());
 };

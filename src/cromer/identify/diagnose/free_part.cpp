@@ -83,16 +83,16 @@ std::optional<Kink> find_kink(std::span<const double> t, std::span<const double>
 
 namespace {
 
-struct Swing {
+struct SwingAbout {
   double centre = 0;  // what it swings about
   double period = 0;  // [s]
 };
 
 // Period and centre without a spectrum: the median time between upward crossings of the last third's mean,
 // told from noise by a band about it.
-std::optional<Swing> swing_of(const Record& record) {
+std::optional<SwingAbout> swing_of(const Record& record) {
   const std::size_t n = record.t.size(), third = n - n / 3;
-  Swing swing;
+  SwingAbout swing;
   for (std::size_t i = third; i < n; ++i) swing.centre += record.y[i] / static_cast<double>(n - third);
   double squares = 0;
   for (const double y : record.y) squares += (y - swing.centre) * (y - swing.centre);
@@ -170,7 +170,7 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
 }
 
 // The noise of all samples, without what the swing itself makes of their second differences.
-double noise_beside(const Swing& swing, double amplitude, const Record& record) {
+double noise_beside(const SwingAbout& swing, double amplitude, const Record& record) {
   const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
   const double own = amplitude * (1 - std::cos(two_pi * step / swing.period)) / std::sqrt(3);
   const double all = noise_of(record.y);
@@ -178,7 +178,7 @@ double noise_beside(const Swing& swing, double amplitude, const Record& record) 
 }
 
 // Held still, displaced or at rest.
-std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
+std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& swing) {
   // The amplitude by the largest distances but a few, which may be spikes.
   std::vector<double> distances;
   for (const double y : record.y) distances.push_back(std::abs(y - swing.centre));
@@ -261,7 +261,7 @@ Liveliness liveliness_of(std::span<const double> y) {
 
 std::optional<FreePart> find_free_part(const Record& record) {
   if (record.t.size() < 64) return std::nullopt;
-  const std::optional<Swing> swing = swing_of(record);
+  const std::optional<SwingAbout> swing = swing_of(record);
   if (!swing) return std::nullopt;
   if (auto part = after_the_drive(windows_of(record, swing->period), swing->period)) return part;
   return after_the_hold(record, *swing);
@@ -289,7 +289,7 @@ std::optional<LostMotion> find_lost_motion(const Record& record) {
 
   // In full swing: what was seen last is as lively as a swing is, and where it stays is no turning point.
   const Record seen{record.t.first(lost.seen), y.first(lost.seen), record.resolution, record.derivative};
-  const std::optional<Swing> swing = swing_of(seen);
+  const std::optional<SwingAbout> swing = swing_of(seen);
   if (!swing || record.t.back() - record.t[lost.seen] < swing->period) return std::nullopt;
   const auto since = [&](double periods) {
     const double from = seen.t.back() - periods * swing->period;

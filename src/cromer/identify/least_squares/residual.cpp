@@ -219,16 +219,23 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
   }
 
   const std::size_t lags = std::min<std::size_t>(20, rho.size() - 1);
-  std::vector<double> count;
-  if (grid.has_gaps()) count = pairs(grid, lags);
+  std::vector<double> count, squares = c;
+  for (double& value : squares) value *= value;
+  if (grid.has_gaps()) {
+    count = pairs(grid, lags);
+    squares = placed(squares, grid);
+  }
+  const std::vector<double> together = products(squares, lags);
   constexpr double fewest_pairs = 20;
   double q = 0, k = 0, strongest = 0;
   for (std::size_t l = 1; l <= lags; ++l) {
     const double lag = static_cast<double>(l), all = n - lag;
     const double taken = grid.has_gaps() ? count[l] : all;
     if (grid.has_gaps() && taken < fewest_pairs) continue;
-    // Of white noise: (1 - l / n) of a correlation of so many pairs.
-    const double error = all / std::sqrt(n * (n + 2) * taken), standardised = rho[l] / error;
+    // Of white noise: (1 - l / n) of a correlation of so many pairs; more where the noise is uneven, and
+    // large samples meet large ones.
+    const double uneven = m2 > 0 ? std::max(1.0, together[l] / (taken * m2 * m2)) : 1;
+    const double error = all * std::sqrt(uneven / (n * (n + 2) * taken)), standardised = rho[l] / error;
     if (l == 1) {
       result.autocorrelation = rho[1];
       result.autocorrelation_error = error;

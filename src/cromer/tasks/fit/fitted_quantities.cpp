@@ -130,7 +130,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
                                     const std::string& unit) {
   const Real undamped = law.swing.angular_frequency(A);
   law.decay.angular_frequency = undamped;
-  const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.rate(A);
+  const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.equivalent_rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = two_pi / w;
   std::vector<Parameter> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
@@ -140,7 +140,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0))
     list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
-  list.push_back({"logarithmic_decrement", estimate_of(equivalent * period, fit), "1"});
+  list.push_back({"logarithmic_decrement", estimate_of(law.decay.rate(A) * period, fit), "1"});
   list.push_back({"at_amplitude", estimate_of(A, fit), unit});
   if (const auto limit = limit_cycle(fit, value_of(A), value_of(period)))
     list.push_back({"limit_cycle_amplitude", *limit, unit});
