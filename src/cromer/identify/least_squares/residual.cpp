@@ -188,6 +188,27 @@ std::vector<double> autocorrelations(std::span<const double> r, const SampleGrid
   return rho;
 }
 
+namespace {
+
+/// By how much the variance of a correlation of white noise grows where the noise is uneven, and large
+/// samples meet large ones: the mean fourth power of the size along the record over the square of its mean
+/// square, by the mean squares of stretches (whose squares are too large by 2 in their length).
+double unevenness(const std::vector<double>& r) {
+  const std::size_t length = std::max<std::size_t>(16, r.size() / 50), stretches = r.size() / length;
+  if (stretches < 4) return 1;
+  double squares = 0, fourths = 0;
+  for (std::size_t k = 0; k < stretches; ++k) {
+    const double* from = r.data() + k * length;
+    const double square = dot(from, from, length);
+    squares += square;
+    fourths += square * square;
+  }
+  const auto n = static_cast<double>(stretches), each = static_cast<double>(length);
+  return squares > 0 ? std::max(1.0, n * fourths / (squares * squares) * each / (each + 2)) : 1;
+}
+
+}  // namespace
+
 std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, samples / 2); }
 
 bool is_arithmetic(double rms, std::span<const double> y) {
@@ -219,22 +240,16 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
   }
 
   const std::size_t lags = std::min<std::size_t>(20, rho.size() - 1);
-  std::vector<double> count, squares = c;
-  for (double& value : squares) value *= value;
-  if (grid.has_gaps()) {
-    count = pairs(grid, lags);
-    squares = placed(squares, grid);
-  }
-  const std::vector<double> together = products(squares, lags);
+  std::vector<double> count;
+  if (grid.has_gaps()) count = pairs(grid, lags);
+  const double uneven = unevenness(c);
   constexpr double fewest_pairs = 20;
   double q = 0, k = 0, strongest = 0;
   for (std::size_t l = 1; l <= lags; ++l) {
     const double lag = static_cast<double>(l), all = n - lag;
     const double taken = grid.has_gaps() ? count[l] : all;
     if (grid.has_gaps() && taken < fewest_pairs) continue;
-    // Of white noise: (1 - l / n) of a correlation of so many pairs; more where the noise is uneven, and
-    // large samples meet large ones.
-    const double uneven = m2 > 0 ? std::max(1.0, together[l] / (taken * m2 * m2)) : 1;
+    // Of white noise: (1 - l / n) of a correlation of so many pairs.
     const double error = all * std::sqrt(uneven / (n * (n + 2) * taken)), standardised = rho[l] / error;
     if (l == 1) {
       result.autocorrelation = rho[1];

@@ -43,7 +43,7 @@ struct Residual {
 };
 
 /// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978), where samples are
-/// missing with as many pairs as there are, and where the noise is uneven with the products' own variance
+/// missing with as many pairs as there are, and where the noise is uneven with as much more variance
 /// (F. X. Diebold, Testing for serial correlation in the presence of ARCH, 1986). `r` is not empty; `rho` is
 /// autocorrelations(r, grid, first_lags(r.size())).
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,
