@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 
 #include "cromer/base/dual.h"
 #include "cromer/model/oscillator.h"
@@ -116,9 +117,12 @@ struct Swing {
 
   /// Whether a spring beside the linear one acts.
   bool is_bent() const {
-    const Oscillator<Real>& p = per_mass;
-    return value_of(p.cubic) != 0 || value_of(p.quadratic) != 0 || value_of(p.odd_quadratic) != 0 ||
-           value_of(p.quintic) != 0 || value_of(p.pendulum) != 0;
+    bool bent = false;
+    for_each_term([&]<class T>() {
+      if constexpr (requires(const Real& x) { T::energy(x, x); } && !std::is_same_v<T, Spring>)
+        bent = bent || value_of(per_mass.*T::template members<Real>[0]) != 0;
+    });
+    return bent;
   }
 };
 

@@ -18,12 +18,13 @@ std::optional<LeadingNumber> leading_number(std::string_view text, char decimal)
   constexpr std::string_view true_minus = "\u2212";
   std::size_t sign = 0;
   bool negative = false;
-  if (text.starts_with(true_minus)) {
+  const char first = text.empty() ? '\0' : text.front();
+  if (first == '-' || first == '+') {
+    sign = 1;
+    negative = first == '-';
+  } else if (first == true_minus.front() && text.starts_with(true_minus)) {  // rare, and slow to compare
     sign = true_minus.size();
     negative = true;
-  } else if (text.starts_with('-') || text.starts_with('+')) {
-    sign = 1;
-    negative = text.front() == '-';
   }
   const std::string_view rest = text.substr(sign);
   const bool digit = !rest.empty() && is_digit(rest[0]);
