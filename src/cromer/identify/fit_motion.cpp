@@ -167,24 +167,25 @@ class StepLength {
                                 least * centred_norm(problem_.record().y) / std::sqrt(n));
     if (!recorded()) {
       h = motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
-      for (int halvings = 0; measured && halvings < 6; ++halvings, h /= 2) {
-        const double error = problem_.method_error(at.parameters, problem_.record().t.size(), h);
-        if (!(error * error * n > 0.0025 * rms * rms)) break;
-      }
-      return h;
+      return measured ? halved(at.parameters, h, 0.0025 * rms * rms / n, 0) : h;
     }
     // A standard error moves the motion by one residual's rms in all. Steps shorter than this are not tried:
     // such a motion does not belong to the record.
     constexpr double shortest = 1.0 / 256;
-    const double least_step = shortest * recorded_step(problem_.options().drive.force.spacing, w_);
+    return halved(at.parameters, h, 0.01 * rms * rms / n,
+                  shortest * recorded_step(problem_.options().drive.force.spacing, w_));
+  }
+
+ private:
+  // Down to a step whose mean square error is small enough.
+  double halved(const Parameters& at, double h, double enough, double least_step) const {
     for (int halvings = 0; halvings < 6 && h > least_step; ++halvings, h /= 2) {
-      const double error = problem_.method_error(at.parameters, problem_.record().t.size(), h);
-      if (error * error * n <= 0.01 * rms * rms) break;
+      const double error = problem_.method_error(at, problem_.record().t.size(), h);
+      if (error * error <= enough) break;
     }
     return h;
   }
 
- private:
   const Problem& problem_;
   double w_ = 0, duration_ = 0, amplitude_ = 0;
 };
