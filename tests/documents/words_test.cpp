@@ -2,6 +2,7 @@
 // sentence in both languages, with all the values that it needs, and no sentence stands where it is raised.
 #include "cromer/documents/words/words.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,10 @@
 namespace cromer::core {
 namespace {
 
-constexpr Voice german{Language::german}, of_a_library{Language::english, Audience::caller};
+using ::testing::EndsWith;
+
+constexpr Voice german{Language::german}, of_a_library{Language::english, Audience::caller},
+    of_the_page{Language::english, Audience::page}, of_the_german_page{Language::german, Audience::page};
 
 // ---- what a template may hold
 
@@ -66,7 +70,23 @@ TEST(Words, OptionsAreNamedAsTheReaderKnowsThem) {
   const Notice notice{"given_several_times", {{"option", "drive-frequency"}, {"times", 3}}};
   EXPECT_EQ(in_words(notice), "--drive-frequency is given 3 times; it takes one value");
   EXPECT_EQ(in_words(notice, of_a_library), "drive_frequency is given 3 times; it takes one value");
+  EXPECT_EQ(in_words(notice, of_the_page), "drive frequency is given 3 times; it takes one value");
   EXPECT_EQ(first_option(notice), "drive-frequency");
+}
+
+TEST(Words, ThePageHasHandlesWhereTheProgramHasOptions) {
+  const Notice cut{"tops_cut_off"};
+  EXPECT_THAT(in_words(cut), EndsWith("choose the later part with --from"));
+  EXPECT_THAT(in_words(cut, of_a_library), EndsWith("choose the later part with from"));
+  EXPECT_THAT(in_words(cut, of_the_page), EndsWith("choose the later part with the handles"));
+  EXPECT_THAT(in_words(cut, of_the_german_page), EndsWith("bitte den späteren Teil mit den Griffen wählen"));
+  const Notice alike{"columns_alike", {{"columns", std::vector<std::string>{"x", "y"}}, {"first", "x"}}};
+  EXPECT_EQ(in_words(alike),
+            "several columns are alike: x, y; say which with --column, for instance --column \"x\"");
+  EXPECT_EQ(in_words(alike, of_the_page), "several columns are alike: x, y; choose one, for instance \"x\"");
+  // either may be empty
+  EXPECT_EQ(in_words(Notice{"no_time_column"}, of_the_page),
+            "there is no time column: give the samples per second");
 }
 
 TEST(Words, APartHasItsOwnSentence) {
@@ -102,6 +122,7 @@ std::set<std::string> places_of(std::string_view words) {
     }
     const std::size_t end = words.find('}', i);
     std::string_view place = words.substr(i + 1, end - i - 1);
+    if (place.starts_with("|")) continue;  // what it holds follows
     i = end;
     if (place.starts_with("--")) continue;
     if (place.starts_with("@")) place.remove_prefix(1);
@@ -159,6 +180,15 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
         // Of another program: srun --mpi=pmix.
         EXPECT_TRUE(std::string(words).find(" --") == std::string::npos || words.find("srun") != words.npos)
             << entry.code << ": write an option as {--name}";
+      }
+}
+
+TEST(Catalogue, TellsThePageNothingOfOptions) {
+  for (const auto& part : catalogue())
+    for (const Entry& entry : part)
+      for (const Voice& voice : {of_the_page, of_the_german_page}) {
+        const std::string text = in_words(Notice{std::string(entry.code)}, voice);
+        EXPECT_TRUE(text.find("--") == text.npos || text.find("srun") != text.npos) << text;
       }
 }
 

@@ -80,5 +80,18 @@ TEST(SecondMode, HarmonicsAreCalledThat) {
   }
 }
 
+TEST(SecondMode, IsLookedForInSixtyFourSamplesOrMore) {
+  SyntheticRecord record = viscous_record({.g = 0.02, .velocity = 0}, even_times(64, 0.1), 1e-4);
+  std::vector<double> other;
+  for (const double t : record.t) other.push_back(0.003 * std::cos(15 * t));
+  for (std::size_t i = 0; i < other.size(); ++i) record.y[i] += other[i];
+  const Record all = record.record(), fewer = all.first(63), line{record.t, other, 0};
+  const auto fitted = [](const Record& part) { return fit_law(part, {.law = law_of("viscous")}); };
+  EXPECT_EQ(residual_lines(all, fitted(all)).size(), 1u);
+  EXPECT_TRUE(residual_lines(fewer, fitted(fewer)).empty());
+  EXPECT_EQ(second_drives(line, 8, "m").size(), 1u);
+  EXPECT_TRUE(second_drives(line.first(63), 8, "m").empty());
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cromer/documents/words/words.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "cromer/model/sensor.h"
 
 namespace cromer::core {
@@ -87,6 +88,20 @@ TEST(DecaySegments, HoldAPeriodAndAHalfAndEightSamples) {
       ElementsAre(
           "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, but a segment must "
           "hold 1.5 periods and 8 samples, here 0.2 s"));
+}
+
+TEST(DecayByAmplitude, NeedsTwentyFourSamples) {
+  NormalDeviates noise(3);
+  std::vector<double> t, y;
+  for (int i = 0; i < 24; ++i) {
+    t.push_back(0.1 * i);
+    y.push_back(std::exp(-0.3 * t.back()) * std::cos(4 * M_PI * t.back()) + 1e-4 * noise.next());
+  }
+  const Record all{t, y, 0}, fewer = all.first(23);
+  const LawFit fit = fit_law(all, {.law = law_of("viscous")});
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  EXPECT_THAT(decay_by_amplitude(all, fit), testing::Not(IsEmpty()));
+  EXPECT_THAT(decay_by_amplitude(fewer, fit), IsEmpty());
 }
 
 TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {

@@ -70,8 +70,12 @@ Result<void> assign(const Request& request, const std::vector<Option>& options) 
   return core::assign(request.settings, options, request.task);
 }
 
+/// {"message", "argument"}: a sentence, and the name of the option at fault, or null.
 Answer bad_input(const Error& error) {
-  return {Status::bad_input, to_text(Json{{"message", said(error.notice, {})}}), {}};
+  Json document{{"message", said(error.notice, {})}};
+  const std::string option = first_option(error.notice);
+  document["argument"] = option.empty() ? Json(nullptr) : Json(option);
+  return {Status::bad_input, to_text(document), {}};
 }
 
 Answer found(const std::string& document, bool ok) {

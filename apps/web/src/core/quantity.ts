@@ -1,6 +1,6 @@
 // What a person typed into a field, read by the core: "20 ms" is 0.02 s. No other parser is in the page.
 import { asTyped } from '../look/numbers'
-import { withoutOption, type Said } from '../words/said'
+import { besideField, type Said } from '../words/said'
 import { ask } from './ask'
 
 export type Read = { value: number } | { message: Said }
@@ -9,6 +9,6 @@ export type Read = { value: number } | { message: Said }
 export async function readQuantity(option: string, text: string): Promise<Read> {
   const answer = await ask('quantity', [[option, asTyped(text)]])
   if (!answer) return { message: '' }
-  if (answer.status === 2) return { message: withoutOption(answer.document.message) }
+  if (answer.status === 2) return { message: besideField(answer.document) }
   return { value: answer.document[option]! }
 }

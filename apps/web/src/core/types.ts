@@ -3,7 +3,7 @@
 //
 // What they consist of is in documents.ts, which is written from the core's own descriptions; here is what the page
 // asks for, and what it draws of runs without a document.
-import type { Said } from '../words/said'
+import type { Refusal, Said } from '../words/said'
 import type { Comparison, Fit, Inspection, Method, ResonanceCurve, Run, States } from './documents'
 import type { Maybe } from './numbers'
 
@@ -84,7 +84,3 @@ export interface Documents {
 /// 0 done; 1 the computation did not succeed and the document says why; 2 bad input.
 export type Answer<T extends Task = Task> =
   { status: 0 | 1; document: Documents[T] } | { status: 2; document: Refusal }
-
-export interface Refusal {
-  message: Said
-}

@@ -2,7 +2,7 @@
 import { readQuantity } from '../core/quantity'
 import { say } from '../state/notices.svelte'
 import type { Said } from '../words/said'
-import { words } from '../words/words.svelte'
+import { told, words } from '../words/words.svelte'
 import { after, momentOf, noLive, progressOf, type Live, type LiveEvent } from './live'
 import { listen, order, recordingNamed, statusOfServer } from './live_server'
 import { openFile } from './session.svelte'
@@ -45,7 +45,7 @@ function tell(event: LiveEvent): void {
   const moment = momentOf(before, recording.live)
   if (moment?.is === 'started') say(w().started(recording.name))
   else if (moment?.is === 'away') say(w().away)
-  else if (moment?.is === 'lost') say(words().core(moment.text))
+  else if (moment?.is === 'lost') say(told(moment.text))
   else if (moment?.is === 'ended') {
     say(w().ended(recording.name, progressOf(recording.live).samples))
     if (mine && !recording.ordering) void openRecording() // a stop ordered here is answered once the file is whole
@@ -59,7 +59,7 @@ async function lengthTyped(): Promise<number | null | undefined> {
   if (!text) return null
   const read = await readQuantity('until', text)
   if ('value' in read && read.value > 0) return read.value
-  recording.badLength = 'message' in read && read.message ? words().core(read.message) : w().badLength
+  recording.badLength = 'message' in read && read.message ? told(read.message) : w().badLength
   return undefined
 }
 

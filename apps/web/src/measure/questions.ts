@@ -5,8 +5,8 @@ import type { MeasureState } from './state'
 
 type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'from' | 'to' | 'law' | 'mass' | 'disc' | 'air'>
 
-/// Options of what is typed beside the law; a refusal of one begins with its name.
-export const fieldOptions = { mass: '--mass', disc: '--disc-diameter', air: '--temperature' }
+/// Options of what is typed beside the law.
+export const fieldOptions = { mass: 'mass', disc: 'disc-diameter', air: 'temperature' }
 
 const given = (pairs: [string, string][]): Options =>
   pairs.map(([name, value]) => [name, asTyped(value)] as const).filter(([, value]) => value !== '')

@@ -6,8 +6,8 @@ import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
 import { compareOptions, fieldOptions, fitOptions, inspectOptions } from './questions'
-import { english, ofFile, type Said } from '../words/said'
-import { words } from '../words/words.svelte'
+import { ofFile, type Refusal, type Said } from '../words/said'
+import { told, words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
@@ -34,6 +34,8 @@ export interface Simulated {
 /// Longest file that is read [bytes].
 export const longest = 250e6
 
+const nothing: Refusal = { message: '', argument: null }
+
 class Session {
   file: File | null = $state.raw(null)
   inspection: Inspection | null = $state.raw(null)
@@ -49,8 +51,8 @@ class Session {
   refused: { name: string; message: Said } | null = $state.raw(null)
   /// Why no simulation of the law stands beside it.
   notSimulated: Said = $state.raw('')
-  /// Why there is no fit.
-  message: Said = $state.raw('')
+  /// Why there is no fit, or what of the settings was not taken.
+  why: Refusal = $state.raw(nothing)
   /// The frame that is shown larger [s].
   frame: { from: number; to: number } | null = $state.raw(null)
 
@@ -63,15 +65,14 @@ export const session = new Session()
 /// The message of the file that was not read, which begins with its name.
 export function refusedText(): string {
   const { name, message } = session.refused ?? { name: '', message: '' }
-  return words().core(ofFile(name, message))
+  return told(ofFile(name, message))
 }
 
 /// A refusal that stands beside its own field.
-export const isOfField = (message: Said): boolean =>
-  Object.values(fieldOptions).some((option) => english(message).startsWith(option))
+export const isOfField = ({ argument }: Refusal): boolean => Object.values(fieldOptions).some((option) => option === argument)
 
 /// Why there is no fit, in the page's language.
-export const whyNoFit = (): string => words().core(session.message)
+export const whyNoFit = (): string => told(session.why.message)
 
 /// Each in a worker; as many as the device has processors beside the page's own, each with a file of its own.
 const cores: (ReturnType<typeof openCore> | undefined)[] = []
@@ -147,7 +148,7 @@ async function describe(mine: number, file: File, state: typeof measureDefaults)
   const answer = await ask(mine, 'inspect', inspectOptions(state), file)
   if (!answer) return false
   if (answer.status === 2) {
-    settle(mine, null, answer.document.message)
+    settle(mine, null, answer.document)
     return false
   }
   clear()
@@ -157,13 +158,13 @@ async function describe(mine: number, file: File, state: typeof measureDefaults)
 }
 
 function clear(): void {
-  Object.assign(session, { fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, message: '', frame: null })
+  Object.assign(session, { fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, why: nothing, frame: null })
 }
 
 /// A fit, or why the core refused its settings.
-type Tried = Fit | { refused: Said } | null
+type Tried = Fit | { refused: Refusal } | null
 
-const isRefused = (tried: Tried): tried is { refused: Said } => tried !== null && 'refused' in tried
+const isRefused = (tried: Tried): tried is { refused: Refusal } => tried !== null && 'refused' in tried
 const converged = (tried: Tried): tried is Fit => tried !== null && !isRefused(tried) && tried.status === 'converged'
 
 const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
@@ -182,7 +183,7 @@ async function refit(): Promise<void> {
   const fitOf = async (law: string, lane: number): Promise<Tried> => {
     const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file, lane)
     if (!answer) return null
-    if (answer.status === 2) return { refused: answer.document.message }
+    if (answer.status === 2) return { refused: answer.document }
     return answer.document.fits[0]!
   }
   const began = performance.now()
@@ -209,20 +210,20 @@ async function refit(): Promise<void> {
     if (mine !== turn) return
   }
   if (isRefused(best)) return refuse(mine, best.refused)
-  if (best && best.status !== 'converged') return settle(mine, null, best.message ?? best.status)
-  settle(mine, best, '')
+  if (best && best.status !== 'converged') return settle(mine, null, { message: best.message ?? best.status, argument: null })
+  settle(mine, best)
   if (best && state.overlay) await simulate(mine, best.law!)
 }
 
 /// A setting that the core refuses stands beside its field; the fit before it stays.
-function refuse(mine: number, message: Said): void {
-  settle(mine, english(message).startsWith('--') ? session.fit : null, message)
+function refuse(mine: number, why: Refusal): void {
+  settle(mine, why.argument ? session.fit : null, why)
 }
 
-function settle(mine: number, fit: Fit | null, message: Said): void {
+function settle(mine: number, fit: Fit | null, why = nothing): void {
   if (mine !== turn) return
   session.busy = ''
-  session.message = message
+  session.why = why
   show(fit)
 }
 

@@ -7,7 +7,7 @@ export interface Seen {
   open: boolean
   busy: string
   fit: Pick<Fit, 'law' | 'status' | 'reynolds'> | null
-  message: string
+  refused: boolean
   measure: MeasureState
   allRight: boolean
 }
@@ -16,8 +16,8 @@ const near = (text: string, wanted: number) => Math.abs(numberOf(text) - wanted)
 
 export const labTwo: ((seen: Seen) => boolean)[] = [
   ({ open }) => open,
-  ({ open, measure, message }) =>
-    open && /\d\s*(±|\+-)\s*[\d.,]*[1-9]/.test(measure.mass) && /\d/.test(measure.disc) && !message.startsWith('--'),
+  ({ open, measure, refused }) =>
+    open && /\d\s*(±|\+-)\s*[\d.,]*[1-9]/.test(measure.mass) && /\d/.test(measure.disc) && !refused,
   ({ open, measure }) => open && near(measure.from, 30) && near(measure.to, 60),
   ({ fit, busy, measure }) =>
     fit?.status === 'converged' && busy === '' && measure.from === '' && measure.to === '' && measure.law === '',

@@ -1,4 +1,3 @@
-import { core } from './de/core'
 import { measure } from './de/measure'
 import { methods } from './de/methods'
 import { shell } from './de/shell'
@@ -6,4 +5,4 @@ import { simulate } from './de/simulate'
 import { teach } from './de/teach'
 import type { en } from './en'
 
-export const de: typeof en = { core, shell, methods, simulate, measure, teach }
+export const de: typeof en = { shell, methods, simulate, measure, teach }

@@ -1,8 +1,7 @@
-import { core } from './en/core'
 import { measure } from './en/measure'
 import { methods } from './en/methods'
 import { shell } from './en/shell'
 import { simulate } from './en/simulate'
 import { teach } from './en/teach'
 
-export const en = { core, shell, methods, simulate, measure, teach }
+export const en = { shell, methods, simulate, measure, teach }

@@ -11,10 +11,17 @@ export interface NoticeObject {
 
 export const english = (said: Said): string => (typeof said === 'string' ? said : said.en)
 
-/// Without the option that it begins with: its field stands beside it.
-export const withoutOption = (said: Said): Said => {
-  const bare = (text: string) => text.replace(/^--[a-z-]+: /, '')
-  return typeof said === 'string' ? bare(said) : { en: bare(said.en), de: bare(said.de) }
+/// What the core does not take: why, and the option at fault (null: none is).
+export interface Refusal {
+  message: Said
+  argument: string | null
+}
+
+/// Without the name of the option that it begins with: its field stands beside it.
+export const besideField = ({ message, argument }: Refusal): Said => {
+  const name = `${argument?.replaceAll('-', ' ')}: `
+  const bare = (text: string) => (text.startsWith(name) ? text.slice(name.length) : text)
+  return typeof message === 'string' ? bare(message) : { en: bare(message.en), de: bare(message.de) }
 }
 
 /// Of a file: its name before it, where the sentence does not begin with it.

@@ -2,6 +2,10 @@
 import { looks } from '../state/looks.svelte'
 import { de } from './de'
 import { en } from './en'
+import type { Said } from './said'
 
 export type Words = typeof en
 export const words = (): Words => (looks.language === 'de' ? de : en)
+
+/// What the core or the server says, in the page's language.
+export const told = (said: Said): string => (typeof said === 'string' ? said : said[looks.language === 'de' ? 'de' : 'en'])

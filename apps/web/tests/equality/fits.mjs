@@ -8,7 +8,7 @@
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-import { run } from './program.mjs'
+import { onPage, run } from './program.mjs'
 import { differences } from './runs.mjs'
 
 const share = 1e-4
@@ -39,14 +39,21 @@ export function compareFit(core, cromer, folder, { name, bytes, options }) {
       `status ${ours.status} (${ours.document.message}), the program's ${theirs.status}: ${theirs.message}`,
     ]
   if (theirs.status === 2)
-    return ours.document.message === theirs.message
+    return ours.document.message === onPage(theirs.message)
       ? []
       : [`"${ours.document.message}", the program says "${theirs.message}"`]
   const program = JSON.parse(theirs.output),
     page = ours.document.fits[0]
-  const found = ['recording', 'law', 'status', 'message', 'warnings'].flatMap((each) =>
-    differences(each, page[each], program[each], 1e-9),
+  const found = ['recording', 'law', 'status'].flatMap((each) =>
+    differences(each, page[each], program[each], 0),
   )
+  const codes = (fit) => fit.notices.map(({ code, severity }) => `${code}, ${severity}`)
+  found.push(...differences('notices', codes(page), codes(program), 0))
+  // The page has handles where some sentences of the program have options.
+  const words = ({ message, warnings }) => [message ?? '', ...warnings]
+  const [said, saidThere] = [words(page), words(program)]
+  for (const [i, text] of saidThere.entries())
+    if (!/--(from|to|column)\b/.test(text)) found.push(...differences('text', said[i], onPage(text), 0))
   if (page.parameters && program.parameters) {
     found.push(...estimates('parameters', page.parameters, program.parameters))
     found.push(...estimates('derived', page.derived, program.derived))

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-import { run } from './program.mjs'
+import { onPage, run } from './program.mjs'
 
 const share = 1e-12 // of the largest amplitude so far
 const of_effect = 1e-11 // of the largest number beside it: eigenvalues are roots, and lose digits where they meet
@@ -53,11 +53,11 @@ export function compareSimulation(core, cromer, folder, { options, exactly }) {
   if (ours.status !== theirs.status)
     return [`status ${ours.status}, the program's ${theirs.status}: ${theirs.message}`]
   if (theirs.status === 2)
-    return ours.document.message === theirs.message
+    return ours.document.message === onPage(theirs.message)
       ? []
       : [`${ours.document.message}, the program says ${theirs.message}`]
   const document = JSON.parse(readFileSync(file))
-  const found = differences('warnings', ours.document.warnings, document.warnings, 0)
+  const found = differences('warnings', ours.document.warnings, document.warnings.map(onPage), 0)
   document.runs.forEach((program, i) => {
     const page = ours.document.runs[i]
     for (const name of ['t', 'x', 'v', 'energy'])

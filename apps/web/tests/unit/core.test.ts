@@ -123,7 +123,7 @@ describe.skipIf(!existsSync(built))('core', async () => {
   it('says what is wrong as the program does', () => {
     expect(ask('simulate', [['step', '-1']])).toEqual({
       status: 2,
-      document: { message: { en: '--step: it must be positive, not -1 s', de: '--step: das muss größer als 0 sein: -1 s geht nicht' } },
+      document: { message: { en: 'step: it must be positive, not -1 s', de: 'step: das muss größer als 0 sein: -1 s geht nicht' }, argument: 'step' },
     })
   })
 
@@ -131,7 +131,7 @@ describe.skipIf(!existsSync(built))('core', async () => {
     expect(ask('quantity', [['step', '20 ms']])).toEqual({ status: 0, document: { step: 0.02 } })
     expect(ask('quantity', [['stiffness', '1e25 N/m']])).toEqual({ status: 0, document: { stiffness: 1e25 } })
     expect(ask('quantity', [['drive-frequency', '1 Hz']]).document).toEqual({ 'drive-frequency': 2 * Math.PI })
-    expect(ask('quantity', [['mass', '-1']])).toMatchObject({ status: 2, document: { message: { en: '--mass: it must be positive, not -1 kg', de: '--mass: das muss größer als 0 sein: -1 kg geht nicht' } } })
+    expect(ask('quantity', [['mass', '-1']])).toMatchObject({ status: 2, document: { message: { en: 'mass: it must be positive, not -1 kg', de: 'mass: das muss größer als 0 sein: -1 kg geht nicht' }, argument: 'mass' } })
     expect(ask('quantity', [['stiffness', '2,500']])).toMatchObject({ status: 2 })
   })
 

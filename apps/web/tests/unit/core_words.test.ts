@@ -1,11 +1,11 @@
-// What the core says is German where the page is: its catalogue is tested in tests/documents, here what the page asks.
+// What the core says on the page is German where the page is, and names no options: its catalogue is tested in
+// tests/documents, here what the page asks.
 import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
 import { compile, read, start } from '../../src/core/core'
 import type { Options, Task } from '../../src/core/types'
-import { core as german } from '../../src/words/de/core'
 import { english as inEnglish, type Said } from '../../src/words/said'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
@@ -15,6 +15,7 @@ describe.skipIf(!existsSync(built))('what the core says of bad input, in German'
   const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
   /// English words that no German sentence has.
   const english = /\b(the|is|are|not|with|of|it|must|there|for|and)\b/
+  const german = (said: Said) => (typeof said === 'string' ? said : said.de)
   const withoutQuotes = (text: string) => text.replace(/"[^"]*"|[„“][^“”]*[“”]/g, '""')
 
   function said(task: Task, options: Options, file?: string | Uint8Array): Said[] {
@@ -30,6 +31,8 @@ describe.skipIf(!existsSync(built))('what the core says of bad input, in German'
     if (process.env.CROMER_SAY) for (const each of messages) console.log(`${inEnglish(each)}\n    ${german(each)}`)
     expect(messages.length).toBeGreaterThanOrEqual(least)
     expect(messages.map(german).filter((text) => english.test(withoutQuotes(text)))).toEqual([])
+    // the page has handles and buttons, no options
+    expect([...messages.map(german), ...messages.map(inEnglish)].filter((text) => /(^|[^\w-])--[a-z]/.test(text))).toEqual([])
   }
 
   it('numbers, units and signs', () => {

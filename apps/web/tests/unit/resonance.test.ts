@@ -62,7 +62,7 @@ describe.skipIf(!existsSync(built))('the resonance curve', async () => {
   })
 
   it('needs a drive', () => {
-    expect(ask('resonance', [['step', '0.01']])).toMatchObject({ status: 2, document: { message: { en: '--drive-amplitude: nothing drives it', de: '--drive-amplitude: nichts treibt den Schwinger an' } } })
+    expect(ask('resonance', [['step', '0.01']])).toMatchObject({ status: 2, document: { message: { en: 'drive amplitude: nothing drives it', de: 'drive amplitude: nichts treibt den Schwinger an' } } })
   })
 
   it('stands beside what the linear part of the law is known by', () => {

@@ -42,10 +42,10 @@ const Notice* said_of_run(const Notice& notice) {
 
 }  // namespace
 
-Json said(const Notice& notice, const Voice& voice) {
+Json said(const Notice& notice, [[maybe_unused]] const Voice& voice) {
 #ifdef CROMER_PAGE
-  return {{"en", in_words(notice, {Language::english, voice.audience})},
-          {"de", in_words(notice, {Language::german, voice.audience})}};
+  return {{"en", in_words(notice, {Language::english, Audience::page})},
+          {"de", in_words(notice, {Language::german, Audience::page})}};
 #else
   return in_words(notice, voice);
 #endif

@@ -8,6 +8,7 @@ namespace {
 
 constexpr bool on_one_line = true;
 constexpr Voice german{Language::german};
+constexpr Voice on_page{Language::english, Audience::page}, on_german_page{Language::german, Audience::page};
 
 std::string_view kind_name(RemarkKind kind) {
   switch (kind) {
@@ -28,9 +29,9 @@ std::string_view kind_name(RemarkKind kind) {
 }
 
 /// In both languages: the page shows the one it is in.
-void add_message(Json& object, const Notice& message) {
-  object["message"] = in_words(message);
-  object["message_german"] = in_words(message, german);
+void add_message(Json& object, const Notice& message, const Voice& in_english, const Voice& in_german) {
+  object["message"] = in_words(message, in_english);
+  object["message_german"] = in_words(message, in_german);
 }
 
 Json times_object(const SampleTimes& times) {
@@ -57,7 +58,7 @@ Json status_object(const std::string& recording, const RecorderStatus& status, c
               {"last", status.last},
               {"garbage", status.garbage},
               {"columns", headings}};
-  if (!status.failure.empty()) add_message(object, status.failure);
+  if (!status.failure.empty()) add_message(object, status.failure, {}, german);
   return object;
 }
 
@@ -101,7 +102,7 @@ std::string live_fit_json(const FittedRecording& fitted) {
     object["parameters"] = described::value_json(fitted.parameters, {});
     object["derived"] = described::value_json(fitted.derived, {});
   } else {
-    add_message(object, fitted.fit.message);
+    add_message(object, fitted.fit.message, on_page, on_german_page);
   }
   return to_text(object, on_one_line);
 }

@@ -8,6 +8,8 @@
 //   {value:n}         for a text of numbers, which gets its decimal comma in German
 //   {doubt:A}         for a notice with a capital letter at its beginning
 //   {--step}          for an option, "--step" on the command line and "step" elsewhere
+//   {|{--to}|handle}  for the first to users of program and library, and for the second on the page; each may
+//                     be empty, and hold places
 //   {option:option}   for an option whose name is a value
 //   {@line}           for a place in a file, "line 7", and of arrays "sample 7"
 //   {{ and }}         for braces.

@@ -48,10 +48,10 @@ constexpr Entry entries[] = {
      "{--hold-out} {share}: das muss über 0 und höchstens bei 90 % liegen"},
     {"not_of_a_driven_motion", error,
      "{option:option} is not for a driven motion, whose amplitude the drive keeps up; fit a free decay, for "
-     "instance a part of the record after the drive has stopped, with {--from} and {--to}",
+     "instance a part of the record after the drive has stopped, with {|{--from} and {--to}|the handles}",
      "{option:option} gibt es nicht zu einer angetriebenen Bewegung, deren Amplitude der Antrieb erhält; "
-     "bitte ein freies Abklingen anpassen, zum Beispiel den Teil nach dem Ende des Antriebs, mit {--from} "
-     "und {--to}"},
+     "bitte ein freies Abklingen anpassen, zum Beispiel den Teil nach dem Ende des Antriebs, mit {|{--from} "
+     "und {--to}|den Griffen}"},
     {"drive_frequency_or_auto", error, "{--drive-frequency}: {what}; or auto, to find it in the record",
      "{--drive-frequency}: {what}; oder auto, dann wird sie in der Aufnahme gesucht"},
     {"drive_frequency_not_positive", error, "{--drive-frequency} {frequency}: it must be positive",
@@ -63,9 +63,9 @@ constexpr Entry entries[] = {
      "Frequenzen bis {highest:.4g} Hz"},
     {"pendulum_without_angle", error,
      "{--law} {law}: a pendulum's law needs an angle, but column \"{column}\" holds {kind}; use cubic, or "
-     "choose an angle with {--column}",
+     "choose {|an angle with {--column}|a column that holds an angle}",
      "{--law} {law}: das Pendelgesetz braucht einen Winkel, doch die Spalte „{column}“ enthält {kind}; bitte "
-     "cubic nehmen oder mit {--column} einen Winkel wählen"},
+     "cubic nehmen oder {|mit {--column} einen|eine Spalte mit einem} Winkel wählen"},
 
     // Which samples
     {"nothing_left_from", error,
@@ -88,23 +88,25 @@ constexpr Entry entries[] = {
      "Spalte „{column}“: Werte wie {value:.3g} lassen sich nicht quadrieren; bitte in einer anderen Einheit "
      "angeben"},
     {"time_jumps", error,
-     "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {--from} and {--to}",
-     "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit {--from} und {--to} eine Seite "
+     "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {|{--from} and "
+     "{--to}|the handles}",
+     "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit {|{--from} und {--to}|den Griffen} "
+     "eine Seite "
      "wählen"},
     {"all_set_aside", error, "all values of column \"{column}\" are set aside",
      "alle Werte der Spalte „{column}“ sind beiseitegelegt"},
     {"free_part_taken", worth_knowing,
-     "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {--from} and "
-     "{--to} choose another part",
-     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit {--from} und "
-     "{--to} lässt sich ein anderer Teil wählen"},
+     "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {|{--from} and "
+     "{--to}|the handles} choose another part",
+     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit {|{--from} und "
+     "{--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
-     "fitted; {--from} and {--to} choose another part",
+     "fitted; {|{--from} and {--to}|the handles} choose another part",
      "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an bei "
      "{value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} von "
-     "{samples} Messwerten; mit {--from} und {--to} lässt sich ein anderer Teil wählen"},
+     "{samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"drop_outs_aside", detail,
      "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
      "drop-outs of the sensor and set aside",
@@ -239,14 +241,16 @@ constexpr Entry entries[] = {
      "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
     {"force_has_a_gap", error,
      "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is not "
-     "known; choose one side of it with {--from} and {--to}, or fill it in",
+     "known; choose one side of it with {|{--from} and {--to}|the handles}, or fill it in",
      "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
-     "ist nicht bekannt; bitte mit {--from} und {--to} eine Seite wählen oder sie füllen"},
+     "ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} eine Seite wählen oder sie füllen"},
     {"force_has_gaps", error,
      "force column \"{column}\" has {gaps} gaps, the first {length:.6g} s long at {t:.6g} s: what the force "
-     "did there is not known; choose a part without gaps with {--from} and {--to}, or fill them in",
+     "did there is not known; choose a part without gaps with {|{--from} and {--to}|the handles}, or fill "
+     "them in",
      "die Kraftspalte „{column}“ hat {gaps} Lücken, die erste {length:.6g} s lang bei {t:.6g} s: was die "
-     "Kraft da tat, ist nicht bekannt; bitte mit {--from} und {--to} einen Teil ohne Lücken wählen oder sie "
+     "Kraft da tat, ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} einen Teil ohne Lücken "
+     "wählen oder sie "
      "füllen"},
     {"force_is_uneven", error,
      "{@line}: the times are not evenly spaced ({t:.6g} s where {expected:.6g} s is expected, one sample "
@@ -256,9 +260,9 @@ constexpr Entry entries[] = {
      "Aufnahme erst auf solche umrechnen"},
     {"force_ends", error,
      "force column \"{force}\" goes from {from:.6g} to {to:.6g} s, and column \"{column}\" has a value at "
-     "{t:.6g} s; choose the part that both have with {--from} and {--to}",
+     "{t:.6g} s; choose the part that both have with {|{--from} and {--to}|the handles}",
      "die Kraftspalte „{force}“ geht von {from:.6g} bis {to:.6g} s, und die Spalte „{column}“ hat einen "
-     "Wert bei {t:.6g} s; bitte mit {--from} und {--to} den Teil wählen, den beide haben"},
+     "Wert bei {t:.6g} s; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, den beide haben"},
     {"force_at_other_times", error,
      "force column \"{force}\" has other times than column \"{column}\": {t:.9g} s lies between two of its "
      "samples; resample one of them first",
@@ -271,11 +275,11 @@ constexpr Entry entries[] = {
     // Driven, free or two swings at once
     {"motion_is_driven", worth_knowing,
      "the motion is driven, at {frequency:.6g} Hz: a free law would leave an rms residual of {free:.3g}, the "
-     "driven one leaves {driven:.3g}; give fit {--drive-frequency} if it is known, or choose a free part "
-     "with {--from} and {--to}",
+     "driven one leaves {driven:.3g}; {|give fit {--drive-frequency} if it is known, or |}choose a free part "
+     "with {|{--from} and {--to}|the handles}",
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
-     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte für fit {--drive-frequency} angeben, "
-     "falls bekannt, oder mit {--from} und {--to} einen freien Teil wählen"},
+     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte {|für fit {--drive-frequency} "
+     "angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien Teil wählen"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,
@@ -296,8 +300,9 @@ constexpr Entry entries[] = {
      "hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {one} und {other}; sie "
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
-     "no single swing: {modes}. Let one of them swing alone, or choose another {--column}",
-     "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder mit {--column} eine andere "
+     "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}",
+     "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder {|mit {--column} "
+     "eine|eine} andere "
      "Spalte wählen"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
@@ -424,9 +429,10 @@ constexpr Entry entries[] = {
     {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
     {"plateaus_unlike_masses", error,
      "{file}: {masses} masses are given, and {found:plateau is|plateaus are} found{where}; choose the part "
-     "with {--from} and {--to}, or give each hold as a run or file of its own",
+     "with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
      "{file}: {masses} Massen sind angegeben und {found:Ruhelage|Ruhelagen} gefunden{where}; bitte mit "
-     "{--from} und {--to} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene Datei geben"},
+     "{|{--from} und {--to}|den Griffen} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene "
+     "Datei geben"},
     {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
     {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
     {"masses_unlike_runs", error,
@@ -450,9 +456,11 @@ constexpr Entry entries[] = {
      "ist allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
     {"hold_moves", wrong_if_ignored,
      "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
-     "its mean is taken; choose a quiet part by {--from} and {--to}, or fit its swing without {--static}",
+     "its mean is taken; choose a quiet part with {|{--from} and {--to}|the handles}, or fit its swing "
+     "without {--static}",
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:.2g} m "
-     "(Effektivwert), und der Mittelwert gilt; bitte mit {--from} und {--to} einen ruhigen Teil wählen oder "
+     "(Effektivwert), und der Mittelwert gilt; bitte mit {|{--from} und {--to}|den Griffen} einen ruhigen "
+     "Teil wählen oder "
      "die Schwingung ohne {--static} anpassen"},
     {"holds_out_of_order", wrong_if_ignored,
      "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
@@ -467,10 +475,10 @@ constexpr Entry entries[] = {
      "{--force-column} and {--drive-frequency} are options of fit: compare lays free motions side by side",
      "{--force-column} und {--drive-frequency} gehören zu fit: verglichen werden freie Bewegungen"},
     {"compared_is_no_position", error,
-     "compare needs a position or an angle, and column \"{column}\" holds {kind}; choose one by "
-     "{--column}",
-     "ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte mit "
-     "{--column} wählen"},
+     "compare needs a position or an angle, and column \"{column}\" holds {kind}; choose {|one by "
+     "{--column}|another column}",
+     "ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte {|mit "
+     "{--column} wählen|eine andere wählen}"},
     {"compared_step", error,
      "{--step} {step}: it must be positive, at most the recording's {duration:.6g} s, and give at most "
      "{most:.0e} steps over them",
@@ -567,9 +575,10 @@ constexpr Entry entries[] = {
 
     // What is in a file
     {"inspected_one_of_several", worth_knowing,
-     "several columns may be meant: times and outliers are those of \"{column}\"; a fit needs {--column}",
-     "mehrere Spalten kommen infrage: Zeiten und Ausreißer sind die von „{column}“; eine Anpassung braucht "
-     "{--column}"},
+     "several columns may be meant: times and outliers are those of \"{column}\"; a fit needs "
+     "{|{--column}|one to be chosen}",
+     "mehrere Spalten kommen infrage: Zeiten und Ausreißer sind die von „{column}“; {|eine Anpassung braucht "
+     "{--column}|für eine Anpassung bitte eine wählen}"},
     {"outliers_in_column", worth_knowing,
      "column \"{column}\": {outliers:outlier|outliers}, the first in {@line}: {value:n}",
      "Spalte „{column}“: {outliers:Ausreißer|Ausreißer}, der erste in {@line}: {value:n}"},

@@ -61,16 +61,16 @@ constexpr Entry entries[] = {
      "zu viel Rauschen: eine Sinusschwingung erklärt nur {percent:.1f} % der Varianz"},
     {"noise_could_do_as_much", error,
      "no oscillation found: the best decaying sinusoid accounts for {percent:.1f} % of the variance, and "
-     "noise like the residual could do as much; choose the part that oscillates with {--from} and {--to}, or "
-     "another {--column}",
+     "noise like the residual could do as much; choose the part that oscillates with {|{--from} and "
+     "{--to}|the handles}, or another {|{--column}|column}",
      "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
-     "Varianz, was Rauschen auch könnte; bitte mit {--from} und {--to} den Teil wählen, der schwingt, oder "
-     "mit {--column} eine andere Spalte"},
+     "Varianz, was Rauschen auch könnte; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, der "
+     "schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
     {"tops_cut_off", error,
      "the motion's peaks are cut off at the same value again and again: the sensor was out of its range; "
-     "choose the later part with {--from}",
+     "choose the later part with {|{--from}|the handles}",
      "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb "
-     "seines Bereichs; bitte den späteren Teil mit {--from} wählen"},
+     "seines Bereichs; bitte den späteren Teil mit {|{--from}|den Griffen} wählen"},
     {"no_line", error, "no oscillation found: the spectrum has no line",
      "keine Schwingung gefunden: das Spektrum hat keine Linie"},
     {"no_resonance", error, "no oscillation found: the force explains no resonance",
@@ -262,15 +262,18 @@ constexpr Entry entries[] = {
      "der Nullpunkt wandert, um {drift:.3g}{unit: } in der ganzen Aufnahme: bitte die Drift abziehen oder "
      "einen kürzeren Teil wählen"},
     {"zero_jumps", wrong_if_ignored,
-     "the zero jumps by {jump:.3g}{unit: } at {time:.4g} s: choose one side of it with {--from} and {--to}",
-     "der Nullpunkt springt um {jump:.3g}{unit: } bei {time:.4g} s: bitte mit {--from} und {--to} eine "
+     "the zero jumps by {jump:.3g}{unit: } at {time:.4g} s: choose one side of it with {|{--from} and "
+     "{--to}|the handles}",
+     "der Nullpunkt springt um {jump:.3g}{unit: } bei {time:.4g} s: bitte mit {|{--from} und {--to}|den "
+     "Griffen} eine "
      "Seite wählen"},
     {"swing_stops", wrong_if_ignored,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
-     "less than a tenth of it within a period, as when a hand catches it: end before with {--to}",
+     "less than a tenth of it within a period, as when a hand catches it: end before with {|{--to}|the "
+     "handles}",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
      "} auf weniger als ein Zehntel davon binnen einer Periode, wie von einer Hand gehalten: bitte mit "
-     "{--to} vorher enden"},
+     "{|{--to}|den Griffen} vorher enden"},
     {"few_samples_in_a_period", wrong_if_ignored,
      "only {samples:.2g} samples in a period: sampled at {rate:.4g} Hz, a swing of {slower:.5g} or "
      "{faster:.5g} Hz would look the same as this one of {frequency:.5g} Hz; sample faster if it may be one "
@@ -283,9 +286,9 @@ constexpr Entry entries[] = {
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich"},
     {"turns_over_at_first", wrong_if_ignored,
      "the angle goes through {turns:.2g} turns: the pendulum turns over, which is no swing; from {time:.4g} "
-     "s on it only swings: choose that part with {--from}",
+     "s on it only swings: choose that part with {|{--from}|the handles}",
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich; ab {time:.4g} s schwingt "
-     "es nur noch: bitte diesen Teil mit {--from} wählen"},
+     "es nur noch: bitte diesen Teil mit {|{--from}|den Griffen} wählen"},
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,

@@ -82,8 +82,9 @@ constexpr Entry entries[] = {
      "comma; {--delimiter} comma says the one, {--decimal} comma the other",
      "die Zeilen lassen sich auf zwei Arten lesen: „{row}“ als {whole} ganze Zahlen oder als {decimal} mit "
      "Dezimalkomma; {--delimiter} comma sagt das eine, {--decimal} comma das andere"},
-    {"bad_row", error, "{what}; {--skip-bad-rows} drops such rows",
-     "{what}; mit {--skip-bad-rows} bleiben solche Zeilen weg"},
+    {"bad_row", error, "{what}; {|{--skip-bad-rows} drops such rows|mend the row in the file, or remove it}",
+     "{what}; {|mit {--skip-bad-rows} bleiben solche Zeilen weg|bitte die Zeile in der Datei ausbessern oder "
+     "entfernen}"},
     {"bad_cell", error, "column \"{column}\": \"{cell}\" is not a number",
      "Spalte „{column}“: „{cell}“ ist keine Zahl"},
     {"bad_cell_but", error, "column \"{column}\": \"{cell}\" is not a number; {what}",
@@ -130,27 +131,29 @@ constexpr Entry entries[] = {
     {"several_columns_fit", error, "\"{name}\" fits several columns; there are {columns}",
      "„{name}“ passt auf mehrere Spalten; es gibt {columns}"},
     {"columns_alike", error,
-     "several columns are alike: {columns}; say which with {--column}, for instance {--column} \"{first}\"",
-     "mehrere Spalten gleichen einander: {columns}; bitte mit {--column} eine nennen, zum Beispiel "
-     "{--column} „{first}“"},
+     "several columns are alike: {columns}; {|say which with {--column}, for instance {--column}|choose one, "
+     "for instance} \"{first}\"",
+     "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
+     "{--column}|eine wählen, zum Beispiel} „{first}“"},
     {"no_motion_known", error,
-     "no column is known to be a position, angle or velocity: {columns}; say which with {--column}, for "
-     "instance {--column} \"{first}\"",
-     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {columns}; bitte mit {--column} eine "
-     "nennen, zum Beispiel {--column} „{first}“"},
+     "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
+     "instance {--column}|choose one, for instance} \"{first}\"",
+     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {columns}; bitte {|mit {--column} eine "
+     "nennen, zum Beispiel {--column}|eine wählen, zum Beispiel} „{first}“"},
     {"only_column_taken", worth_knowing,
      "no column is known to be a position, angle or velocity: \"{column}\" is taken",
      "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: „{column}“ wird genommen"},
     {"first_column_taken", worth_knowing,
      "no column is known to be a position, angle or velocity: of {columns}, \"{column}\" is taken; "
-     "{--column} names another",
+     "{|{--column} names another|another one can be chosen}",
      "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ genommen; "
-     "{--column} nennt eine andere"},
+     "{|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"frequencies_only", error,
      "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit one "
-     "all the same, name it with {--column}, for instance {--column} \"{first}\"",
+     "all the same, {|name it with {--column}, for instance {--column}|choose it, for instance} \"{first}\"",
      "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten Frequenzen}; "
-     "soll sie dennoch angepasst werden, bitte mit {--column} nennen, zum Beispiel {--column} „{first}“"},
+     "soll sie dennoch angepasst werden, bitte {|mit {--column} nennen, zum Beispiel {--column}|wählen, zum "
+     "Beispiel} „{first}“"},
     {"no_column_beside_time", error, "there is no column beside the time",
      "neben der Zeit gibt es keine Spalte"},
     {"column_without_values", error, "column \"{column}\" of run {run} has no values",
@@ -195,13 +198,15 @@ constexpr Entry entries[] = {
     {"rate_not_used", worth_knowing, "{--rate} is not used: the times stand in \"{column}\"",
      "{--rate} wird nicht gebraucht: die Zeiten stehen in „{column}“"},
     {"no_time_column", error,
-     "there is no time column: give the samples per second with {--rate}, or name the column with "
-     "{--time-column}",
-     "eine Zeitspalte fehlt: bitte mit {--rate} die Messwerte je Sekunde angeben oder mit {--time-column} "
-     "die Spalte nennen"},
+     "there is no time column: give the samples per second{| with {--rate}, or name the column with "
+     "{--time-column}|}",
+     "eine Zeitspalte fehlt: bitte {|mit {--rate} die Messwerte je Sekunde angeben oder mit {--time-column} "
+     "die Spalte nennen|die Messwerte je Sekunde angeben}"},
     {"column_is_the_time", error,
-     "column \"{column}\" is the time; name the column that moves with it with {--column}: {others:or}",
-     "die Spalte „{column}“ ist die Zeit; bitte mit {--column} nennen, was sich mit ihr bewegt: {others:or}"},
+     "column \"{column}\" is the time; {|name the column that moves with it with {--column}|choose the "
+     "column that moves with it}: {others:or}",
+     "die Spalte „{column}“ ist die Zeit; bitte {|mit {--column} nennen|wählen}, was sich mit ihr bewegt: "
+     "{others:or}"},
     {"time_column_refused", error, "{--time-column}: {what}", "{--time-column}: {what}"},
     {"bad_time_unit", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
@@ -210,9 +215,9 @@ constexpr Entry entries[] = {
      "schreiben (Sekunden brauchen keine)"},
     {"bad_time_unit_or_column", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
-     "(seconds need none), or name another column with {--time-column}",
+     "(seconds need none){|, or name another column with {--time-column}|}",
      "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
-     "schreiben (Sekunden brauchen keine) oder mit {--time-column} eine andere Spalte nennen"},
+     "schreiben (Sekunden brauchen keine){| oder mit {--time-column} eine andere Spalte nennen|}"},
     {"is_not_known", clause, "is not known", "ist unbekannt"},
     {"is_no_unit_of_time", clause, "is no unit of time", "ist keine Zeiteinheit"},
     {"taken_as_time", worth_knowing, "\"{column}\" runs evenly upward: it is taken as the time in seconds",

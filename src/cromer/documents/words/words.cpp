@@ -58,29 +58,64 @@ std::string_view by_count(std::string_view words, double count) {
   return count == 1 ? words.substr(0, bar) : words.substr(std::min(bar + 1, words.size()));
 }
 
+/// Where the place ends that opens at `open`; alternatives hold others.
+std::size_t closing(std::string_view words, std::size_t open) {
+  std::size_t end = open;
+  for (int depth = 0; end < words.size(); ++end) {
+    depth += words[end] == '{' ? 1 : words[end] == '}' ? -1 : 0;
+    if (depth == 0) break;
+  }
+  return end;
+}
+
+std::string option_for(Audience audience, std::string_view option, bool of_arrays) {
+  switch (audience) {
+    case Audience::command_line:
+      return "--" + std::string(option);
+    case Audience::caller:
+      return argument_of(option, of_arrays);
+    case Audience::page:
+      break;
+  }
+  std::string words(option);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+/// The bar of "program|page" that stands in no place of its own.
+std::size_t bar_of(std::string_view both) {
+  std::size_t at = 0;
+  while (at < both.size() && both[at] != '|') at = both[at] == '{' ? closing(both, at) + 1 : at + 1;
+  return std::min(at, both.size());
+}
+
 /// One sentence being made.
 class Sentence {
  public:
   Sentence(const Notice& notice, const Voice& voice) : notice_(notice), voice_(voice) {}
 
   std::string made_of(std::string_view words) {
+    add(words);
+    return std::move(text_);
+  }
+
+ private:
+  void add(std::string_view words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
       const char c = words[i];
       if ((c == '{' || c == '}') && words.substr(i + 1, 1) == words.substr(i, 1)) {
         text_ += c;
         ++i;
       } else if (c == '{') {
-        const std::size_t end = words.find('}', i);
+        const std::size_t end = closing(words, i);
         put(words.substr(i + 1, end - i - 1));
         i = end;
       } else {
         text_ += c;
       }
     }
-    return std::move(text_);
   }
 
- private:
   const NoticeValue* find(std::string_view name) const {
     for (const NoticeValue& each : notice_.values)
       if (each.name == name) return &each;
@@ -88,6 +123,13 @@ class Sentence {
   }
 
   void put(std::string_view place) {
+    if (place.starts_with('|')) {
+      place.remove_prefix(1);
+      const std::size_t bar = bar_of(place);
+      add(voice_.audience == Audience::page ? place.substr(std::min(bar + 1, place.size()))
+                                            : place.substr(0, bar));
+      return;
+    }
     if (place.starts_with("--")) {
       put_option(place.substr(2));
       return;
@@ -126,8 +168,7 @@ class Sentence {
                how, alone);
   }
   void put_option(std::string_view option) {
-    text_ += voice_.audience == Audience::command_line ? "--" + std::string(option)
-                                                       : argument_of(option, notice_.of_arrays);
+    text_ += option_for(voice_.audience, option, notice_.of_arrays);
   }
   void put_value(const std::string& text, std::string_view how, bool) {
     if (how == "option") return put_option(text);

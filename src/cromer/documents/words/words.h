@@ -16,6 +16,7 @@ namespace cromer::core {
 enum class Audience {
   command_line,  ///< "--drive-frequency"
   caller,        ///< "drive_frequency": of a library's arguments
+  page,          ///< "drive frequency": of the lab in the browser, which has handles and buttons
 };
 
 struct Voice {
