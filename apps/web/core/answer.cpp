@@ -70,12 +70,9 @@ Result<void> assign(const Request& request, const std::vector<Option>& options) 
   return core::assign(request.settings, options, request.task);
 }
 
-/// {"message", "argument"}: a sentence, and the name of the option at fault, or null.
+/// "argument" is the option at fault.
 Answer bad_input(const Error& error) {
-  Json document{{"message", said(error.notice, {})}};
-  const std::string option = first_option(error.notice);
-  document["argument"] = option.empty() ? Json(nullptr) : Json(option);
-  return {Status::bad_input, to_text(document), {}};
+  return {Status::bad_input, to_text(refusal_object(error.notice, first_option(error.notice), {})), {}};
 }
 
 Answer found(const std::string& document, bool ok) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -77,6 +78,14 @@ inline std::optional<FitCurves> curves_of(const FittedRecording& fitted) {
   return curves;
 }
 
+/// "c x'" for each term of the fitted law.
+inline std::vector<std::string> formulas_of(const FittedRecording& fitted) {
+  std::vector<std::string> formulas;
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (fitted.fit.law.has(i)) formulas.emplace_back(term_infos[i].formula);
+  return formulas;
+}
+
 /// [unit of the displacement] The rms of the residuals. If the column is a derivative of the displacement:
 /// the amplitude of a swing whose derivative is as large.
 inline double displacement_rms(const FittedRecording& fitted) {
@@ -142,6 +151,9 @@ struct Described<page::FitOnPage> {
   static constexpr auto entries =
       members(all_of([](const On& f) -> const FittedRecording& { return f.fitted; }),
               field(
+                  "formulas", [](const On& f) { return page::formulas_of(f.fitted); }, "",
+                  "the forces of the law, \"c x'\""),
+              field(
                   "units", [](const On& f) { return motion_units(f.fitted); }, "",
                   "units of the curves; \"\" if one has no name"),
               field(
@@ -200,7 +212,9 @@ struct Described<page::MethodResonance> {
                     "true if it was not tried because it takes too many steps"),
               field("frequency", &Curve::frequency, "rad/s", "angular frequencies of the drive"),
               field("amplitude", &Curve::amplitude, "m", "steady amplitudes"),
-              field("phase", &Curve::phase, "rad", "phase lags behind the force"));
+              field("phase", &Curve::phase, "rad", "phase lags behind the force"),
+              field("at_drive", &Curve::at_drive, "m",
+                    "steady amplitude at the drive's own frequency; null if there is none"));
 };
 
 }  // namespace cromer::core

@@ -16,6 +16,8 @@ namespace {
 /// By the closed form of the effective oscillator, which `run` has.
 MethodResonance closed_form_curve(SimulatedRun run, const Grid& frequencies) {
   MethodResonance curve{.method = run.method};
+  if (const auto now = effect_of(run); now && now->effective.steady_state)
+    curve.at_drive = now->effective.steady_state->amplitude;
   for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
     run.drive.frequency = frequencies[i];
     const auto effect = effect_of(run);
@@ -91,12 +93,18 @@ Result<MethodResonance> settled_curve(const SimulateOptions& options, const Simu
   at_rest.method = {run.method};
   at_rest.position = at_rest.velocity = 0;
   if (chooses_its_steps && !options.tolerance) at_rest.tolerance = 1e-6;
-  for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
-    const double w = frequencies[i];
+  const auto settled_at = [&](double w) {
     at_rest.drive_frequency = {w};
     at_rest.step = chooses_its_steps ? period(w) / states_kept : run.step;
     at_rest.every = std::max(1LL, static_cast<long long>(period(w) / (states_kept * *at_rest.step)));
-    const auto steady = settle(at_rest);
+    return settle(at_rest);
+  };
+  const auto now = settled_at(run.drive.frequency);
+  if (!now) return now.error();
+  if (*now) curve.at_drive = (*now)->amplitude;
+  for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
+    const double w = frequencies[i];
+    const auto steady = settled_at(w);
     if (!steady) return steady.error();
     if (!*steady) continue;
     curve.frequency.push_back(w);

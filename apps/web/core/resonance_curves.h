@@ -1,6 +1,7 @@
 // The steady motion under a harmonic drive against its frequency, as each method simulates it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,12 @@ namespace cromer::core::page {
 /// The resonance curve of one method.
 struct MethodResonance {
   std::string method;
-  bool settled = true;              ///< false if the motion grows, never settles or was not tried
-  bool too_many_steps = false;      ///< the reason why it was not tried
-  std::vector<double> frequency{};  // [rad/s]
-  std::vector<double> amplitude{};  // [m]
-  std::vector<double> phase{};      // [rad] lag behind the force
+  bool settled = true;               ///< false if the motion grows, never settles or was not tried
+  bool too_many_steps = false;       ///< the reason why it was not tried
+  std::vector<double> frequency{};   // [rad/s]
+  std::vector<double> amplitude{};   // [m]
+  std::vector<double> phase{};       // [rad] lag behind the force
+  std::optional<double> at_drive{};  // [m] steady amplitude at the drive's own frequency
 };
 
 /// One curve for each method of the options: by the closed form of the method's map if the law is linear and

@@ -477,15 +477,6 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
   return call.check_arrays();
 }
 
-/// The document of a call that could not be made.
-std::string refusal(const Error& error, const Voice& voice) {
-  const Json said = notice_object(error.notice, voice);
-  return to_text(Json{{"message", said["text"]},
-                      {"argument", described::value_json(unless_empty(error.argument), voice)},
-                      {"code", said["code"]},
-                      {"values", said["values"]}});
-}
-
 }  // namespace
 }  // namespace cromer::core
 
@@ -498,7 +489,7 @@ cromer_result* cromer_call(const char* verb, const char* request, const cromer_a
   const auto refuse = [&](const Error& error) {
     *result = {};
     result->status = CROMER_BAD_INPUT;
-    result->document = core::refusal(error, voice);
+    result->document = core::to_text(core::refusal_object(error.notice, error.argument, voice));
   };
   try {
     const Progress told =

@@ -35,7 +35,7 @@ export const read = <T extends Task>({ status, text, numbers }: Written): Answer
 /// What goes wrong outside of a task, as an answer.
 export const refusal = (message: string): Written => ({
   status: 2,
-  text: JSON.stringify({ message, argument: null }),
+  text: JSON.stringify({ message, argument: null, code: '', values: {} }),
   numbers: new Float64Array(),
 })
 

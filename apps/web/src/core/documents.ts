@@ -424,6 +424,8 @@ export interface FitCurves {
 }
 
 export interface Fit extends FittedRecording {
+  /** the forces of the law, "c x'" */
+  formulas: string[]
   /** units of the curves; "" if one has no name */
   units: MotionUnits
   /** [of the displacement] rms of the residuals as a displacement */
@@ -823,4 +825,6 @@ export interface ResonanceCurve {
   amplitude: Numbers
   /** [rad] phase lags behind the force */
   phase: Numbers
+  /** [m] steady amplitude at the drive's own frequency; null if there is none */
+  at_drive: Maybe
 }

@@ -54,6 +54,12 @@ export const thousands = (count: number): string => String(count).replace(/\B(?=
 
 export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
 
+/** Numbers of a sentence as they are printed: "-1.69e-06" is −1.69 × 10⁻⁶. What stands in quotation marks stays as typed. */
+export const typeset = (sentence: string): string =>
+  sentence
+    .replace(/(?<![\w."„“.,-])-?\d+(?:[.,]\d+)?e[+-]?\d+(?!\w)/g, (number) => dress(number, false))
+    .replace(/(?<=^|[ \u00a0(±])-(?=\d)/g, minus)
+
 const plain = (text: string): string => text.replaceAll(minus, '-').trim()
 const withPoints = (text: string): string => plain(text).replace(/(\d),(?=\d)/g, '$1.')
 const inThousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/

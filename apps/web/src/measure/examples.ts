@@ -59,10 +59,10 @@ export async function openSynthetic(name: string, options: Options, settings: Pa
   const made = await ask('synthetic', options)
   if (!made) return false
   if (made.status === 2) {
-    session.refused = { name, message: made.document.message }
+    session.refused = { file: null, name, why: made.document }
     return false
   }
-  const file = { name, bytes: new TextEncoder().encode(made.document.text), synthetic: true }
+  const file = { name, bytes: new TextEncoder().encode(made.document.text), origin: 'simulated' as const }
   return openFile(file, { ...settings, air: page.measure.air || measureDefaults.air })
 }
 

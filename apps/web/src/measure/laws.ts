@@ -26,22 +26,23 @@ export interface Part {
   italic: boolean
 }
 
-const forces: Record<string, string> = {
-  viscous: '_c_ _x_′',
-  drag: '_d_ |_x_′| _x_′',
-  friction: '_f_ sgn _x_′',
-  cubic: '_k_₃ _x_³'
-}
-
-/// m x″ + c x′ + d |x′| x′ + k x = 0, variables italic; driven with F cos ωt. Of a pendulum x is the angle.
-export function equationOf(law: string, driven = false): Part[] {
-  const terms = law.split('+')
-  const restoring = terms.includes('pendulum') ? '_k_ sin _x_' : '_k_ _x_'
-  const damping = terms.map((term) => forces[term]).filter((force) => force && force !== forces.cubic)
-  const cubic = terms.includes('cubic') ? [forces.cubic!] : []
-  const text = `${['_m_ _x_″', ...damping, restoring, ...cubic].join(' + ')} = ${driven ? '_F_ cos _ωt_' : '0'}`
+/// m x″ + c x′ + d x′|x′| + k x = 0 of the core's formulas ("c x'", "k2 x^2"), variables italic; driven with F cos ωt. Of
+/// a pendulum x is the angle.
+export function equationOf(formulas: string[], driven = false): Part[] {
+  const forces = formulas.map((formula) => formula.split(',')[0]!)
+  const damping = forces.filter((force) => force.includes("x'"))
+  const others = forces.filter((force) => !damping.includes(force))
+  const text = `${["m x''", ...damping, ...others].join(' + ')} = ${driven ? 'F cos ωt' : '0'}`
   return text
-    .split('_')
-    .map((part, i) => ({ text: part.replaceAll(' ', '\u00a0'), italic: i % 2 === 1 }))
+    .split(/(sgn|sin|cos|[^\W\d_]+)/u)
+    .map((part, i) => ({ text: typeset(part), italic: i % 2 === 1 && !/^(sgn|sin|cos)$/.test(part) }))
     .filter((part) => part.text !== '')
 }
+
+const raised: Record<string, string> = { '^2': '²', '^3': '³', '^5': '⁵', "''": '″', "'": '′' }
+const typeset = (part: string): string =>
+  part
+    .replace(/\^\d|'+/g, (mark) => raised[mark] ?? mark)
+    .replace(/^\d/, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]!)
+    .replace(/^ka$/, 'kₐ')
+    .replaceAll(' ', '\u00a0')

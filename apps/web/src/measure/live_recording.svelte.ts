@@ -98,7 +98,7 @@ export async function openRecording(): Promise<void> {
   const { name } = recording
   if (!name || progressOf(recording.live).samples === 0) return
   try {
-    await openFile({ name, bytes: await recordingNamed(name), synthetic: false })
+    await openFile({ name, bytes: await recordingNamed(name), origin: 'file' })
   } catch {
     recording.trouble = w().notHad(name)
   }

@@ -3,7 +3,8 @@ import type { Options } from '../core/types'
 import { asTyped } from '../look/numbers'
 import type { MeasureState } from './state'
 
-type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'from' | 'to' | 'law' | 'mass' | 'disc' | 'air'>
+type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'skip' | 'from' | 'to' | 'law' | 'drive' | 'mass' | 'disc' | 'air'>
+export type ReadAs = Pick<MeasureState, 'column' | 'rate' | 'skip'>
 
 /// Options of what is typed beside the law.
 export const fieldOptions = { mass: 'mass', disc: 'disc-diameter', air: 'temperature' }
@@ -12,17 +13,18 @@ const given = (pairs: [string, string][]): Options =>
   pairs.map(([name, value]) => [name, asTyped(value)] as const).filter(([, value]) => value !== '')
 
 /// How the file is read, and which column of it.
-export const inspectOptions = (state: Pick<MeasureState, 'rate' | 'column'>): Options =>
-  given([
-    ['rate', state.rate],
-    ['column', state.column]
-  ])
+export const inspectOptions = (state: ReadAs): Options => given(readAs(state))
+
+const readAs = ({ rate, column, skip }: ReadAs): [string, string][] => [
+  ['rate', rate],
+  ['skip-bad-rows', skip ? 'true' : ''],
+  ['column', column],
+]
 
 /// Which samples are used. Of several runs one is fitted: the page shows one at a time.
 function samplesOf(state: Settings, runs: number): [string, string][] {
   return [
-    ['rate', state.rate],
-    ['column', state.column],
+    ...readAs(state),
     ['run', runs > 1 ? String(state.run) : ''],
     ['from', state.from],
     ['to', state.to]
@@ -34,6 +36,7 @@ export function fitOptions(state: Settings, runs = 1, law = state.law): Options 
   return given([
     ...samplesOf(state, runs),
     ['law', law],
+    ['drive-frequency', state.drive],
     ['mass', state.mass],
     ['disc-diameter', state.disc],
     ['temperature', state.disc && state.air]
@@ -55,7 +58,7 @@ export function commandLine(file: string, state: Settings, runs = 1, overlay = f
   const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
   for (const [name, value] of fitOptions(state, runs)) {
     if (name === 'temperature' && value === '20 °C') continue
-    words.push(`--${name}`, quoted(value))
+    words.push(`--${name}`, ...(value === 'true' ? [] : [quoted(value)]))
   }
   return words.join(' ')
 }

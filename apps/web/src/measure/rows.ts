@@ -2,7 +2,7 @@
 import type { Estimate, Fit } from '../core/types'
 import { withUnit } from '../look/numbers'
 import type { measure } from '../words/en/measure'
-import { grouped, interval, placesOf, rounded, withUncertainty } from './uncertain'
+import { interval, withUncertainty } from './uncertain'
 import { scaleFor } from './units'
 import { fixed } from '../look/numbers'
 
@@ -16,16 +16,21 @@ export interface Row {
 
 type Words = typeof measure
 
-const withMass = ['stiffness', 'damping', 'drag_constant', 'friction_force', 'cubic_stiffness', 'drag_coefficient']
-const withoutMass = ['angular_frequency', 'decay_rate', 'drag', 'friction', 'cubic']
+const hysteresis = ['hysteresis_beta', 'hysteresis_gamma']
+const withMass = [
+  'stiffness', 'damping', 'drag_constant', 'friction_force', 'cubic_stiffness', 'quadratic_stiffness', 'odd_quadratic_stiffness', 'quintic_stiffness',
+  'van_der_pol_constant', 'hysteresis_force_stiffness', ...hysteresis, 'drag_coefficient',
+]
+const withoutMass = ['angular_frequency', 'decay_rate', 'drag', 'friction', 'cubic', 'quadratic', 'odd_quadratic', 'quintic', 'van_der_pol', 'hysteresis_stiffness', ...hysteresis]
 
 /// A live fit has no Reynolds number.
 export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
   const keys = fit.parameters.stiffness ? withMass : withoutMass
-  const rows = keys.flatMap((key) => rowOf(key, fit.parameters[key], words))
-  rows.push(...rowOf('frequency', fit.derived.frequency, words))
-  for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...rowOf(key, fit.parameters[key], words))
-  if (fit.law === 'viscous') rows.push(...rowOf('quality_factor', fit.derived.quality_factor, words))
+  const row = (key: string, estimate: Estimate | undefined) => rowOf(key, estimate, words, fit.law)
+  const rows = keys.flatMap((key) => row(key, fit.parameters[key]))
+  rows.push(...row('frequency', fit.derived.frequency))
+  for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...row(key, fit.parameters[key]))
+  if (fit.law === 'viscous') rows.push(...row('quality_factor', fit.derived.quality_factor))
   if (fit.reynolds) {
     const { max, standard_error, t } = fit.reynolds
     const [name, symbol] = words.quantities.reynolds!
@@ -35,27 +40,20 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynol
   return rows
 }
 
-function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[] {
+function rowOf(key: string, estimate: Estimate | undefined, words: Words, law: string | null): Row[] {
   if (!estimate || estimate.value === null) return []
   const { factor, unit } = scaleFor(estimate.value, estimate.unit)
   const [name, symbol] = words.quantities[key] ?? [key.replaceAll('_', ' '), '']
   const uncertainty = estimate.standard_error === null ? null : estimate.standard_error * factor
   const [low, high] = estimate.confidence_95
-  const ends = low === null || high === null || uncertainty === null ? '–' : shortest(low * factor, high * factor, words.law.to)
+  const least = estimate.value > 0 && isPositive(key, law) ? 0 : -Infinity
+  const ends =
+    low === null || high === null || uncertainty === null ? '–' : interval(Math.max(low, least) * factor, high * factor, words.law.to, ((high - low) / 2) * factor)
   return [{ key, name, symbol, value: withUncertainty(estimate.value * factor, uncertainty, unit), interval: ends }]
 }
 
-/// Where both ends share most of their digits only the last ones of the upper end are written.
-function shortest(low: number, high: number, to: string): string {
-  const places = placesOf((high - low) / 2)
-  if (places < 5) return interval(low, high, to)
-  const [a, b] = [rounded(low, places - 1), rounded(high, places - 1)]
-  if (firstDifference(a, b) < 4) return `${grouped(a)}\u00a0${to} ${grouped(b)}`
-  return `${grouped(a)}\u00a0${to} …${b.slice(firstDifference(a, b) === a.length ? -3 : Math.min(firstDifference(a, b), b.length - 3))}`
-}
-
-function firstDifference(a: string, b: string): number {
-  let i = 0
-  while (i < a.length && a[i] === b[i]) ++i
-  return i
-}
+/// Quantities that no motion has below 0: the interval ends there. Damping may be negative where something feeds the
+/// swing, and springs may soften.
+const isPositive = (key: string, law: string | null): boolean =>
+  /^(stiffness|drag|friction|angular_frequency|frequency|quality_factor|drive_frequency|drive_amplitude)/.test(key) ||
+  (/^(damping|decay_rate)$/.test(key) && !law?.includes('van-der-pol'))

@@ -5,7 +5,7 @@ import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
-import { compareOptions, fieldOptions, fitOptions, inspectOptions } from './questions'
+import { compareOptions, fieldOptions, fitOptions, inspectOptions, type ReadAs } from './questions'
 import { ofFile, type Refusal, type Said } from '../words/said'
 import { told, words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
@@ -14,7 +14,8 @@ import { measureDefaults } from './state'
 export interface File {
   name: string
   bytes: Uint8Array
-  synthetic: boolean
+  /// Where it comes from: the page itself, the clipboard, or a file that its reader has.
+  origin: 'simulated' | 'pasted' | 'file'
 }
 
 export interface Simulated {
@@ -34,7 +35,7 @@ export interface Simulated {
 /// Longest file that is read [bytes].
 export const longest = 250e6
 
-const nothing: Refusal = { message: '', argument: null }
+const nothing: Refusal = { message: '', argument: null, code: '', values: {} }
 
 class Session {
   file: File | null = $state.raw(null)
@@ -48,7 +49,7 @@ class Session {
   /// 'first': no fit of these settings yet; 'more': the laws are still being compared.
   busy: '' | 'reading' | 'first' | 'more' | 'overlay' = $state('')
   /// A file that was not read, with the core's message; what was open before stays.
-  refused: { name: string; message: Said } | null = $state.raw(null)
+  refused: { file: File | null; name: string; why: Refusal } | null = $state.raw(null)
   /// Why no simulation of the law stands beside it.
   notSimulated: Said = $state.raw('')
   /// Why there is no fit, or what of the settings was not taken.
@@ -64,8 +65,8 @@ export const session = new Session()
 
 /// The message of the file that was not read, which begins with its name.
 export function refusedText(): string {
-  const { name, message } = session.refused ?? { name: '', message: '' }
-  return told(ofFile(name, message))
+  const { name, why } = session.refused ?? { name: '', why: nothing }
+  return told(ofFile(name, why.message))
 }
 
 /// A refusal that stands beside its own field.
@@ -113,12 +114,12 @@ async function ask<T extends Task>(
 export async function openFile(file: File, settings: Partial<typeof measureDefaults> = {}): Promise<boolean> {
   const mine = newTurn()
   session.busy = 'reading'
-  const { rate = '', column: wanted = '' } = settings
-  const answer = await ask(mine, 'inspect', inspectOptions({ rate, column: wanted }), file)
+  const { rate = '', column: wanted = '', skip = false } = settings
+  const answer = await ask(mine, 'inspect', inspectOptions({ rate, column: wanted, skip }), file)
   if (!answer) return false
   session.busy = ''
   if (answer.status === 2) {
-    session.refused = { name: file.name, message: answer.document.message }
+    session.refused = { file, name: file.name, why: answer.document }
     if (session.file) void refit()
     return false
   }
@@ -129,18 +130,18 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   const before = session.file && { file: session.file, settings: $state.snapshot(page.measure) }
   // What was weighed and measured for one recording is not another's.
   const own = before && before.file.name !== file.name ? { mass: '', disc: '' } : {}
-  settleState((state) => Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, own, settings))
+  settleState((state) => Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '', skip: false, drive: '' }, own, settings))
   if (before && before.file.name !== file.name) toast(words().measure.opened(file.name), () => void openFile(before.file, before.settings))
   session.refused = null
   session.inspection = inspection
   session.file = file
-  described = settingsOf({ rate, column })
+  described = settingsOf({ rate, column, skip })
   return true
 }
 
 /// The settings that `session.inspection` is of.
 let described = ''
-const settingsOf = ({ rate, column }: { rate: string; column: string }) => JSON.stringify([rate, column])
+const settingsOf = ({ rate, column, skip }: ReadAs) => JSON.stringify([rate, column, skip])
 
 /// Looks into the file again where another column or rate was chosen. False where that ended it.
 async function describe(mine: number, file: File, state: typeof measureDefaults): Promise<boolean> {
@@ -210,7 +211,7 @@ async function refit(): Promise<void> {
     if (mine !== turn) return
   }
   if (isRefused(best)) return refuse(mine, best.refused)
-  if (best && best.status !== 'converged') return settle(mine, null, { message: best.message ?? best.status, argument: null })
+  if (best && best.status !== 'converged') return settle(mine, null, { ...nothing, message: best.message ?? best.status })
   settle(mine, best)
   if (best && state.overlay) await simulate(mine, best.law!)
 }
@@ -274,8 +275,8 @@ async function simulate(mine: number, law: string): Promise<void> {
 $effect.root(() => {
   let timer = 0
   $effect(() => {
-    const { column, run, rate, from, to, law, mass, disc, air, overlay } = page.measure
-    void [column, run, rate, from, to, law, mass, disc, air, overlay, session.file]
+    void JSON.stringify(page.measure)
+    void session.file
     clearTimeout(timer)
     if (session.file) timer = window.setTimeout(refit, 160)
   })

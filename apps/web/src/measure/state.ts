@@ -12,6 +12,10 @@ export const measureDefaults = {
   to: '',
   /// As in --law; empty: the core compares all of them.
   law: '',
+  /// 'auto': looked for a drive in the recording; empty: only where a free motion does not describe it.
+  drive: '',
+  /// Rows that are no numbers are left out.
+  skip: false,
   mass: '',
   disc: '',
   air: '20 °C',

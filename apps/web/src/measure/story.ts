@@ -2,22 +2,26 @@
 import type { Fit } from '../core/types'
 import { percent, significant, space } from '../look/numbers'
 import type { measure } from '../words/en/measure'
-import { english, type Said } from '../words/said'
+import { english, type NoticeObject } from '../words/said'
 import { placesOf, rounded, withUncertainty } from './uncertain'
 
 export interface Sentence {
   kind: 'note' | 'good' | 'core'
   title: string
   text: string
-  said?: Said // of the core: in both languages
+  notice?: NoticeObject // of the core
 }
 
 type Words = typeof measure
 
-/// In the order of their weight; the core's own warnings come last.
+/// In the order of their weight; the core's own warnings come last. Of a fit that the core doubts only these.
 export function storyOf(fit: Fit, words: Words): Sentence[] {
-  return [...decay(fit, words), ...limits(fit, words), ...flow(fit, words), ...warnings(fit, words)]
+  const own = isDoubted(fit) ? [] : [...decay(fit, words), ...limits(fit, words), ...flow(fit, words)]
+  return [...own, ...warnings(fit, words)]
 }
+
+/// Whether something speaks against the law, or against its uncertainties.
+export const isDoubted = (fit: Pick<Fit, 'notices'>): boolean => fit.notices.some(({ severity }) => severity === 'wrong_if_ignored')
 
 /// The pieces that say something: a swing larger than the noise, a rate known to a third.
 export const piecesOf = (fit: Fit): Fit['decay_by_amplitude'] =>
@@ -42,6 +46,8 @@ function decay(fit: Fit, words: Words): Sentence[] {
   if (rateFalls(fit)) {
     // A law with one rate hides the fall: then the pieces themselves say it.
     const [from, to] = fit.law === 'viscous' ? [pieces[0]!.rate!, pieces.at(-1)!.rate!] : ends
+    // A law whose rate goes the other way than the recording's is no law to quote.
+    if (from! > to! !== pieces[0]!.rate! > pieces.at(-1)!.rate!) return []
     const text = (from! > to! ? words.story.falls : words.story.rises)(significant(from!, 3), significant(to!, 3))
     return [{ kind: 'note', title: words.story.notEnough, text }]
   }
@@ -74,4 +80,4 @@ function flow(fit: Fit, words: Words): Sentence[] {
 }
 
 const warnings = (fit: Fit, words: Words): Sentence[] =>
-  fit.warnings.map((said) => ({ kind: 'core', title: words.story.core, text: english(said), said }))
+  fit.notices.map((notice) => ({ kind: 'core', title: words.story.core, text: english(notice.text), notice }))

@@ -8,7 +8,7 @@ export async function takeFiles(files: ArrayLike<globalThis.File> | null | undef
   if (!file) return false
   const w = words().measure.drop
   const refuse = (name: string, message: string): false => {
-    session.refused = { name, message }
+    session.refused = { file: null, name, why: { message, argument: null, code: '', values: {} } }
     return false
   }
   if (file.size > longest) return refuse(file.name, w.tooLarge(`${Math.round(file.size / 1e6)}\u00a0MB`))
@@ -18,7 +18,7 @@ export async function takeFiles(files: ArrayLike<globalThis.File> | null | undef
   } catch {
     return refuse(file.name, w.noFile)
   }
-  if (!(await openFile({ name: file.name, bytes, synthetic: false }))) return false
+  if (!(await openFile({ name: file.name, bytes, origin: 'file' }))) return false
   if (files.length > 1) refuse(Array.from(files, (each) => each.name).slice(1).join(', '), w.oneOnly(file.name))
   return true
 }

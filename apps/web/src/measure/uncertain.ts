@@ -28,9 +28,10 @@ export function withUncertainty(value: number, uncertainty: number | null, unit 
   return withUnit(`${rounded(value, places)}${space}±${space}${rounded(uncertainty, places)}`, unit)
 }
 
-/// Both ends of an interval with the digits that its half width deserves: "16.99 to 17.09".
-export function interval(low: number, high: number, to: string): string {
-  const places = placesOf((high - low) / 2)
+/// Both ends of an interval with the digits that half its width deserves, or half the width that it had before one
+/// end was cut off: "16.99 to 17.09".
+export function interval(low: number, high: number, to: string, half = (high - low) / 2): string {
+  const places = placesOf(half)
   return `${grouped(rounded(low, places))}${space}${to} ${grouped(rounded(high, places))}`
 }
 

@@ -1,13 +1,14 @@
-// The words on the resonance curve: the drive's line, each peak with its height, who never settles.
+// The words on the resonance curve: the drive's line, each name at its peak with the amplitude at the drive, who never
+// settles.
 import { lookOf, token } from '../look/curves'
-import { significant, withUnit } from '../look/numbers'
 import type { Curve, Frame } from '../plot/curve'
 import { valueAtX } from '../plot/decimate'
 import { spread } from '../plot/labels'
 import type { Pen } from '../plot/pen'
 
 interface Words {
-  unit: string
+  /** The amplitude at the drive now, with as many digits; "" where there is none. */
+  atDrive: (meaning: string, digits: number) => string
   unsettled: { meaning: string; name: string; why: string[] }[]
   at: number // drive now [rad/s]
   text: string
@@ -15,7 +16,7 @@ interface Words {
   listed: boolean // the names stand in a list beside the plot
 }
 
-export function peakOf(curve: Curve): { x: number; y: number } {
+function peakOf(curve: Curve): { x: number; y: number } {
   let best = 0
   for (let i = 0; i < curve.y.length; ++i) if (curve.y[i]! > curve.y[best]!) best = i
   return { x: curve.x[best] ?? 0, y: curve.y[best] ?? 0 }
@@ -48,12 +49,12 @@ interface Name {
 }
 
 /** Each peak's name beside its curve; who never settles at the left, where names of peaks make room for it. */
-function drawNames(pen: Pen, frame: Frame, { unit, unsettled }: Words, curves: Curve[]): void {
+function drawNames(pen: Pen, frame: Frame, { atDrive, unsettled }: Words, curves: Curve[]): void {
   const size = 12.5
   const [top, bottom] = [frame.top + 38, frame.bottom - 10]
   const peaks = curves.map((curve) => {
     const peak = peakOf(curve)
-    const text = `${curve.name} ${withUnit(significant(peak.y, frame.right - frame.left < 300 ? 3 : 4), unit)}`
+    const text = `${curve.name} ${atDrive(curve.meaning, frame.right - frame.left < 300 ? 3 : 4)}`.trim()
     return { curve, peak, text, wide: pen.width(text, { size, bold: true }), y: Math.max(frame.top + 40, frame.toY(peak.y) + 14), height: 16 }
   })
   type Peak = (typeof peaks)[number]

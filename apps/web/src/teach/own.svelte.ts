@@ -14,6 +14,8 @@ const practice = seedOf('practice', '1')
 class Own {
   /// Of a class and a student; else the practice recording, the same for all.
   personal = $derived(page.teach.course.trim() !== '' && page.teach.student.trim() !== '')
+  /// A class whose student has not said who they are: there is no recording for them yet.
+  unknown = $derived(page.teach.course.trim() !== '' && page.teach.student.trim() === '')
   name = $derived(this.personal ? nameOf(page.teach.course, page.teach.student) : '')
   truth = $derived(truthOf(this.personal ? seedOf(page.teach.course, page.teach.student) : practice))
   /// Of the last check, each with the answer that it was of.

@@ -6,7 +6,7 @@ export interface NoticeObject {
   code: string
   severity: 'wrong_if_ignored' | 'worth_knowing' | 'detail'
   text: Said
-  values: Record<string, unknown>
+  values: Values
 }
 
 export const english = (said: Said): string => (typeof said === 'string' ? said : said.en)
@@ -15,6 +15,15 @@ export const english = (said: Said): string => (typeof said === 'string' ? said 
 export interface Refusal {
   message: Said
   argument: string | null
+  code: string
+  values: Values
+}
+type Values = Record<string, unknown>
+
+/// What is said in the end, of a file, a line or a run: { code: 'bad_row', values }.
+export function heartOf(notice: { code: string; values: Values }): { code: string; values: Values } {
+  const what = notice.values.what as { code?: string; values?: Values } | undefined
+  return notice.code.startsWith('in_') && what?.code && what.values ? heartOf({ code: what.code, values: what.values }) : notice
 }
 
 /// Without the name of the option that it begins with: its field stands beside it.

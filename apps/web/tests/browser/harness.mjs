@@ -38,9 +38,34 @@ export async function open(browser, { width = 1440, height = 900, at = address, 
   return { page, context, faults }
 }
 
-/** Pixels of the page's curves in the middle of 9 × 9 dark ones: no line and no letter of the light theme is as thick. */
-export const slabs = (page) =>
-  page.evaluate(() =>
+/** Lets go of a file over the page. */
+export async function drop(page, name, content) {
+  const data = await page.evaluateHandle(([name, bytes]) => {
+    const transfer = new DataTransfer()
+    transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name))
+    return transfer
+  }, [name, Buffer.from(content).toString('base64')])
+  await page.dispatchEvent('main', 'dragover', { dataTransfer: data })
+  await page.dispatchEvent('main', 'drop', { dataTransfer: data })
+}
+
+/** Nothing is being fitted. */
+export async function settled(page, seconds = 90) {
+  await page.waitForTimeout(350) // the settings rest for 160 ms before they are asked for
+  await page.waitForFunction(() => document.querySelector('.fit') && !document.querySelector('.fit[aria-busy=true]'), null, { timeout: 1000 * seconds })
+}
+
+/** Saves a plot; what the file holds. */
+export async function saved(page, name) {
+  await page.getByRole('button', { name: 'Save figure or data' }).click()
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-save="${name}"]`).click()])
+  return readFileSync(await download.path(), 'utf8')
+}
+
+/** Pixels of the page's curves in the middle of 9 × 9 dark ones, darker than 128: no line and no letter of the light theme
+    is as thick. In the dark theme nothing is as black as 8. */
+export const slabs = (page, darkest = 128) =>
+  page.evaluate((darkest) =>
     [...document.querySelectorAll('[role=img] canvas')].reduce((sum, canvas) => {
       const { width, height } = canvas
       const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
@@ -52,13 +77,13 @@ export const slabs = (page) =>
         for (let x = 0, run = 0; x < width; ++x) {
           const at = 4 * (y * width + x)
           const light = 255 - (data[at + 3] / 255) * (255 - (data[at] + data[at + 1] + data[at + 2]) / 3)
-          run = light < 128 ? run + 1 : 0
+          run = light < darkest ? run + 1 : 0
           down[x] = run >= 9 ? down[x] + 1 : 0
           if (down[x] >= 9) ++sum
         }
       return sum
     }, 0),
-  )
+  darkest)
 
 let failed = 0
 /** Runs one check; a failed one is told, and the others go on. */

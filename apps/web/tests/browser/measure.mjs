@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises'
 import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { flawed, longSwing, recordings, swingIn, twoRuns } from './dialects.mjs'
-import { axe, check, finish, launch, open, slabs } from './harness.mjs'
+import { axe, check, drop, finish, launch, open, saved, settled, slabs } from './harness.mjs'
 
 const browser = await launch()
 
@@ -13,21 +13,6 @@ async function measure(options = {}) {
   const opened = await open(browser, options)
   await opened.page.locator('header nav a').nth(1).click()
   return opened
-}
-async function drop(page, name, content) {
-  const data = await page.evaluateHandle(([name, bytes]) => {
-    const transfer = new DataTransfer()
-    transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name))
-    return transfer
-  }, [name, Buffer.from(content).toString('base64')])
-  await page.dispatchEvent('main', 'dragover', { dataTransfer: data })
-  await page.dispatchEvent('main', 'drop', { dataTransfer: data })
-}
-const idle = (page, seconds = 90) =>
-  page.waitForFunction(() => document.querySelector('.fit') && !document.querySelector('.fit[aria-busy=true]'), null, { timeout: 1000 * seconds })
-const settled = async (page, seconds) => {
-  await page.waitForTimeout(350) // the settings rest for 160 ms before they are asked for
-  await idle(page, seconds)
 }
 const value = (page, quantity) => page.locator(`[data-quantity=${quantity}]`).innerText()
 const numberIn = (text) => Number(text.replace(/\u202f/g, '').match(/[\d.]+/)[0])
@@ -135,9 +120,7 @@ const faultless = async (page, what) => {
   await check('what is not used pales, and no dark slab lies on it', async () => {
     await settled(page)
     assert.equal(await slabs(page), 0)
-    await page.getByRole('button', { name: 'Save figure or data' }).click()
-    const [saved] = await Promise.all([page.waitForEvent('download'), page.locator('[data-save="recording.svg"]').click()])
-    const svg = await readFile(await saved.path(), 'utf8')
+    const svg = await saved(page, 'recording.svg')
     assert.match(svg, /fill-opacity="0\.5"/)
     for (const [, colour] of svg.matchAll(/(?:fill|stroke)="([^"]*)"/g)) assert.match(colour, /^(none|#[\da-f]{3}|#[\da-f]{6})$/)
   })
@@ -255,11 +238,7 @@ for (const processors of [1, 8]) {
     await page.locator('[data-quantity=frequency]').waitFor({ timeout: 90000 })
     await settled(page, 180)
   }
-  const csv = async (plot) => {
-    await page.getByRole('button', { name: 'Save figure or data' }).click()
-    const [download] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-save="${plot}.csv"]`).click()])
-    return (await readFile(await download.path(), 'utf8')).trim().split('\n')
-  }
+  const csv = async (plot) => (await saved(page, `${plot}.csv`)).trim().split('\n')
   const w = 2 * Math.PI * 1.5
   for (const [name, heading, unit, measured, displacement, amplitude, residual] of [
     ['g.csv', 'Time (s),Acceleration (g)', 1 / 9.80665, 'acceleration (m/s²)', 'mm', 30 / w ** 2, 'm/s²'],

@@ -121,7 +121,7 @@ describe.skipIf(!existsSync(built))('core', async () => {
   })
 
   it('says what is wrong as the program does', () => {
-    expect(ask('simulate', [['step', '-1']])).toEqual({
+    expect(ask('simulate', [['step', '-1']])).toMatchObject({
       status: 2,
       document: { message: { en: 'step: it must be positive, not -1 s', de: 'step: das muss größer als 0 sein: -1 s geht nicht' }, argument: 'step' },
     })

@@ -42,11 +42,16 @@ describe('the command line', () => {
 })
 
 describe('the equation', () => {
-  const text = (law: string) => equationOf(law).map((part) => part.text).join('').replaceAll('\u00a0', ' ')
-  it('has the terms of the law', () => {
-    expect(text('viscous+drag')).toBe('m x″ + c x′ + d |x′| x′ + k x = 0')
-    expect(text('friction')).toBe('m x″ + f sgn x′ + k x = 0')
-    expect(equationOf('viscous', true).map((part) => part.text).join('').replaceAll('\u00a0', ' ')).toBe('m x″ + c x′ + k x = F cos ωt')
-    expect(text('viscous+cubic')).toBe('m x″ + c x′ + k x + k₃ x³ = 0')
+  const text = (formulas: string[], driven = false) => equationOf(formulas, driven).map((part) => part.text).join('').replaceAll('\u00a0', ' ')
+  it('has the terms of the law, those with the velocity first', () => {
+    expect(text(['k x', "c x'", "d x'|x'|"])).toBe('m x″ + c x′ + d x′|x′| + k x = 0')
+    expect(text(['k x', "f sgn(x')"])).toBe('m x″ + f sgn(x′) + k x = 0')
+    expect(text(['k x', "c x'"], true)).toBe('m x″ + c x′ + k x = F cos ωt')
+    expect(text(['k x', "c x'", 'k3 x^3'])).toBe('m x″ + c x′ + k x + k₃ x³ = 0')
+    expect(text(["c x'", 'k2 x^2', 'ka x|x|', 'k5 x^5', "e x^2 x'", 'p sin x'])).toBe('m x″ + c x′ + e x² x′ + k₂ x² + kₐ x|x| + k₅ x⁵ + p sin x = 0')
+    expect(text(['k x', "z, z' = A x' - beta |x'| z - gamma x'|z|"])).toBe('m x″ + k x + z = 0')
+  })
+  it('has variables in italics, functions and numbers upright', () => {
+    expect(equationOf(['p sin x']).filter((part) => part.italic).map((part) => part.text)).toEqual(['m', 'x', 'p', 'x'])
   })
 })

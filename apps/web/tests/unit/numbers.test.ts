@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
-import { asTyped, exactly, fixed, percent, numberOf, significant, useComma, withUnit } from '../../src/look/numbers'
+import { asTyped, exactly, fixed, percent, numberOf, significant, typeset, useComma, withUnit } from '../../src/look/numbers'
 
 afterEach(() => useComma(false))
 
@@ -10,6 +10,14 @@ test('numbers have the digits asked for and a true minus', () => {
   expect(significant(1.5e-9, 2)).toBe('1.5\u202f×\u202f10⁻⁹')
   expect(fixed(-0.0001, 2)).toBe('0.00')
   expect(significant(NaN, 3)).toBe('–')
+})
+
+test('sentences have their numbers typeset, but for what was typed', () => {
+  expect(typeset('viscous+cubic (cubic -1.69e-06 ± 4e-07)')).toBe('viscous+cubic (cubic −1.69\u202f×\u202f10⁻⁶ ± 4\u202f×\u202f10⁻⁷)')
+  expect(typeset('kubische Feder -1,69e-06')).toBe('kubische Feder −1,69\u202f×\u202f10⁻⁶')
+  expect(typeset('it must be positive, not -1 s')).toBe('it must be positive, not −1 s')
+  const asTyped = '"1e-3 parsecs" in run-2e5.csv of 2020-01-02, „-1e3“'
+  expect(typeset(asTyped)).toBe(asTyped)
 })
 
 test('a field shows all that was given', () => {

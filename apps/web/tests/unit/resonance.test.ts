@@ -16,7 +16,8 @@ describe.skipIf(!existsSync(built))('the resonance curve', async () => {
     ['stiffness', '9'], ['drive-amplitude', '1'], ['drive-frequency', '3'], ['step', '0.01'],
   ]
   function curves(methods: string[], options: Options): ResonanceCurve[] {
-    const answer = ask('resonance', [...law, ['frequencies', '1:5:21'], ...methods.map((each): [string, string] => ['method', each]), ...options])
+    const others = law.filter(([name]) => !options.some(([own]) => own === name))
+    const answer = ask('resonance', [...others, ['frequencies', '1:5:21'], ...methods.map((each): [string, string] => ['method', each]), ...options])
     if (answer.status !== 0) throw new Error(JSON.stringify(answer))
     return answer.document.curves
   }
@@ -29,6 +30,16 @@ describe.skipIf(!existsSync(built))('the resonance curve', async () => {
       expect(stepped!.amplitude[i]! / amplitude).toBeCloseTo(1, 3)
       expect(stepped!.phase[i]! - exact!.phase[i]!).toBeCloseTo(0, 2)
     }
+  })
+
+  it('is known at the drive, wherever its points and its peak are', () => {
+    for (const [damping, w] of [[0.2, 2.9371], [6, 2]] as const) {
+      const [exact, stepped] = curves(['exact', 'dormand-prince'], [['damping', String(damping)], ['drive-frequency', String(w)]])
+      const amplitude = 1 / Math.hypot(9 - w * w, damping * w)
+      expect(exact!.at_drive! / amplitude).toBeCloseTo(1, 12)
+      expect(stepped!.at_drive! / amplitude).toBeCloseTo(1, 3)
+    }
+    expect(curves(['forward-euler'], [['damping', '0.01']])[0]!.at_drive).toBeNull()
   })
 
   it('of dry friction is Den Hartog’s where it slides throughout', () => {

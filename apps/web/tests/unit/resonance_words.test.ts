@@ -35,7 +35,7 @@ describe('the words on the resonance curve', () => {
     const frame = frameOf(40, 40 + wide, 28, 240, [1, 5], [0, 2])
     const curves = [peak('exact', 'exakt', 1.667), peak('euler-cromer', 'Euler-Cromer', 1.667), peak('implicit-euler', 'Euler implizit', 0.789)]
     const unsettled = [{ meaning: 'forward-euler', name: 'Euler vorwärts', why: ['schwingt nie ein:', 'wächst ohne Ende'] }]
-    resonanceWords({ unit: 'm', unsettled, at: 3, text: 'Antrieb 3,000 rad/s', drawn: true, listed: false })(pen, frame, curves)
+    resonanceWords({ atDrive: () => '1.667\u00a0m', unsettled, at: 3, text: 'Antrieb 3,000 rad/s', drawn: true, listed: false })(pen, frame, curves)
     expect(words).toHaveLength(7)
     const over = words.flatMap((a, i) =>
       words.slice(i + 1).filter((b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0 && Math.abs(a.y - b.y) < 12).map((b) => `${a.text} / ${b.text}`),

@@ -20,7 +20,7 @@ function fit(change: Partial<Fit>): Fit {
     decay_by_amplitude: [piece(0.034, 0.0139), piece(0.02, 0.009), piece(0.012, 0.0067)],
     stiffness_budget: [],
     reynolds: null,
-    warnings: [],
+    notices: [],
     ...change
   } as unknown as Fit
 }
@@ -35,6 +35,14 @@ describe('the story', () => {
   it('says where the rate rises', () => {
     const pieces = [piece(0.05, 0.1), piece(0.03, 0.2), piece(0.01, 0.4)]
     expect(said({ law: 'friction', decay_by_amplitude: pieces })[0]).toContain('rises from 0.100 to 0.400')
+  })
+  it('quotes no law that the core doubts, or whose rate goes the other way', () => {
+    const text = { en: 'no law tried describes this recording', de: '' }
+    expect(said({ notices: [{ code: 'no_law_describes', severity: 'wrong_if_ignored', text, values: {} }] })).toEqual([
+      'The core says no law tried describes this recording'
+    ])
+    const beats = [piece(0.034, 0.0591), piece(0.02, 0.09), piece(0.012, 0.113)].map((each, i) => ({ ...each, law_rate: [0.113, 0.09, 0.0591][i]! }))
+    expect(said({ decay_by_amplitude: beats })).toEqual([])
   })
   it('does not take noise for a fall', () => {
     const pieces = [piece(0.03, 0.0101), piece(0.02, 0.01), piece(0.01, 0.0097)]
@@ -74,5 +82,17 @@ describe('the table of the law', () => {
     expect(rows[0]).toMatchObject({ value: '17.040\u00a0±\u00a00.024\u00a0N/m', interval: '16.99\u00a0to 17.09' })
     expect(rows[1]!.value).toBe('0.785\u00a0±\u00a00.018\u00a0g/s')
     expect(rows[2]!.value).toBe('1.408\u202f398\u202f8(9)\u00a0Hz')
+  })
+  it('writes both ends of an interval in full', () => {
+    expect(rowsOf(fit({}), en)[2]!.interval).toBe('1.408\u202f397\u202f0\u00a0to 1.408\u202f400\u202f7')
+  })
+  it('ends intervals where the quantity ends', () => {
+    const change = {
+      parameters: { damping: estimate(0.00002, 0.00005, 'kg/s'), stiffness: estimate(17.04, 0.0235, 'N/m') },
+      derived: { quality_factor: estimate(1000, 5600, '1') }
+    } as unknown as Partial<Fit>
+    const intervals = (law: string) => Object.fromEntries(rowsOf(fit({ ...change, law }), en).map((row) => [row.key, row.interval]))
+    expect(intervals('viscous')).toMatchObject({ quality_factor: '0\u00a0to 12000', damping: '0.00\u00a0to 0.12' })
+    expect(intervals('viscous+van-der-pol').damping).toBe('−0.08\u00a0to 0.12')
   })
 })

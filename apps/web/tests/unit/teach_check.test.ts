@@ -59,6 +59,48 @@ describe('an answer', () => {
 /// The compiled core: what CROMER_WASM names, else the one of the build directory.
 const core = [process.env.CROMER_WASM, '../../build/page/core.wasm'].find((file) => file && existsSync(file)) ?? ''
 
+/// What a careful student gets with a ruler and a calculator: passages through the middle, peaks, their logarithms.
+function byHand(text: string, mass: [value: number, error: number], disc: number) {
+  const rows = text.trim().split('\n').slice(1).map((line) => line.split(',').map(Number) as [number, number])
+  const rest = rows.reduce((sum, [, x]) => sum + x, 0) / rows.length
+  // of a passage the middle of the samples near it, so that noise does not count it twice
+  const passages: number[] = []
+  for (let i = 8; i < rows.length - 8; ++i) {
+    const at = (j: number) => rows[j]![1] - rest
+    const slope = at(i + 8) - at(i - 8)
+    if (at(i - 1) < 0 && at(i) >= 0 && slope > 0 && (passages.length === 0 || rows[i]![0] - passages.at(-1)! > 0.3))
+      passages.push(rows[i - 1]![0] + (0.01 * -at(i - 1)) / (at(i) - at(i - 1)))
+  }
+  const [count, span] = [passages.length - 1, passages.at(-1)! - passages[0]!]
+  const frequency: [number, number] = [count / span, ((count / span) * 0.01) / span]
+  const stiffness = (2 * Math.PI * frequency[0]) ** 2 * mass[0]
+  const peaks = passages.slice(0, -1).map((from, i) => {
+    const inside = rows.filter(([t]) => t >= from && t < passages[i + 1]!)
+    const high = inside.reduce((best, row) => (row[1] > best[1] ? row : best))
+    const near = inside.filter(([t]) => Math.abs(t - high[0]) <= 0.045) // a parabola's worth, read with the eye
+    const w = 2 * Math.PI * frequency[0]
+    const mean = near.reduce((sum, [t, x]) => sum + (x - rest) / Math.cos(w * (t - high[0])), 0) / near.length
+    return [high[0], mean] as const
+  })
+  const part = peaks.filter(([t]) => t >= 30 && t <= 60).map(([t, a]) => [t, Math.log(a)] as const)
+  const mid = part.reduce((sum, [t]) => sum + t, 0) / part.length
+  const level = part.reduce((sum, [, l]) => sum + l, 0) / part.length
+  const spread = part.reduce((sum, [t]) => sum + (t - mid) ** 2, 0)
+  const slope = part.reduce((sum, [t, l]) => sum + (t - mid) * (l - level), 0) / spread
+  const left = Math.sqrt(part.reduce((sum, [t, l]) => sum + (l - level - slope * (t - mid)) ** 2, 0) / (part.length - 2) / spread)
+  const reynolds = (2 * Math.PI * frequency[0] * peaks[0]![1] * disc) / 1.516e-5
+  return {
+    frequency,
+    stiffness: [stiffness, stiffness * Math.hypot(mass[1] / mass[0], (2 * frequency[1]) / frequency[0])] as [number, number],
+    rate: [-slope, left] as [number, number],
+    reynolds: [reynolds, 0.02 * reynolds] as [number, number],
+  }
+}
+
+/// Some of a class of two hundred; all of them, which takes minutes, where CROMER_CLASS says so.
+const students = process.env.CROMER_CLASS === 'all' ? Array.from({ length: 200 }, (_, i) => i + 1) : [1, 37, 74, 111, 148, 200]
+const recordings = [['7F3A', '19'], ['practice', '1'], ['C', '4'], ['C', '11'], ...students.map((number) => ['CLASS', String(number)])] as [string, string][]
+
 describe.skipIf(!core)('the key of a recording (skipped where the core is not built)', () => {
   it('is what a careful student finds, and refuses a careless one', { timeout: 60_000 }, async () => {
     const opened = await start(await compile(new Uint8Array(readFileSync(core))))
@@ -87,14 +129,15 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
     expect(check(String(early.value), '0.0001', key.rate)).toMatchObject({ verdict: 'notYet', slip: 'first' })
   })
 
-  it.each([['7F3A', '19'], ['practice', '1'], ['C', '4'], ['C', '11']])('calls right what the page itself says of recording %s-%s', { timeout: 60_000 }, async (course, student) => {
+  it.each(recordings)('calls right what the page itself says of recording %s-%s, and a careful hand', { timeout: 60_000 }, async (course, student) => {
     const opened = await start(await compile(new Uint8Array(readFileSync(core))))
     const ask: AskCore = async (task, options, asking) =>
       read(opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file))
     const truth = truthOf(seedOf(course, student))
     const key = (await keyOf(truth, ask))!
     const made = await ask('synthetic', recordingOptions(truth))
-    const asking = { file: new TextEncoder().encode((made!.document as { text: string }).text), fileName: 'own.csv' }
+    const text = (made!.document as { text: string }).text
+    const asking = { file: new TextEncoder().encode(text), fileName: 'own.csv' }
     const lab: [string, string][] = [['mass', massText(truth)], ['disc-diameter', discText(truth)]]
     const fit = async (options: [string, string][]) => ((await ask('fit', [...options, ...lab], asking))!.document as Fits).fits[0]!
     const whole = await fit([['law', 'viscous+drag']])
@@ -116,5 +159,10 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
     }
     const off = percent(compared.comparisons[0]!.curves[0]!.amplitude_ratio_end! - 1, 3)
     expect([off, check(off, '0.1', key.off).verdict]).toEqual([off, 'right'])
+    const hand = byHand(text, [truth.massRead, truth.massUncertainty], truth.disc)
+    for (const question of ['frequency', 'stiffness', 'rate', 'reynolds'] as const) {
+      const typed = hand[question].map((value) => value.toPrecision(6)) as [string, string]
+      expect([question, ...typed, check(...typed, key[question]).verdict]).toEqual([question, ...typed, 'right'])
+    }
   })
 })

@@ -62,6 +62,14 @@ Json notice_object(const Notice& notice, const Voice& voice) {
           {"values", std::move(values)}};
 }
 
+Json refusal_object(const Notice& why, std::string_view argument, const Voice& voice) {
+  Json object = notice_object(why, voice);
+  return {{"message", object["text"]},
+          {"argument", argument.empty() ? Json(nullptr) : Json(argument)},
+          {"code", object["code"]},
+          {"values", object["values"]}};
+}
+
 void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice) {
   Json texts = Json::array(), objects = Json::array();
   for (const Notice& notice : notices) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
@@ -39,6 +40,10 @@ Json said(const Notice& notice, const Voice& voice);
 /// {"code", "severity", "text", "values": {name: number, text, list or another notice's code and values}}. Of
 /// a notice about a run its own code, and "run" (or "runs") among its values.
 Json notice_object(const Notice& notice, const Voice& voice);
+
+/// {"message", "argument", "code", "values"} of input that was not taken; "argument" is null where none is at
+/// fault.
+Json refusal_object(const Notice& why, std::string_view argument, const Voice& voice);
 
 /// Adds "warnings", the sentences, and "notices", the same as objects.
 void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice);

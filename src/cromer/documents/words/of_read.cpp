@@ -82,9 +82,10 @@ constexpr Entry entries[] = {
      "comma; {--delimiter} comma says the one, {--decimal} comma the other",
      "die Zeilen lassen sich auf zwei Arten lesen: „{row}“ als {whole} ganze Zahlen oder als {decimal} mit "
      "Dezimalkomma; {--delimiter} comma sagt das eine, {--decimal} comma das andere"},
-    {"bad_row", error, "{what}; {|{--skip-bad-rows} drops such rows|mend the row in the file, or remove it}",
+    {"bad_row", error,
+     "{what}; {|{--skip-bad-rows} drops such rows|mend the row in the file, or leave such rows out}",
      "{what}; {|mit {--skip-bad-rows} bleiben solche Zeilen weg|bitte die Zeile in der Datei ausbessern oder "
-     "entfernen}"},
+     "solche Zeilen weglassen}"},
     {"bad_cell", error, "column \"{column}\": \"{cell}\" is not a number",
      "Spalte „{column}“: „{cell}“ ist keine Zahl"},
     {"bad_cell_but", error, "column \"{column}\": \"{cell}\" is not a number; {what}",

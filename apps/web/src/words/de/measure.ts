@@ -94,6 +94,7 @@ export const measure: typeof en = {
     working: 'Die Gesetze werden verglichen; dies ist bisher das bessere von zweien.',
     workingFirst: 'Das Gesetz wird angepasst.',
     none: 'Es gibt keine Anpassung.',
+    anyLaw: 'Alle Gesetze versuchen',
     grows: 'wächst ohne Ende',
     narrower: 'Rahmen kürzer',
     wider: 'Rahmen länger'
@@ -110,13 +111,23 @@ export const measure: typeof en = {
       viscous: 'das zähe Glied',
       drag: 'der Luftwiderstand',
       friction: 'die trockene Reibung',
-      cubic: 'die kubische Feder'
+      cubic: 'die kubische Feder',
+      quadratic: 'die quadratische Feder',
+      'odd-quadratic': 'die Feder x|x|',
+      quintic: 'die Feder fünften Grades',
+      'van-der-pol': 'die Van-der-Pol-Dämpfung',
+      hysteresis: 'die Hysterese'
     },
     names: {
       viscous: 'zäh',
       drag: 'Luftwiderstand',
       friction: 'trockene Reibung',
       cubic: 'kubische Feder',
+      quadratic: 'quadratische Feder',
+      'odd-quadratic': 'Feder x|x|',
+      quintic: 'Feder fünften Grades',
+      'van-der-pol': 'Van der Pol',
+      hysteresis: 'Hysterese',
       pendulum: 'Pendel'
     },
     value: 'Wert',
@@ -130,6 +141,8 @@ export const measure: typeof en = {
     done: 'fertig',
     none: 'fehlt',
     unitMissing: (example) => `Die Einheit fehlt, wie in „${example}“.`,
+    driven: 'Nach einem Antrieb wird gesucht.',
+    free: 'Es schwingt frei',
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
     giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },
@@ -142,6 +155,18 @@ export const measure: typeof en = {
     friction: ['Reibung / Masse', 'f/m'],
     cubic: ['kubisch / Masse', 'k₃/m'],
     cubic_stiffness: ['kubische Steifigkeit', 'k₃'],
+    quadratic: ['quadratisch / Masse', 'k₂/m'],
+    quadratic_stiffness: ['quadratische Steifigkeit', 'k₂'],
+    odd_quadratic: ['Feder x|x| / Masse', 'kₐ/m'],
+    odd_quadratic_stiffness: ['Steifigkeit von x|x|', 'kₐ'],
+    quintic: ['fünften Grades / Masse', 'k₅/m'],
+    quintic_stiffness: ['Steifigkeit fünften Grades', 'k₅'],
+    van_der_pol: ['Van der Pol / Masse', 'e/m'],
+    van_der_pol_constant: ['Van-der-Pol-Dämpfung', 'e'],
+    hysteresis_stiffness: ['Hysterese-Steifigkeit / Masse', 'A/m'],
+    hysteresis_force_stiffness: ['Hysterese-Steifigkeit', 'A'],
+    hysteresis_beta: ['Hysterese', 'β'],
+    hysteresis_gamma: ['Hysterese', 'γ'],
     angular_frequency: ['Kreisfrequenz', 'ω₀'],
     decay_rate: ['Abklingrate', 'γ'],
     drag: ['Widerstand / Masse', 'd/m'],
@@ -169,6 +194,7 @@ export const measure: typeof en = {
     lawOnly: 'angepasstes Gesetz',
     dots: 'Punkte: Stücke der Aufnahme, 95-%-Bereiche',
     none: 'Die Aufnahme ist zu kurz, um sie in Stücke zu teilen.',
+    unsure: 'Kein Stück der Aufnahme zeigt eine eigene Abklingrate.',
     driven: 'Die Bewegung ist angetrieben.',
     seen: (first, last, from, to) => `Abklingrate ${first} bei der Amplitude ${from}, ${last} bei ${to}.`
   },
@@ -206,6 +232,8 @@ export const measure: typeof en = {
   },
   report: (file) => `${file}: das Gesetz eines Schwingers`,
   opened: (name) => `${name} ist geöffnet.`,
+  remedies: { skip: 'Schlechte Zeilen weglassen', driven: 'Es wird angetrieben', trim: 'Auf die Schwingung kürzen' },
+  saveFile: (name) => `${name} sichern`,
   command: 'Befehl kopieren',
   commandCopied: 'Der Befehl ist kopiert.'
 }

@@ -102,6 +102,7 @@ export const simulate: typeof en = {
   },
   resonanceWords: {
     now: (value) => `Antrieb ${value}`,
+    beside: 'Neben jedem Namen: die Amplitude bei der Antriebsfrequenz.',
     unsettled: 'schwingt nie ein:',
     noDrive: 'Dem Antrieb eine Amplitude geben.',
     notLinear: 'Nichtlinear: bei jeder Frequenz aus der Ruhe gerechnet, bis die Bewegung bleibt; ein anderer Anfang kann anders enden.',

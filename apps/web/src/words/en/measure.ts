@@ -92,6 +92,7 @@ export const measure = {
     working: 'The laws are being compared; this is the best of two so far.',
     workingFirst: 'The law is being fitted.',
     none: 'There is no fit.',
+    anyLaw: 'Try all laws',
     grows: 'grows without end',
     narrower: 'Shorter frame',
     wider: 'Longer frame'
@@ -108,13 +109,23 @@ export const measure = {
       viscous: 'the viscous term',
       drag: 'the drag term',
       friction: 'dry friction',
-      cubic: 'the cubic spring'
+      cubic: 'the cubic spring',
+      quadratic: 'the quadratic spring',
+      'odd-quadratic': 'the spring x|x|',
+      quintic: 'the quintic spring',
+      'van-der-pol': 'van der Pol’s damping',
+      hysteresis: 'hysteresis'
     } as Record<string, string>,
     names: {
       viscous: 'viscous',
       drag: 'drag',
       friction: 'dry friction',
       cubic: 'cubic spring',
+      quadratic: 'quadratic spring',
+      'odd-quadratic': 'spring x|x|',
+      quintic: 'quintic spring',
+      'van-der-pol': 'van der Pol',
+      hysteresis: 'hysteresis',
       pendulum: 'pendulum'
     } as Record<string, string>,
     value: 'value',
@@ -128,6 +139,8 @@ export const measure = {
     done: 'done',
     none: 'not given',
     unitMissing: (example: string) => `Add the unit, as in “${example}”.`,
+    driven: 'A drive is looked for.',
+    free: 'It swings freely',
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
     giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },
@@ -140,6 +153,18 @@ export const measure = {
     friction: ['friction / mass', 'f/m'],
     cubic: ['cubic / mass', 'k₃/m'],
     cubic_stiffness: ['cubic stiffness', 'k₃'],
+    quadratic: ['quadratic / mass', 'k₂/m'],
+    quadratic_stiffness: ['quadratic stiffness', 'k₂'],
+    odd_quadratic: ['spring x|x| / mass', 'kₐ/m'],
+    odd_quadratic_stiffness: ['stiffness of x|x|', 'kₐ'],
+    quintic: ['quintic / mass', 'k₅/m'],
+    quintic_stiffness: ['quintic stiffness', 'k₅'],
+    van_der_pol: ['van der Pol / mass', 'e/m'],
+    van_der_pol_constant: ['van der Pol’s damping', 'e'],
+    hysteresis_stiffness: ['hysteretic stiffness / mass', 'A/m'],
+    hysteresis_force_stiffness: ['hysteretic stiffness', 'A'],
+    hysteresis_beta: ['hysteresis', 'β'],
+    hysteresis_gamma: ['hysteresis', 'γ'],
     angular_frequency: ['angular frequency', 'ω₀'],
     decay_rate: ['decay rate', 'γ'],
     drag: ['drag / mass', 'd/m'],
@@ -167,6 +192,7 @@ export const measure = {
     lawOnly: 'fitted law',
     dots: 'dots: pieces of the recording, 95 % intervals',
     none: 'The recording is too short to be cut into pieces.',
+    unsure: 'No piece of the recording shows a decay rate of its own.',
     driven: 'The motion is driven.',
     seen: (first: string, last: string, from: string, to: string) =>
       `Decay rate ${first} at amplitude ${from}, ${last} at ${to}.`
@@ -205,6 +231,8 @@ export const measure = {
   },
   report: (file: string) => `${file}: the law of an oscillator`,
   opened: (name: string) => `${name} is open.`,
+  remedies: { skip: 'Skip bad rows', driven: 'It is driven', trim: 'Trim to the swing' },
+  saveFile: (name: string) => `Save ${name}`,
   command: 'Copy command',
   commandCopied: 'The command is copied.'
 }

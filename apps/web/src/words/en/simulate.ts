@@ -100,6 +100,7 @@ export const simulate = {
   },
   resonanceWords: {
     now: (value: string) => `drive now, ${value}`,
+    beside: 'Beside each name: the amplitude at the drive’s frequency.',
     unsettled: 'no steady motion:',
     noDrive: 'Give the drive an amplitude.',
     notLinear: 'Not linear: stepped from rest at each frequency until it settles; another start may settle elsewhere.',
