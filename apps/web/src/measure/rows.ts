@@ -1,6 +1,6 @@
 // The rows of the law's table: which quantities, in which units, with which symbols.
 import type { Estimate, Fit } from '../core/types'
-import { withUnit } from '../look/numbers'
+import { significant, withUnit } from '../look/numbers'
 import type { measure } from '../words/en/measure'
 import { interval, withUncertainty } from './uncertain'
 import { scaleFor } from './units'
@@ -30,7 +30,7 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynol
   const rows = keys.flatMap((key) => row(key, fit.parameters[key]))
   rows.push(...row('frequency', fit.derived.frequency))
   for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...row(key, fit.parameters[key]))
-  if (fit.law === 'viscous') rows.push(...row('quality_factor', fit.derived.quality_factor))
+  if (fit.law === 'viscous') rows.push(...qualityOf(fit, words, row('quality_factor', fit.derived.quality_factor)))
   if (fit.reynolds) {
     const { max, standard_error, t } = fit.reynolds
     const [name, symbol] = words.quantities.reynolds!
@@ -38,6 +38,16 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynol
     rows.push({ key: 'reynolds', name, symbol, value, interval: words.law.at(withUnit(fixed(t, 1), 's')) })
   }
   return rows
+}
+
+/// Where the rate may be 0 the quality factor has a lower end alone.
+function qualityOf({ parameters, derived }: Pick<Fit, 'parameters' | 'derived'>, words: Words, rows: Row[]): Row[] {
+  const [rate, quality] = [parameters.decay_rate, derived.quality_factor]
+  if (!rate || !quality || quality.value === null || quality.standard_error === null || quality.standard_error < quality.value) return rows
+  const most = rate.confidence_95[1]
+  const w = parameters.angular_frequency?.value ?? 2 * Math.PI * (derived.frequency?.value ?? NaN)
+  const least = most === null || !(most > 0) ? NaN : w / (2 * most)
+  return Number.isFinite(least) ? rows.map((each) => ({ ...each, value: words.law.above(significant(least, 2)), interval: '–' })) : []
 }
 
 function rowOf(key: string, estimate: Estimate | undefined, words: Words, law: string | null): Row[] {

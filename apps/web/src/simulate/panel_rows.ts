@@ -20,7 +20,7 @@ export function rowsOf(runs: Motion[], linear: LinearPart | null): Row[] {
       const frequency = run.effective!.angular_frequency
       return {
         method: run.method,
-        simulated: run.effective!.decay_rate,
+        simulated: nothing(run.effective!.decay_rate, frequency) ? 0 : run.effective!.decay_rate,
         frequencyError: frequency !== null && own > 0 ? frequency / own - 1 : null,
         stable: run.stable !== false,
         limit: run.stability_limit,
@@ -28,6 +28,9 @@ export function rowsOf(runs: Motion[], linear: LinearPart | null): Row[] {
       }
     })
 }
+
+/// What rounding leaves of a method that adds no damping.
+const nothing = (rate: number | null, frequency: number | null): boolean => rate !== null && frequency !== null && Math.abs(rate) < 1e-12 * frequency
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
 /** Of the amplitude in a cycle, as a part of one: grown above 0. */

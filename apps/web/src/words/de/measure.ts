@@ -143,6 +143,7 @@ export const measure: typeof en = {
     unitMissing: (example) => `Die Einheit fehlt, wie in „${example}“.`,
     driven: 'Nach einem Antrieb wird gesucht.',
     free: 'Es schwingt frei',
+    above: (least) => `über ${least}`,
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
     giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },

@@ -141,6 +141,7 @@ export const measure = {
     unitMissing: (example: string) => `Add the unit, as in “${example}”.`,
     driven: 'A drive is looked for.',
     free: 'It swings freely',
+    above: (least: string) => `above ${least}`,
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
     giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },
