@@ -140,6 +140,19 @@ std::set<std::string> options_in(std::string_view words) {
   return names;
 }
 
+/// Numbers of the sentence itself, with a point; but 0, which is "positive" in one language only.
+std::multiset<std::string> numbers_in(std::string_view words) {
+  std::multiset<std::string> numbers;
+  const std::string text = std::regex_replace(std::string(words), std::regex(R"(\{[^{}|]*\})"), "");
+  const std::regex number(R"(\d+([.,]\d+)*(e\d+)?)");
+  for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found) {
+    std::string each = found->str();
+    std::replace(each.begin(), each.end(), ',', '.');
+    if (each != "0") numbers.insert(each);
+  }
+  return numbers;
+}
+
 TEST(Catalogue, HasEachCodeOnceInBothLanguages) {
   std::set<std::string_view> codes;
   for (const auto& part : catalogue())
@@ -150,6 +163,7 @@ TEST(Catalogue, HasEachCodeOnceInBothLanguages) {
       const auto english = places_of(entry.english), foreign = places_of(entry.german);
       EXPECT_EQ(english, foreign) << entry.code << ": both sentences name the same values";
       EXPECT_EQ(options_in(entry.english), options_in(entry.german)) << entry.code;
+      EXPECT_EQ(numbers_in(entry.english), numbers_in(entry.german)) << entry.code;
       EXPECT_EQ(find_entry(entry.code), &entry);
     }
   EXPECT_GT(codes.size(), 500u);

@@ -55,7 +55,7 @@ const go = async (page, hash) => {
   await check('where nothing was fitted there are no axes, no command and no pieces, but a way out', async () => {
     await fitted(page, 'noise.csv', recording(613, (_, i) => 0.2 + noise(i)))
     const alert = page.locator('.fit [role=alert]')
-    assert.match(await alert.innerText(), /^There is no fit\. ./)
+    assert.match(await alert.innerText(), /^There is no fit: ./)
     assert.equal(await page.locator('.fit canvas, .residual canvas, section[aria-label="Decay rate against amplitude"], code').count(), 0)
     assert.doesNotMatch(await page.locator('body').innerText(), /too short/)
     await fitted(page, 'part.csv', recording(40, (t, i) => 0.2 + (t < 20 ? 0.03 * Math.exp(-0.3 * t) * Math.cos(9 * t) : 0) + noise(i)))

@@ -23,7 +23,7 @@ constexpr Entry entries[] = {
     {"no_closing_bracket", error, "\"{text}\" lacks a closing bracket",
      "in „{text}“ fehlt die schließende Klammer"},
     {"no_power_of_ten", error, "\"{text}\" has no power of ten after the 10",
-     "in „{text}“ fehlt die Zehnerpotenz"},
+     "in „{text}“ fehlt hinter der 10 die Potenz"},
     {"unknown_unit", error, "unknown unit \"{unit}\"", "die Einheit „{unit}“ ist unbekannt"},
     {"in_text", error, "\"{text}\": {what}", "„{text}“: {what}"},
     {"of_other_kind", error, "\"{text}\" is {kind}", "„{text}“ ist {kind}"},

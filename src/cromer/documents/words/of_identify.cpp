@@ -129,7 +129,7 @@ constexpr Entry entries[] = {
      "the damping terms of {law} cannot be told apart here: their sum is known, {sum}, but not its parts, "
      "and the interval of the {parameters} is cut at its bound 0",
      "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
-     "ihre Teile, und der 95-%-Bereich ist an der Grenze 0 abgeschnitten ({parameters})"},
+     "ihre Teile, und der Vertrauensbereich ist an der Grenze 0 abgeschnitten ({parameters})"},
     {"mean_decay_rate", clause, "decay rate {rate:n} at the record's mean amplitude",
      "Abklingrate {rate:n} bei der mittleren Amplitude der Aufnahme"},
     {"parameter_on_bound", worth_knowing, "the {parameter} is on its bound 0: the record shows no {damping}",

@@ -1,0 +1,102 @@
+// Pictures of every view and state of the built page, to be looked at: node tests/browser/pictures.mjs [FOLDER]
+//
+// FOLDER (build/pictures) gets NAME-WIDTH[-dark][-de].png. With --readme also the two pictures of the README.
+import { mkdirSync } from 'node:fs'
+import { join, resolve } from 'node:path'
+import { drop, launch, open, settled } from './harness.mjs'
+
+const readme = process.argv.includes('--readme')
+const folder = resolve(process.argv.slice(2).find((word) => !word.startsWith('--')) ?? join(import.meta.dirname, '../../../../build/pictures'))
+mkdirSync(folder, { recursive: true })
+
+const swing = (of, seconds = 40) => `Time (s),Position (m)\n${Array.from({ length: 100 * seconds }, (_, i) => `${i / 100},${of(i / 100).toFixed(5)}`).join('\n')}\n`
+const go = async (page, hash) => {
+  await page.evaluate((to) => (location.hash = to), hash)
+  await page.waitForTimeout(1500)
+}
+const measure = (page) => page.locator('header nav a').nth(1).click()
+const example = async (page, which) => {
+  await measure(page)
+  await page.locator('.examples button').nth(which).click()
+  await page.locator('[data-quantity]').first().waitFor({ timeout: 60000 })
+  await settled(page, 120)
+}
+const dropped = async (page, name, content) => {
+  await measure(page)
+  await drop(page, name, content)
+  await page.locator('.row', { hasText: name }).waitFor()
+  await settled(page, 120)
+}
+
+const states = {
+  simulate: async (page) => page.waitForTimeout(1500),
+  'simulate-nonlinear': (page) => go(page, '#simulate?cubic=20&drag=0.1'),
+  'simulate-no-method': (page) => go(page, '#simulate?methods='),
+  'simulate-critical': (page) => go(page, '#simulate?damping=6'),
+  'measure-empty': measure,
+  'measure-refused': async (page) => {
+    await measure(page)
+    await drop(page, 'words.csv', 'Time (s),Position (m)\n0,1\n0.1,2\n0.2,abc\n0.3,1\n')
+    await page.getByRole('alert').waitFor()
+  },
+  'measure-loading': async (page) => {
+    await measure(page)
+    await page.locator('.examples button').first().click()
+    await page.locator('.row').first().waitFor()
+    await page.waitForTimeout(60)
+  },
+  'measure-failed': (page) => dropped(page, 'still.csv', swing((t) => 0.2 + 0.0003 * Math.sin(1e4 * t * t))),
+  'measure-fitted': (page) => example(page, 0),
+  'measure-overlay': async (page) => {
+    await example(page, 0)
+    await page.locator('.plots button', { hasText: /simulations|Simulationen/ }).first().click()
+    await page.locator('.legend').first().waitFor({ timeout: 60000 })
+    await settled(page, 120)
+  },
+  'measure-doubted': (page) => dropped(page, 'beats.csv', swing((t) => 0.2 + 0.03 * Math.cos(9 * t) + 0.022 * Math.cos(9.35 * t) + 0.0002 * Math.sin(1e4 * t * t))),
+  'teach-one': (page) => go(page, '#teach?lab=one'),
+  'teach-two': async (page) => {
+    await go(page, '#teach?lab=two')
+    await page.locator('.control button').first().click()
+    await page.locator('.read').waitFor()
+  },
+  'teach-class': (page) => go(page, '#teach?lab=two&course=7F3A'),
+}
+const looks = [
+  ...[390, 800, 1440, 1920].map((width) => ({ width })),
+  { width: 1440, colorScheme: 'dark' },
+  { width: 1440, locale: 'de-DE' },
+  { width: 390, colorScheme: 'dark', locale: 'de-DE' },
+]
+
+const browser = await launch()
+const take = async (name, look, reach, path, options = {}) => {
+  const { width, ...others } = look
+  const { page, context } = await open(browser, { width, height: width < 700 ? 844 : 900, ...others })
+  await reach(page)
+  await page.waitForTimeout(300)
+  await page.screenshot({ path, ...options })
+  await context.close()
+}
+if (readme) {
+  const images = resolve(import.meta.dirname, '../../../../docs/images')
+  await take('simulate', { width: 1440 }, states.simulate, join(images, 'page-simulate.png'))
+  await take('measure', { width: 1440 }, states['measure-fitted'], join(images, 'page-measure.png'))
+}
+for (const [name, reach] of Object.entries(states))
+  for (const look of looks) {
+    const { width, colorScheme, locale } = look
+    const file = [name, width, colorScheme, locale?.slice(0, 2)].filter(Boolean).join('-')
+    await take(name, look, reach, join(folder, `${file}.png`), { fullPage: true })
+    console.log(join(folder, `${file}.png`))
+  }
+for (const [name, reach] of [['simulate', states.simulate], ['measure-fitted', states['measure-fitted']], ['teach-two', states['teach-two']]]) {
+  const { page, context } = await open(browser)
+  await reach(page)
+  await page.emulateMedia({ media: 'print' })
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+  await page.pdf({ path: join(folder, `${name}-print.pdf`), format: 'A4' })
+  console.log(join(folder, `${name}-print.pdf`))
+  await context.close()
+}
+await browser.close()
