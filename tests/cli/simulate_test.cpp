@@ -196,6 +196,17 @@ TEST(Simulate, SaysWhatEulerCromerConserves) {
   EXPECT_EQ(results["long.1.modified_energy.start"]["value"], 18.0);
 }
 
+TEST(Simulate, TheCommandInAFileIsReadBackByAShell) {
+  const Folder folder;
+  const Finished end = folder.run({"simulate", "--mass", "0.2 kg", "--stiffness", "9", "--until", "1",
+                                   "--step", "0.1", "--quiet", "-o", "run.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(
+      folder.read("run.csv"),
+      StartsWith(
+          "# cromer simulate --mass '0.2 kg' --stiffness 9 --until 1 --step 0.1 --quiet -o run.csv\n"));
+}
+
 TEST(Simulate, StandardOutputTakesCsv) {
   const Folder folder;
   const Finished end = folder.run({"simulate", "--step", "0.1", "--until", "1", "-o", "-"});

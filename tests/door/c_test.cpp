@@ -101,6 +101,11 @@ TEST(CallC, EveryVerbAnswers) {
   const Answer compared = call("compare", R"({"method": "rk4"})", made.arrays());
   EXPECT_EQ(cromer_status(compared.get()), CROMER_DONE) << cromer_document(compared.get());
   EXPECT_EQ(array(compared, "1.1.t").size(), 1500u);
+  const Answer two = call("compare", R"({"method": "rk4", "law": "viscous+drag"})", made.arrays());
+  // one constant rate, and the law beside it
+  EXPECT_EQ(array(two, "1.1.x").size(), 1500u);
+  EXPECT_EQ(array(two, "1.2.x").size(), 1500u);
+  EXPECT_EQ(array(two, "1.2.v").size(), 1500u);
   const Answer methods = call("methods", R"({"natural_frequency": 2, "step": 0.1})");
   EXPECT_EQ(document(methods)["methods"].size(), 13u);
   const Answer spectrum =

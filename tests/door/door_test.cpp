@@ -165,6 +165,8 @@ TEST(DoorFit, ErrorsNameTheArgument) {
   expect_refused(cromer::fit(t, y, {.force = std::span(y).first(3)}), "force", "3 values");
   expect_refused(cromer::fit(t, y, {.force = y, .between_samples = static_cast<cromer::BetweenSamples>(9)}),
                  "between_samples", "no enumerator 9");
+  expect_refused(cromer::fit(t, y, {.force = y, .between_samples = static_cast<cromer::BetweenSamples>(3)}),
+                 "between_samples", "no enumerator 3");
   expect_refused(cromer::fit(t, y, {.segment = -1.0}), "segment", "positive");
   expect_refused(cromer::fit(t, y, {.drive_frequency = -2}), "drive_frequency", "");
   expect_refused(cromer::fit(t, y, {.hold_out = 2}), "hold_out", "");
@@ -501,7 +503,7 @@ TEST(DoorSweep, SaysOfEachPointHowItEnded) {
 }
 
 TEST(DoorSweep, ErrorsNameTheArgument) {
-  const auto wrong = static_cast<cromer::SweepOptions::Direction>(9);
+  const auto wrong = static_cast<cromer::SweepOptions::Direction>(4);
   EXPECT_EQ(cromer::sweep({}, std::vector<double>{1}, {.direction = wrong}).error().argument, "direction");
   EXPECT_EQ(cromer::sweep({}, {}).error().argument, "drive_frequency");
   const std::vector<double> one{1};

@@ -108,6 +108,11 @@ TEST(MapScale, ValuesOverDecadesGetEvenRatios) {
     if (!tick.label.empty()) labels.push_back(tick.label);
   EXPECT_EQ(labels, (std::vector<std::string>{"10^{\u22122}", "10^{\u22121}", "10^{0}", "10^{1}"}));
   EXPECT_GT(scale.ticks.size(), labels.size());
+  // also where the axis of a plot would name 2 and 5 as well
+  labels.clear();
+  for (const Tick& tick : map_scale(map_of({2, 250, 10, 5}, true)).ticks)
+    if (!tick.label.empty()) labels.push_back(tick.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"10^{1}", "10^{2}"}));
 }
 
 TEST(MapScale, OthersGetEvenSteps) {

@@ -94,6 +94,22 @@ TEST(DerivedQuantities, ASwingThatIsFedHasALimitCycleAndNoQuality) {
   EXPECT_TRUE(found);
 }
 
+TEST(ForceParameters, AnIntervalThatEndsAtItsBoundStaysThere) {
+  LawFit fit;
+  fit.law = law_with<Spring, Viscous>;
+  set(fit, "angular_frequency", certain(w0));
+  set(fit, "decay_rate", {.value = 0.01, .standard_error = 0.02, .low = 0, .high = 0.05});
+  fit.student = 2;
+  const Body body{.mass = Quantity{0.2, 0.05}};
+  for (const Parameter& each : force_parameters(fit, body))
+    if (each.name == "damping") {
+      EXPECT_EQ(each.estimate.low, 0);
+      EXPECT_NEAR(each.estimate.value, 0.004, 1e-15);
+      return;
+    }
+  FAIL();
+}
+
 TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
   LawFit drag = released(0);
   drag.law = law_of("viscous+drag");

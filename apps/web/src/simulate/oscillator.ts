@@ -17,18 +17,38 @@ export interface Shown {
 
 const spring = { turns: 11, width: 8 }
 
-/** `room`: width left of the axis that is its own. */
+/** Where the mass is on the plot [px], and which position a height there stands for. */
+export interface Place {
+  middle: number
+  y: number
+  width: number
+  height: number
+  ceiling: number
+  toY(x: number): number
+  valueAt(y: number): number
+}
+
+/** `room`: width left of the axis that is the oscillator's own. */
+export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale'>, room: number): Place {
+  const small = room < 140
+  const [width, height] = small ? [52, 30] : [60, 34]
+  const ceiling = frame.top - 6
+  const high = frame.bottom - frame.top
+  const centre = (frame.top + frame.bottom) / 2
+  const toY = shown.shares ? frame.toY : (x: number) => centre - (x / shown.scale) * high * 0.3
+  const valueAt = shown.shares
+    ? (y: number) => frame.y[0] + ((frame.bottom - y) / high) * (frame.y[1] - frame.y[0])
+    : (y: number) => ((centre - y) / (0.3 * high)) * shown.scale
+  const wanted = Number.isFinite(shown.x) ? toY(shown.x) : toY(0)
+  const y = Math.max(ceiling + 22 + height / 2, Math.min(frame.bottom - height / 2 + 6, wanted))
+  return { middle: room / 2 - (small ? 6 : 8), y, width, height, ceiling, toY, valueAt }
+}
+
 export function oscillator(shown: Shown, room: number): Decoration {
   return (pen, frame) => {
     const small = room < 140
     const ink = token('ink')
-    const box = small ? { width: 52, height: 30 } : { width: 60, height: 34 }
-    const middle = room / 2 - (small ? 6 : 8)
-    const ceiling = frame.top - 6
-    const toY = shown.shares ? frame.toY : (x: number) => (frame.top + frame.bottom) / 2 - (x / shown.scale) * (frame.bottom - frame.top) * 0.3
-    const least = ceiling + 22 + box.height / 2
-    const most = frame.bottom - box.height / 2 + 6
-    const y = Math.max(least, Math.min(most, Number.isFinite(shown.x) ? toY(shown.x) : toY(0)))
+    const { middle, y, toY, ceiling, ...box } = placeOf(frame, shown, room)
     const top = y - box.height / 2
 
     drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)

@@ -4,12 +4,12 @@ import { page } from '../state/page.svelte'
 import { period } from './law'
 import { latest } from './results.svelte'
 
-export const play = $state({ t: 0, on: !looks.plain })
+export const play = $state({ t: 0, on: !looks.plain, slow: 1 })
 
-/** Simulated seconds a second: true to life, but that a period lasts between half a second and ten. */
-function pace(): number {
+/** Simulated seconds a second: true to life, but that a period lasts between half a second and ten; and as slow as asked. */
+export function pace(): number {
   const lasts = period(latest().linear)
-  return lasts < 0.5 ? lasts / 0.5 : lasts > 10 ? lasts / 10 : 1
+  return play.slow * (lasts < 0.5 ? lasts / 0.5 : lasts > 10 ? lasts / 10 : 1)
 }
 
 export function setCursor(t: number): void {
