@@ -1,5 +1,6 @@
 // Teach in a real browser, on the built file from disk: node tests/browser/teach.mjs
 import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
 import { address, axe, check, finish, launch, open, slabs } from './harness.mjs'
 
 const browser = await launch()
@@ -237,6 +238,68 @@ for (const width of [390, 820, 1280]) {
     await page.locator('[data-quantity=stiffness]').waitFor({ timeout: 60000 })
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the window')
     await faultless(page, `German ${width}`)
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+/// Thirty where CROMER_CLASS is "all": each key takes a second or two.
+const size = process.env.CROMER_CLASS === 'all' ? 30 : 3
+{
+  const { page, faults, context } = await teach('?lab=two')
+  let answers = []
+  await check(`a teacher makes a class, and reads the key of ${size}`, async () => {
+    await page.getByRole('button', { name: 'Make a class link' }).click()
+    await page.getByLabel('Class', { exact: true }).fill('9C')
+    await page.getByLabel('Students, numbered from 1 to').fill(String(size))
+    await page.getByRole('button', { name: 'Answer key' }).click()
+    await page.waitForFunction((size) => document.querySelectorAll('[data-table=key] tbody tr').length === size, size, { timeout: 20000 * size })
+    answers = await page.locator('[data-table=key] tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.innerText)))
+    assert.equal(new Set(answers.map(String)).size, size)
+    await page.getByRole('button', { name: 'Close the table' }).click()
+    await page.getByRole('button', { name: 'Close', exact: true }).click()
+  })
+  await check(`${size} hand-ins are one table, with who is right and what is missing`, async () => {
+    const questions = ['frequency', 'stiffness', 'rate', 'reynolds', 'off']
+    const files = answers.map((row, i) => {
+      const given = Object.fromEntries(row.map((text, j) => {
+        const [value, uncertainty] = pair(text)
+        return [questions[j], { value, uncertainty }]
+      }))
+      if (i === 1) given.rate = { value: '', uncertainty: '' }
+      if (i === 2) given.stiffness.value = String(Number(given.stiffness.value) * 1000)
+      return { cromer: 'hand-in', version: 1, name: `Student ${i + 1}`, course: '9c', student: ` ${i + 1}`, answers: given, fit: { law: 'viscous+drag', parameters: {} }, link: '' }
+    })
+    const data = await page.evaluateHandle((files) => {
+      const transfer = new DataTransfer()
+      for (const [i, file] of files.entries()) transfer.items.add(new File([JSON.stringify(file)], `hand-in-${i}.json`))
+      transfer.items.add(new File(['{}'], 'other.json'))
+      return transfer
+    }, files)
+    await page.dispatchEvent('main', 'drop', { dataTransfer: data })
+    await page.waitForFunction((size) => document.querySelectorAll('[data-table=hand-ins] tbody tr').length === size && !document.querySelector('[aria-busy=true]'), size, { timeout: 20000 * size })
+    const rows = await page.locator('[data-table=hand-ins] tbody tr').evaluateAll((all) => all.map((row) => row.innerText.replace(/\s+/g, ' ')))
+    assert.match(rows[0], /Student 1 .* 5\/5 /)
+    assert.match(rows[1], /Student 2 .* 4\/5 .*not answered/)
+    assert.match(rows[2], /Student 3 .* 4\/5 .*not yet/)
+    assert.match(await page.getByRole('alert').innerText(), /no hand-in: other\.json/)
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save as CSV' }).click()])
+    const csv = readFileSync(await download.path(), 'utf8').trim().split('\n')
+    assert.equal(csv.length, size + 1)
+    assert.match(csv[1], /^Student 1,9c, 1,5,/)
+    await faultless(page, 'marking')
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+{
+  const { page, faults, context } = await teach('?lab=two&course=9C&student=1&values=1.4;17;0.01;2000;5&uncertainties=0.1;1;0.01;100;1')
+  await check('a student hands in one file', async () => {
+    await page.locator('[data-field=name]').fill('Grace')
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save the hand-in' }).click()])
+    assert.equal(download.suggestedFilename(), 'hand-in-9C-1.json')
+    const file = JSON.parse(readFileSync(await download.path(), 'utf8'))
+    assert.deepEqual([file.name, file.course, file.student, file.answers.stiffness], ['Grace', '9C', '1', { value: '17', uncertainty: '1' }])
   })
   await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()
