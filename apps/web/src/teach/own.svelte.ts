@@ -3,7 +3,7 @@ import { askAside as ask } from '../core/ask'
 import { openSynthetic } from '../measure/examples'
 import type { MeasureState } from '../measure/state'
 import { page } from '../state/page.svelte'
-import { change } from '../state/undo.svelte'
+import { change, settle } from '../state/undo.svelte'
 import { answerOf, check, type Checked } from './check'
 import { keyOf, questions, units, type Key } from './key'
 import { nameOf, seedOf } from './seed'
@@ -76,5 +76,13 @@ export function setAnswer(of: 'values' | 'uncertainties', i: number, text: strin
 /// Makes the student's recording anew and opens it; `settings` say which part of it and which law.
 export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boolean> {
   const name = `${own.name || 'practice'}.csv`.replace(/[^\w.-]+/g, '_')
-  return openSynthetic(name, recordingOptions(own.truth), settings)
+  const opened = await openSynthetic(name, recordingOptions(own.truth), settings)
+  if (opened) settle((state) => (state.teach.taken = true))
+  return opened
+}
+
+/// After a reload: the recording that was open, as it was used.
+export async function openAgain(): Promise<void> {
+  const { mass, disc, from, to, law } = page.measure
+  if (page.teach.taken && !own.unknown) await openOwn({ mass, disc, from, to, law })
 }

@@ -14,6 +14,8 @@ export const teachDefaults = {
   doneTwo: [] as string[],
   course: '',
   student: '',
+  /// The recording of lab two is the student's own, which is made anew when the page is opened again.
+  taken: false,
   /// Answer and ± of each question in the order of key.ts, joined by ; for a comma may be a decimal one.
   values: '',
   uncertainties: '',

@@ -21,7 +21,7 @@ const options = [
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: options })
 
 /** A page of its own profile, `watch` run in it before its own scripts; `faults` fills with console errors, exceptions and requests. */
-export async function open(browser, { width = 1440, height = 900, at = address, hash = '', watch, ...others } = {}) {
+export async function open(browser, { width = 1440, height = 900, at = address, hash = '', watch, drawn = true, ...others } = {}) {
   const context = await browser.newContext({
     viewport: { width, height }, locale: 'en-GB', reducedMotion: 'reduce', acceptDownloads: true, ...others,
   })
@@ -34,7 +34,8 @@ export async function open(browser, { width = 1440, height = 900, at = address, 
     if (!/^(file|blob|data):/.test(request.url()) && !request.url().startsWith(at)) faults.push(`request: ${request.url()}`)
   })
   await page.goto(at + hash)
-  await page.waitForFunction(() => document.querySelector('[data-drawn]'))
+  if (drawn) await page.waitForFunction(() => document.querySelector('[data-drawn]'))
+  else await page.locator('main').waitFor()
   return { page, context, faults }
 }
 

@@ -1,6 +1,8 @@
 // Nothing false on the page, on the built file from disk: node tests/browser/truths.mjs
 import assert from 'node:assert/strict'
-import { address, check, drop, finish, launch, open, saved, settled, slabs } from './harness.mjs'
+import { createServer } from 'node:http'
+import { readFileSync } from 'node:fs'
+import { address, check, drop, file, finish, launch, open, saved, settled, slabs } from './harness.mjs'
 
 const browser = await launch()
 
@@ -194,8 +196,38 @@ const go = async (page, hash) => {
     await page.locator('[data-goal=done]').waitFor()
     assert.match(await page.locator('.read').innerText(), /7F3A-19\.csv/)
   })
+  await check('the recording of one’s own comes back after a reload', async () => {
+    await page.locator('nav ol button').nth(1).click()
+    await page.locator('[data-field=mass]').fill('217.6 ± 0.3 g')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => location.hash.includes('mass'))
+    await page.reload()
+    await page.locator('.read').waitFor({ timeout: 20000 })
+    assert.match(await page.locator('.read').innerText(), /7F3A-19\.csv/)
+    assert.equal(await page.locator('[data-field=mass]').inputValue(), '217.6 ± 0.3 g')
+  })
   await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()
+}
+
+{
+  const server = createServer((_, answer) => answer.writeHead(200, { 'content-type': 'text/html; charset=utf-8' }).end(readFileSync(file))).listen(0, '127.0.0.1')
+  await new Promise((done) => server.once('listening', done))
+  const at = `http://127.0.0.1:${server.address().port}/lab.html`
+  const { page, faults, context } = await open(browser, { at, hash: '#teach?lab=two', drawn: false })
+  await check('a class link from a server is a QR code too', async () => {
+    await page.getByRole('button', { name: 'Make a class link' }).click()
+    await page.getByLabel('Class', { exact: true }).fill('7F3A')
+    const path = await page.getByRole('img', { name: 'The link as a QR code' }).locator('path').getAttribute('d')
+    // the three squares at its corners, two modules from the edge
+    const modules = new Set(path.match(/M\d+ \d+/g))
+    const size = Number((await page.getByRole('img', { name: 'The link as a QR code' }).getAttribute('viewBox')).split(' ')[2])
+    for (const [x, y] of [[2, 2], [size - 9, 2], [2, size - 9]]) for (let i = 0; i < 7; ++i) assert.ok(modules.has(`M${x + i} ${y}`) && modules.has(`M${x} ${y + i}`))
+    assert.equal(await page.locator('.on-disk').count(), 0)
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+  server.close()
 }
 
 for (const colorScheme of ['light', 'dark']) {

@@ -184,6 +184,7 @@ export const teach: typeof en = {
   link: 'Link für die Klasse',
   linkHelp: 'Diesen einen Link austeilen. Alle tragen ihre eigene Nummer oder ihren Namen ein und erhalten die Aufnahme, die dazu gehört.',
   onDisk: (course) => `Diese Seite ist von einem Datenträger geöffnet: der Link führt nur dort zum Ziel, wo die Datei am selben Ort liegt. Die Seite auf einen Webserver stellen, oder die Datei austeilen und den Teil des Links ab # dazu: Klasse ${course}.`,
+  qr: 'Der Link als QR-Code',
   copyLink: 'Link kopieren',
   linkCopied: 'Der Link für die Klasse ist kopiert.',
   close: 'Schließen',

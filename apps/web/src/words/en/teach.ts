@@ -193,6 +193,7 @@ export const teach = {
   link: 'Link for the class',
   linkHelp: 'Hand out this one link. Every student types a number or name of their own, and gets the recording that belongs to it.',
   onDisk: (course: string) => `This page is open from a disk, so the link only works where the file lies in the same place. Put the page on a web server, or hand out the file with the part of the link from # on: class ${course}.`,
+  qr: 'The link as a QR code',
   copyLink: 'Copy the class link',
   linkCopied: 'The class link is copied.',
   close: 'Close',
