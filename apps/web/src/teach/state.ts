@@ -12,6 +12,8 @@ export const teachDefaults = {
   two: 1,
   doneOne: [] as string[],
   doneTwo: [] as string[],
+  /// What was expected of a step of lab one, before it was seen: "3:1" is the second answer of step 3.
+  expected: [] as string[],
   course: '',
   student: '',
   /// The recording of lab two is the student's own, which is made anew when the page is opened again.
@@ -33,6 +35,7 @@ const steps = (count: number) => (names: string[]): boolean => names.every((name
 export const teachRules: Rules<TeachState> = {
   lab: oneOf('one', 'two'),
   one: countTo(labOne.length), two: countTo(labTwo.length), doneOne: steps(labOne.length), doneTwo: steps(labTwo.length),
+  expected: (all) => all.every((each) => /^[1-9]:[0-2]$/.test(each)),
   damping: notNegative, driveAmplitude: notNegative, driveFrequency: positive, methods: areMethods,
   step: (step) => step >= 1e-4 // the longest step of lab one runs for 50 s
 }

@@ -51,19 +51,29 @@ async function checkAll(score) {
 let reynolds = ''
 const verdict = (question) => page.locator(`[data-question=${question}] .verdict`).innerText()
 
+/** The second answer to what is expected of the step. */
+async function predict() {
+  await tabTo('.predict button:nth-of-type(2)')
+  await press('Enter')
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'step-title')
+}
 await check('lab one by keys', async () => {
+  await predict()
   await type('.control .field input', '1')
   await reached()
   for (const typed of ['3', '0.2', '2']) {
     await next()
+    await predict()
     await type('.control .field input', typed)
     await reached()
   }
   await next()
+  await predict()
   await tabTo('.control input[type=checkbox]')
   await press('Space')
   await reached()
   await next()
+  await predict()
   await tabTo('.control input[type=range]')
   await press('ArrowLeft', 12)
   await reached()

@@ -82,6 +82,7 @@ for (const [locale, words] of [
     assert.equal(await sheets(page), 3)
   })
   await page.locator('header nav a').nth(2).click()
+  await page.locator('.predict button').first().click()
   await check(`a step of a tour is printed, ${locale}`, async () => {
     await printed(page, async () => {
       await isReport(page, 1)

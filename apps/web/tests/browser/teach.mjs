@@ -19,6 +19,12 @@ const noSlab = async (page) => {
   assert.equal(await slabs(page), 0, await title(page))
 }
 const reached = (page, seconds = 20) => page.locator('[data-goal=done]').waitFor({ timeout: 1000 * seconds })
+/** Nothing is shown before something is expected; then the goal waits. */
+async function predict(page, choice = 1) {
+  assert.equal(await page.locator('.middle canvas, .goal, .why h2').count(), 0)
+  await page.locator('.predict button').nth(choice).click()
+  await waiting(page)
+}
 const waiting = (page) => page.locator('[data-goal=open]').waitFor()
 const next = (page) => page.locator('.ways button').last().click()
 const type = async (page, text) => {
@@ -58,9 +64,11 @@ const pair = (text) => {
   const { page, faults, context } = await teach()
   await check('lab one from start to end', async () => {
     assert.equal(await title(page), 'A mass on a spring')
-    await waiting(page)
+    await predict(page)
+    assert.match(await page.locator('.middle').innerText(), /You expect: just as long\./)
     await type(page, '1 m')
     await reached(page)
+    assert.match(await page.locator('.middle').innerText(), /As you expected\. Just as long/)
     for (const [name, typed] of [
       ['Push it at its own rhythm', '3'],
       ['Add damping', '0.2 kg/s'],
@@ -68,18 +76,19 @@ const pair = (text) => {
     ]) {
       await next(page)
       assert.equal(await title(page), name)
-      await waiting(page)
+      await predict(page, 0)
       await type(page, typed)
       await reached(page)
+      assert.match(await page.locator('.middle').innerText(), /You expected: /)
       await noSlab(page)
     }
     await next(page)
-    await waiting(page)
+    await predict(page)
     await page.getByRole('checkbox', { name: 'implicit Euler' }).check()
     await reached(page)
     await noSlab(page)
     await next(page)
-    await waiting(page)
+    await predict(page)
     await type(page, '20 ms')
     await reached(page)
     await next(page)

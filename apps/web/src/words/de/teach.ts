@@ -9,6 +9,10 @@ export const teach: typeof en = {
     `${steps} Schritte, etwa ${minutes} Minuten. Ihr Stand bleibt in der Adresse dieser Seite.`,
   stepOf: (step, of) => `Schritt ${step} von ${of}`,
   stepDone: 'erledigt',
+  predictFirst: 'Zuerst: was erwarten Sie?',
+  expected: (what) => `Sie erwarten: ${what}.`,
+  asExpected: 'Wie erwartet.',
+  otherThanExpected: (what) => `Erwartet war: ${what}.`,
   back: 'Zurück',
   next: (title) => `Weiter: ${title}`,
   controls: {
@@ -33,6 +37,7 @@ export const teach: typeof en = {
   one: [
     {
       title: 'Eine Masse an einer Feder',
+      predict: { ask: 'Doppelt so weit gezogen: wie lange dauert eine Schwingung?', options: ['doppelt so lange', 'genauso lange', 'halb so lange'], right: 1, told: 'Genauso lange: die Periode hängt nicht davon ab, wie weit gezogen wurde.' },
       text: 'Eine Masse von 1 kg hängt an einer Feder von 9 N/m. Ziehen und loslassen: **Ort *x*₀** auf **1 m** schieben und die Schwingungen zählen.',
       goal: 'Zu tun: *x*₀ ist 1 m',
       done: 'Erledigt: *x*₀ ist 1,00 m',
@@ -42,6 +47,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Im eigenen Takt anstoßen',
+      predict: { ask: 'Was geschieht, wenn sie im eigenen Takt angestoßen wird?', options: ['sie schwingt immer gleich weit', 'sie wächst ohne Ende', 'sie wächst bis zu einer bestimmten Amplitude'], right: 1, told: 'Sie wächst ohne Ende: nichts nimmt die Energie weg.' },
       text: 'Jetzt beginnt sie in Ruhe, und eine Kraft von 1 N schiebt sie hin und her. Die **Antriebsfrequenz *ω*** von 1 auf **3 rad/s** schieben, ihre eigene, und sehen, wie weit sie kommt.',
       goal: 'Zu tun: *ω* ist 3 rad/s',
       done: 'Erledigt: *ω* ist 3,00 rad/s',
@@ -51,6 +57,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Dämpfung dazu',
+      predict: { ask: 'Was ändert ein wenig Dämpfung?', options: ['nichts: sie wächst wie zuvor', 'das Wachsen endet bei einer Amplitude', 'die Schwingung stirbt aus'], right: 1, told: 'Das Wachsen endet, wo die Dämpfung so viel nimmt, wie der Antrieb gibt.' },
       text: 'Ohne Dämpfung wuchs die Schwingung ohne Ende. Die **Dämpfung *c*** von 0 auf **0,2 kg/s** schieben und sehen, wo das Wachsen aufhört.',
       goal: 'Zu tun: *c* ist 0,2 kg/s',
       done: 'Erledigt: *c* ist 0,200 kg/s',
@@ -60,6 +67,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Weg von der Resonanz',
+      predict: { ask: 'Langsamer angestoßen als im eigenen Takt: wie weit schwingt sie am Ende?', options: ['weiter', 'etwa gleich weit', 'viel weniger weit'], right: 2, told: 'Viel weniger weit: die Feder hält der Kraft stand.' },
       text: 'Langsamer anstoßen, als ihr lieb ist: die **Antriebsfrequenz *ω*** auf **2 rad/s** schieben. Die ersten Schwingungen schweben; warten, bis sie vorbei sind.',
       goal: 'Zu tun: *ω* ist 2 rad/s',
       done: 'Erledigt: *ω* ist 2,00 rad/s',
@@ -69,6 +77,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Ein Verfahren, das dämpft',
+      predict: { ask: 'Zwei Verfahren rechnen dasselbe Gesetz in gleichen Schritten. Wo enden sie?', options: ['bei derselben Amplitude', 'Euler implizit niedriger', 'Euler implizit höher'], right: 1, told: 'Euler implizit endet niedriger: es fügt eigene Dämpfung hinzu.' },
       text: 'Wieder bei 3 rad/s, jetzt in Schritten von 0,025 s. **Euler implizit** neben Euler-Cromer einschalten. Beide lösen dasselbe Gesetz.',
       goal: 'Zu tun: Euler implizit ist zu sehen',
       done: 'Erledigt: Euler implizit ist zu sehen',
@@ -78,6 +87,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Was der Schritt ausmacht',
+      predict: { ask: 'Was wird aus der Schwingung von Euler vorwärts in kleineren Schritten?', options: ['unter einem gewissen Schritt kommt sie zur Ruhe', 'nichts: sie wächst immer', 'sie kommt bei jedem Schritt zur Ruhe'], right: 0, told: 'Unter einem gewissen Schritt hört sie auf zu wachsen: dann überwiegt die Dämpfung des Gesetzes.' },
       text: 'Euler vorwärts nimmt die Kraft am Anfang des Schrittes. Bei *h* = 0,025 s wächst seine Schwingung ohne Ende, obwohl das Gesetz dämpft. Den **Schritt *h*** unter **0,0222 s** schieben.',
       goal: 'Zu tun: *h* ist unter 0,0222 s',
       done: 'Erledigt: sein Ausschlag hat nun ein Ende; mit kleineren Schritten kommt es früher',

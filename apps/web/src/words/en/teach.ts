@@ -1,6 +1,8 @@
 /// One step of a tour. **bold** and *italic* are marked.
 export interface StepWords {
   title: string
+  /// Asked before anything is shown; `told` once the goal is reached.
+  predict?: { ask: string; options: string[]; right: number; told: string }
   text: string
   goal: string
   done: string
@@ -18,6 +20,10 @@ export const teach = {
     `${steps} steps, about ${minutes} minutes. Your place is kept in the address of this page.`,
   stepOf: (step: number, of: number) => `Step ${step} of ${of}`,
   stepDone: 'done',
+  predictFirst: 'First, what do you expect?',
+  expected: (what: string) => `You expect: ${what}.`,
+  asExpected: 'As you expected.',
+  otherThanExpected: (what: string) => `You expected: ${what}.`,
   back: 'Back',
   next: (title: string) => `Next: ${title}`,
   controls: {
@@ -42,6 +48,7 @@ export const teach = {
   one: [
     {
       title: 'A mass on a spring',
+      predict: { ask: 'Pulled twice as far, how long does a swing take?', options: ['twice as long', 'just as long', 'half as long'], right: 1, told: 'Just as long: the period does not depend on how far it was pulled.' },
       text: 'A mass of 1 kg hangs on a spring of 9 N/m. Pull it down and let go: drag **position *x*₀** to **1 m** and count the swings.',
       goal: 'To do: *x*₀ is 1 m',
       done: 'Done: *x*₀ is 1.00 m',
@@ -51,6 +58,7 @@ export const teach = {
     },
     {
       title: 'Push it at its own rhythm',
+      predict: { ask: 'What will it do when it is pushed at its own rhythm?', options: ['swing by the same amount all the time', 'grow without end', 'grow, and stop at some amplitude'], right: 1, told: 'It grows without end: nothing takes the energy away.' },
       text: 'Now it starts from rest and a force of 1 N pushes it to and fro. Drag the **drive frequency *ω*** from 1 to **3 rad/s**, its own, and watch how far it gets.',
       goal: 'To do: *ω* is 3 rad/s',
       done: 'Done: *ω* is 3.00 rad/s',
@@ -60,6 +68,7 @@ export const teach = {
     },
     {
       title: 'Add damping',
+      predict: { ask: 'What does a little damping change?', options: ['nothing: it grows as before', 'the growth stops at some amplitude', 'the swing dies out'], right: 1, told: 'The growth stops where damping takes as much as the drive gives.' },
       text: 'Without damping the swing grew without end. Drag **damping *c*** from 0 to **0.2 kg/s** and watch where the growth stops.',
       goal: 'To do: *c* is 0.2 kg/s',
       done: 'Done: *c* is 0.200 kg/s',
@@ -69,6 +78,7 @@ export const teach = {
     },
     {
       title: 'Move away from resonance',
+      predict: { ask: 'Pushed more slowly than its own rhythm, how far does it swing in the end?', options: ['farther', 'about as far', 'much less far'], right: 2, told: 'Much less far: the spring holds against the force.' },
       text: 'Push it more slowly than it likes: drag the **drive frequency *ω*** down to **2 rad/s**. The first swings beat; wait until they are over.',
       goal: 'To do: *ω* is 2 rad/s',
       done: 'Done: *ω* is 2.00 rad/s',
@@ -78,6 +88,7 @@ export const teach = {
     },
     {
       title: 'A method that adds damping',
+      predict: { ask: 'Two methods solve one law in the same steps. Where do they settle?', options: ['at the same amplitude', 'implicit Euler lower', 'implicit Euler higher'], right: 1, told: 'Implicit Euler settles lower: it adds damping of its own.' },
       text: 'Back at 3 rad/s, now in steps of 0.025 s. Switch on **implicit Euler** beside Euler-Cromer. Both solve the same law.',
       goal: 'To do: implicit Euler is shown',
       done: 'Done: implicit Euler is shown',
@@ -87,6 +98,7 @@ export const teach = {
     },
     {
       title: 'What the step does',
+      predict: { ask: 'What becomes of forward Euler’s swing in smaller steps?', options: ['below some step it settles', 'nothing: it always grows', 'it settles at any step'], right: 0, told: 'Below some step it settles: the law’s damping then outweighs what the method takes away.' },
       text: 'Forward Euler takes the force where the step begins. At *h* = 0.025 s its swing grows without end, though the law has damping. Drag **step *h*** below **0.0222 s**.',
       goal: 'To do: *h* is below 0.0222 s',
       done: 'Done: its swing has an end now; with smaller steps it comes sooner',
