@@ -1,6 +1,6 @@
 // Pictures of every view and state of the built page, to be looked at: node tests/browser/pictures.mjs [FOLDER]
 //
-// FOLDER (build/pictures) gets NAME-WIDTH[-dark][-de].png. With --readme also the two pictures of the README.
+// FOLDER (build/pictures) gets NAME-WIDTH[-dark][-de].png; with --readme the README's two pictures are made instead.
 import { mkdirSync } from 'node:fs'
 import { join, resolve } from 'node:path'
 import { drop, launch, open, settled } from './harness.mjs'
@@ -82,6 +82,8 @@ if (readme) {
   const images = resolve(import.meta.dirname, '../../../../docs/images')
   await take('simulate', { width: 1440 }, states.simulate, join(images, 'page-simulate.png'))
   await take('measure', { width: 1440 }, states['measure-fitted'], join(images, 'page-measure.png'))
+  await browser.close()
+  process.exit()
 }
 for (const [name, reach] of Object.entries(states))
   for (const look of looks) {

@@ -338,7 +338,7 @@ const button = (page, name) => page.getByRole('button', { name })
   await check('with the keyboard alone', async () => {
     await page.locator('.skip').focus()
     const reached = ['Skip to the page']
-    for (let i = 0; i < 60; ++i) {
+    for (let i = 0; i < 70; ++i) {
       await page.keyboard.press('Tab')
       const [name, ring] = await page.evaluate(() => {
         const at = document.activeElement

@@ -120,6 +120,18 @@ const go = async (page, hash) => {
     assert.ok(rows.length > 2)
     for (const row of rows) assert.match(row.replaceAll('\u202f', ''), /^[−\d.]+\u00a0to [−\d.]+$/)
   })
+  await check('a word that a first-year may not know is explained at the word', async () => {
+    const interval = page.getByRole('button', { name: '95 % interval' })
+    await interval.click()
+    assert.match(await page.getByRole('tooltip').innerText(), /In 95 of 100 such recordings/)
+    await page.keyboard.press('Escape')
+    assert.equal(await page.getByRole('tooltip').count(), 0)
+    await page.getByRole('button', { name: 'quality factor' }).focus()
+    await page.keyboard.press('Enter')
+    assert.match(await page.getByRole('tooltip').innerText(), /How many swings/)
+    await page.keyboard.press('Tab')
+    assert.equal(await page.getByRole('tooltip').count(), 0)
+  })
   await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()
 }

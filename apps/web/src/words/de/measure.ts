@@ -144,6 +144,7 @@ export const measure: typeof en = {
     driven: 'Nach einem Antrieb wird gesucht.',
     free: 'Es schwingt frei',
     above: (least) => `über ${least}`,
+    how: 'Wie wird gewählt?',
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
     giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },

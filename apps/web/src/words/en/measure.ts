@@ -142,6 +142,7 @@ export const measure = {
     driven: 'A drive is looked for.',
     free: 'It swings freely',
     above: (least: string) => `above ${least}`,
+    how: 'How is that chosen?',
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
     giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },

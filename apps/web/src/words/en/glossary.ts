@@ -1,0 +1,20 @@
+// What a first-year may not know, in a sentence or two; by the names of the core where it has one.
+export const glossary: Record<string, string> = {
+  law: 'The law of motion: which forces act on the mass, and how each depends on its position and velocity.',
+  stiffness: 'How hard the spring pulls back for each metre that it is stretched.',
+  damping: 'Viscous damping: a force against the motion in proportion to the velocity, as in slow flow. The amplitude then falls by the same part in every swing.',
+  decay_rate: 'By which part of itself the amplitude falls in a second.',
+  drag: 'A force against the motion that grows with the square of the velocity, as in fast flow: large swings lose more than small ones.',
+  friction: 'Dry friction: a force of one size against the motion, as of a guide that rubs. The amplitude falls by the same length in every swing, and the motion stops.',
+  cubic: 'A spring that gets stiffer (or softer) the farther it is stretched.',
+  drag_coefficient: 'How much a body’s shape resists the flow: about 1 for a disc in a steady wind, more where it swings to and fro.',
+  angular_frequency: 'Swings a second times 2π, in radians a second.',
+  frequency: 'Swings a second.',
+  quality_factor: 'How many swings it takes until little is left: after Q of them the energy has fallen to a few thousandths. High Q: it rings for long.',
+  reynolds: 'Speed times size over the viscosity of the air. Small: the air flows smoothly round the body. Above some hundreds it swirls, and drag grows with the square of the speed.',
+  residual: 'What is left when the law is taken off the recording. If the law is right, only the sensor’s noise is left, without a pattern.',
+  interval: 'In 95 of 100 such recordings the true value lies in the interval that they give.',
+  chosen: 'Laws are compared by how well they describe the recording and how many numbers they need for it (the Bayesian information criterion, BIC): a term must earn its place.',
+  simulated: 'A method of integration has damping of its own: it simulates an oscillator other than the one asked for. This is the decay rate of that one.',
+  free_part: 'The part of the recording where nothing touches or drives the mass: only there does it show its own law.',
+}
