@@ -99,9 +99,6 @@ Result<MethodResonance> settled_curve(const SimulateOptions& options, const Simu
     at_rest.every = std::max(1LL, static_cast<long long>(period(w) / (states_kept * *at_rest.step)));
     return settle(at_rest);
   };
-  const auto now = settled_at(run.drive.frequency);
-  if (!now) return now.error();
-  if (*now) curve.at_drive = (*now)->amplitude;
   for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
     const double w = frequencies[i];
     const auto steady = settled_at(w);
@@ -112,6 +109,9 @@ Result<MethodResonance> settled_curve(const SimulateOptions& options, const Simu
     curve.phase.push_back((*steady)->phase_lag);
   }
   curve.settled = curve.frequency.size() > 1;
+  const double drive = run.drive.frequency;
+  if (chooses_its_steps || 2 * first_cycles * period(drive) / run.step <= most_steps)
+    if (const auto now = settled_at(drive); now && *now) curve.at_drive = (*now)->amplitude;
   return curve;
 }
 

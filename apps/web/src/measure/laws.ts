@@ -29,12 +29,15 @@ export interface Part {
 /// m x″ + c x′ + d x′|x′| + k x = 0 of the core's formulas ("c x'", "k2 x^2"), variables italic; driven with F cos ωt. Of
 /// a pendulum x is the angle.
 export function equationOf(formulas: string[], driven = false): Part[] {
-  const forces = formulas.map((formula) => formula.split(',')[0]!)
+  const forces = formulas.map((formula) => formula.split(', ')[0]!)
+  // of an inner force how it changes
+  const changes = formulas.flatMap((formula) => formula.split(', ').slice(1))
   const damping = forces.filter((force) => force.includes("x'"))
   const others = forces.filter((force) => !damping.includes(force))
-  const text = `${["m x''", ...damping, ...others].join(' + ')} = ${driven ? 'F cos ωt' : '0'}`
+  const motion = `${["m x''", ...damping, ...others].join(' + ')} = ${driven ? 'F cos ωt' : '0'}`
+  const text = [motion, ...changes].join(', ').replace(/beta/g, 'β').replace(/gamma/g, 'γ').replaceAll(' - ', ' − ')
   return text
-    .split(/(sgn|sin|cos|[^\W\d_]+)/u)
+    .split(/(sgn|sin|cos|\p{L}+)/u)
     .map((part, i) => ({ text: typeset(part), italic: i % 2 === 1 && !/^(sgn|sin|cos)$/.test(part) }))
     .filter((part) => part.text !== '')
 }

@@ -58,7 +58,7 @@ export function commandLine(file: string, state: Settings, runs = 1, overlay = f
   const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
   for (const [name, value] of fitOptions(state, runs)) {
     if (name === 'temperature' && value === '20 °C') continue
-    words.push(`--${name}`, ...(value === 'true' ? [] : [quoted(value)]))
+    words.push(`--${name}`, ...(name === 'skip-bad-rows' ? [] : [quoted(value)]))
   }
   return words.join(' ')
 }

@@ -43,7 +43,7 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynol
 /// Where the rate may be 0 the quality factor has a lower end alone.
 function qualityOf({ parameters, derived }: Pick<Fit, 'parameters' | 'derived'>, words: Words, rows: Row[]): Row[] {
   const [rate, quality] = [parameters.decay_rate, derived.quality_factor]
-  if (!rate || !quality || quality.value === null || quality.standard_error === null || quality.standard_error < quality.value) return rows
+  if (!rate || !quality || (rate.confidence_95[0] ?? 0) > 0) return rows
   const most = rate.confidence_95[1]
   const w = parameters.angular_frequency?.value ?? 2 * Math.PI * (derived.frequency?.value ?? NaN)
   const least = most === null || !(most > 0) ? NaN : w / (2 * most)

@@ -135,7 +135,7 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   session.refused = null
   session.inspection = inspection
   session.file = file
-  if (file.origin !== 'simulated') settleState((state) => (state.teach.taken = false))
+  settleState((state) => (state.teach.taken = false))
   described = settingsOf({ rate, column, skip })
   return true
 }

@@ -5,8 +5,8 @@ type Preset = Pick<SimulateState, 'mass' | 'stiffness' | 'damping' | 'driveAmpli
 
 const free = { driveAmplitude: 0, driveFrequency: 1 }
 
-/** A quarter of a car on its spring and damper; a child on a swing of 2.5 m; a seismograph of 1 Hz near critical damping,
-    shaken; a building of ten storeys in the wind; a tuning fork of 440 Hz. */
+/** A quarter of a car on its spring and damper; a child on a swing of 2.5 m; a seismograph of 1 Hz with 0.7 of the
+    critical damping, shaken; a building of ten storeys in the wind; a tuning fork of 440 Hz. */
 export const presets = {
   car: { mass: 350, stiffness: 20000, damping: 1500, ...free, position: 0.05, step: 0.01, until: 4 },
   swing: { mass: 30, stiffness: 117.7, damping: 0.9, ...free, position: 0.8, step: 0.05, until: 120 },

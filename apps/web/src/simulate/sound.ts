@@ -1,24 +1,22 @@
-// A motion to be heard: its positions played so fast that its own frequency is a tone of 220 Hz.
+// A motion to be heard: the pitch follows the position, an octave up and down from 330 Hz, as fast as it is played.
 import type { States } from '../core/types'
 import { valueAtX } from '../plot/decimate'
 
-const tone = 220 // [Hz]
+const middle = 330 // [Hz] at rest
 const rate = 22050 // [1/s]
 const longest = 8 // [s]
 
-/** Samples between −1 and 1. `period` [s] of the motion. */
-export function soundOf(states: Pick<States, 't' | 'x'>, period: number): Float32Array<ArrayBuffer> {
-  const { t, x } = states
-  const pace = tone * period // motion's seconds a second
-  const end = t.at(-1) ?? 0
-  const count = Math.floor(Math.min(longest, end / pace) * rate)
+/** Samples between −1 and 1. `pace`: seconds of the motion in a second. */
+export function soundOf({ t, x }: Pick<States, 't' | 'x'>, pace: number): Float32Array<ArrayBuffer> {
+  const count = Math.floor(Math.min(longest, (t.at(-1) ?? 0) / pace) * rate)
   let largest = 0
   for (const value of x) if (Math.abs(value) > largest) largest = Math.abs(value)
   const samples = new Float32Array(count)
   const fade = Math.min(400, count / 4)
-  for (let i = 0; i < count; ++i) {
-    const loud = Math.min(1, i / fade, (count - 1 - i) / fade)
-    samples[i] = largest > 0 ? (0.5 * loud * (valueAtX(t, x, (i / rate) * pace) || 0)) / largest : 0
+  for (let i = 0, phase = 0; i < count; ++i) {
+    const height = largest > 0 ? (valueAtX(t, x, (i / rate) * pace) || 0) / largest : 0
+    phase += (2 * Math.PI * middle * 2 ** height) / rate
+    samples[i] = 0.3 * Math.min(1, i / fade, (count - 1 - i) / fade) * Math.sin(phase)
   }
   return samples
 }

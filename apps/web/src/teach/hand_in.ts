@@ -1,8 +1,9 @@
 // What a student hands in, as one file; and what a teacher reads off thirty of them.
 import type { Fit } from '../core/types'
+import { numberOf } from '../look/numbers'
 import { check, type Checked } from './check'
 import { keyOf, questions, type AskCore, type Key, type Question } from './key'
-import { nameOf, seedOf } from './seed'
+import { nameOf, oneForm, seedOf } from './seed'
 import { truthOf } from './truth'
 
 export interface Given {
@@ -39,7 +40,8 @@ export function handInOf(
 export const fileNameOf = ({ course, student }: Pick<HandIn, 'course' | 'student'>): string =>
   `hand-in-${nameOf(course, student)}`.replace(/[^\p{L}\d.-]+/gu, '_') + '.json'
 
-const isText = (value: unknown): value is string => typeof value === 'string' && value.length <= 400
+const isText = (value: unknown, most = 400): value is string => typeof value === 'string' && value.length <= most
+const longestLink = 20_000 // it holds all settings of all pages
 
 /// Null where the text is no hand-in.
 export function readHandIn(text: string): HandIn | null {
@@ -52,16 +54,19 @@ export function readHandIn(text: string): HandIn | null {
   if (typeof read !== 'object' || read === null) return null
   const one = read as Partial<HandIn>
   if (one.cromer !== 'hand-in' || one.version !== 1) return null
-  if (![one.name, one.course, one.student].every(isText) || !isText(one.link ?? '')) return null
+  if (!isText(one.name) || !isText(one.course) || !isText(one.student) || !isText(one.link ?? '', longestLink)) return null
   const answers = questions.map((question) => {
     const given: Partial<Given> | undefined = one.answers?.[question]
     return [question, { value: isText(given?.value) ? given.value : '', uncertainty: isText(given?.uncertainty) ? given.uncertainty : '' }] as const
   })
   return {
-    cromer: 'hand-in', version: 1, name: one.name!, course: one.course!, student: one.student!, link: one.link ?? '',
-    answers: Object.fromEntries(answers) as HandIn['answers'], fit: one.fit ?? null,
+    cromer: 'hand-in', version: 1, name: one.name, course: one.course, student: one.student, link: one.link ?? '',
+    answers: Object.fromEntries(answers) as HandIn['answers'], fit: isText(one.fit?.law) ? one.fit : null,
   }
 }
+
+/// One and the same student: what they typed last counts.
+export const whoIs = ({ course, student, name }: HandIn): string => [course, student, name].map(oneForm).join('\n')
 
 export interface Marked {
   handIn: HandIn
@@ -90,9 +95,13 @@ export async function mark(handIn: HandIn, ask: AskCore): Promise<Marked> {
   return { handIn, checked, right: questions.filter((question) => checked[question].verdict === 'right').length }
 }
 
-const cell = (text: string): string => (/[",\n;]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text)
+/// A spreadsheet takes what begins with = + - @ for a formula, but for numbers.
+function cell(text: string): string {
+  const safe = /^[=+@-]/.test(text) && Number.isNaN(numberOf(text)) ? `'${text}` : text
+  return /[",\r\n;]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe
+}
 
-/// One row for each student: who, what was answered, the verdicts.
+/// One row for each student: who, what was answered, the verdicts. Spreadsheets know UTF-8 by the mark at its beginning.
 export function csvOf(all: Marked[]): string {
   const head = ['name', 'class', 'student', 'right', ...questions.flatMap((question) => [question, `${question} ±`, `${question} verdict`]), 'law', 'link']
   const rows = all.map(({ handIn, checked, right }) => [
@@ -100,5 +109,5 @@ export function csvOf(all: Marked[]): string {
     ...questions.flatMap((question) => [handIn.answers[question].value, handIn.answers[question].uncertainty, checked?.[question].verdict ?? '']),
     handIn.fit?.law ?? '', handIn.link,
   ])
-  return [head, ...rows].map((row) => row.map(cell).join(',')).join('\n') + '\n'
+  return `\ufeff${[head, ...rows].map((row) => row.map(cell).join(',')).join('\n')}\n`
 }

@@ -83,6 +83,6 @@ export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boo
 
 /// After a reload: the recording that was open, as it was used.
 export async function openAgain(): Promise<void> {
-  const { mass, disc, from, to, law } = page.measure
-  if (page.teach.taken && !own.unknown) await openOwn({ mass, disc, from, to, law })
+  const { mass, disc, from, to, law, drive } = page.measure
+  if (page.teach.taken && !own.unknown) await openOwn({ mass, disc, from, to, law, drive })
 }

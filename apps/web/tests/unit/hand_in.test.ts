@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { Fit } from '../../src/core/types'
-import { csvOf, fileNameOf, handInOf, mark, readHandIn, type HandIn } from '../../src/teach/hand_in'
+import { csvOf, fileNameOf, handInOf, mark, readHandIn, whoIs, type HandIn } from '../../src/teach/hand_in'
 import type { AskCore } from '../../src/teach/key'
 
 const answers = Object.fromEntries(
@@ -27,6 +27,14 @@ describe('a hand-in', () => {
     'is not %s',
     (text) => expect(readHandIn(text)).toBeNull(),
   )
+  it('holds a link with all settings of all pages', () => {
+    const long = { ...one, link: `https://school.example/lab.html#teach?${'values=1%3B2&'.repeat(200)}` }
+    expect(readHandIn(JSON.stringify(long))).toEqual(long)
+  })
+  it('is of one student however they type', () => {
+    expect(whoIs({ ...one, student: ' 19', course: '7f3a' })).toBe(whoIs(one))
+    expect(whoIs({ ...one, name: 'Grace' })).not.toBe(whoIs(one))
+  })
   it('may lack answers', () => {
     const few = readHandIn(JSON.stringify({ ...one, answers: { frequency: { value: '1.4', uncertainty: 3 } } }))!
     expect(few.answers.frequency).toEqual({ value: '1.4', uncertainty: '' })
@@ -37,8 +45,12 @@ describe('a hand-in', () => {
     expect(await mark(one, silent)).toEqual({ handIn: one, checked: null, right: 0 })
   })
   it('is a row of a table, whatever the name', () => {
-    const lines = csvOf([{ handIn: one, checked: null, right: 0 }]).trim().split('\n')
-    expect(lines[0]).toMatch(/^name,class,student,right,frequency,frequency ±,frequency verdict,/)
+    const lines = csvOf([{ handIn: one, checked: null, right: 0 }]).split('\n')
+    expect(lines[0]).toMatch(/^\ufeffname,class,student,right,frequency,frequency ±,frequency verdict,/)
     expect(lines[1]).toMatch(/^"Ada, ""Lovelace""",7F3A,19,0,1,0\.1,,/)
+    const evil = { ...one, name: '=HYPERLINK("x")', answers: { ...one.answers, off: { value: '-3.8', uncertainty: '+x' } } }
+    const row = csvOf([{ handIn: evil, checked: null, right: 0 }]).trim().split('\n')[1]!
+    expect(row).toMatch(/^"'=HYPERLINK/)
+    expect(row).toContain(",-3.8,'+x,")
   })
 })

@@ -49,7 +49,7 @@ describe('the equation', () => {
     expect(text(['k x', "c x'"], true)).toBe('m x″ + c x′ + k x = F cos ωt')
     expect(text(['k x', "c x'", 'k3 x^3'])).toBe('m x″ + c x′ + k x + k₃ x³ = 0')
     expect(text(["c x'", 'k2 x^2', 'ka x|x|', 'k5 x^5', "e x^2 x'", 'p sin x'])).toBe('m x″ + c x′ + e x² x′ + k₂ x² + kₐ x|x| + k₅ x⁵ + p sin x = 0')
-    expect(text(['k x', "z, z' = A x' - beta |x'| z - gamma x'|z|"])).toBe('m x″ + k x + z = 0')
+    expect(text(['k x', "z, z' = A x' - beta |x'| z - gamma x'|z|"])).toBe('m x″ + k x + z = 0, z′ = A x′ − β |x′| z − γ x′|z|')
   })
   it('has variables in italics, functions and numbers upright', () => {
     expect(equationOf(['p sin x']).filter((part) => part.italic).map((part) => part.text)).toEqual(['m', 'x', 'p', 'x'])

@@ -1,10 +1,10 @@
 import type { glossary as en } from '../en/glossary'
 
-export const glossary: typeof en = {
+export const glossary: Record<keyof typeof en, string> = {
   law: 'Das Bewegungsgesetz: welche Kräfte auf die Masse wirken, und wie jede von Ort und Geschwindigkeit abhängt.',
   stiffness: 'Wie stark die Feder je Meter Dehnung zurückzieht.',
   damping: 'Zähe Dämpfung: eine Kraft gegen die Bewegung, proportional zur Geschwindigkeit, wie in langsamer Strömung. Die Amplitude fällt dann bei jeder Schwingung um denselben Anteil.',
-  decay_rate: 'Um welchen Anteil die Amplitude je Sekunde fällt.',
+  decay_rate: 'Nach der Zeit 1/γ ist die Amplitude auf 37 % gefallen. Ein kleines γ, mal hundert: um so viele Prozent fällt sie in einer Sekunde.',
   drag: 'Eine Kraft gegen die Bewegung, die mit dem Quadrat der Geschwindigkeit wächst, wie in schneller Strömung: große Schwingungen verlieren mehr als kleine.',
   friction: 'Trockene Reibung: eine gleich große Kraft gegen die Bewegung, wie von einer reibenden Führung. Die Amplitude fällt bei jeder Schwingung um dieselbe Länge, und die Bewegung hört auf.',
   cubic: 'Eine Feder, die steifer (oder weicher) wird, je weiter sie gedehnt ist.',

@@ -145,6 +145,7 @@ export const measure: typeof en = {
     free: 'Es schwingt frei',
     above: (least) => `über ${least}`,
     how: 'Wie wird gewählt?',
+    notDriven: 'Nach einem Antrieb wird gesucht; keiner ist zu finden.',
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
     giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },

@@ -87,7 +87,7 @@ export const teach: typeof en = {
     },
     {
       title: 'Was der Schritt ausmacht',
-      predict: { ask: 'Was wird aus der Schwingung von Euler vorwärts in kleineren Schritten?', options: ['unter einem gewissen Schritt kommt sie zur Ruhe', 'nichts: sie wächst immer', 'sie kommt bei jedem Schritt zur Ruhe'], right: 0, told: 'Unter einem gewissen Schritt hört sie auf zu wachsen: dann überwiegt die Dämpfung des Gesetzes.' },
+      predict: { ask: 'Was wird aus der Schwingung von Euler vorwärts in kleineren Schritten?', options: ['unter einem gewissen Schritt schwingt sie sich ein', 'nichts: sie wächst immer', 'sie schwingt sich bei jedem Schritt ein'], right: 0, told: 'Unter einem gewissen Schritt schwingt sie sich ein: dann überwiegt die Dämpfung des Gesetzes.' },
       text: 'Euler vorwärts nimmt die Kraft am Anfang des Schrittes. Bei *h* = 0,025 s wächst seine Schwingung ohne Ende, obwohl das Gesetz dämpft. Den **Schritt *h*** unter **0,0222 s** schieben.',
       goal: 'Zu tun: *h* ist unter 0,0222 s',
       done: 'Erledigt: sein Ausschlag hat nun ein Ende; mit kleineren Schritten kommt es früher',

@@ -1,9 +1,9 @@
 // What a first-year may not know, in a sentence or two; by the names of the core where it has one.
-export const glossary: Record<string, string> = {
+export const glossary = {
   law: 'The law of motion: which forces act on the mass, and how each depends on its position and velocity.',
   stiffness: 'How hard the spring pulls back for each metre that it is stretched.',
   damping: 'Viscous damping: a force against the motion in proportion to the velocity, as in slow flow. The amplitude then falls by the same part in every swing.',
-  decay_rate: 'By which part of itself the amplitude falls in a second.',
+  decay_rate: 'After a time of 1/γ the amplitude has fallen to 37 %. A small γ, times a hundred: by so many per cent it falls in a second.',
   drag: 'A force against the motion that grows with the square of the velocity, as in fast flow: large swings lose more than small ones.',
   friction: 'Dry friction: a force of one size against the motion, as of a guide that rubs. The amplitude falls by the same length in every swing, and the motion stops.',
   cubic: 'A spring that gets stiffer (or softer) the farther it is stretched.',
@@ -17,4 +17,4 @@ export const glossary: Record<string, string> = {
   chosen: 'Laws are compared by how well they describe the recording and how many numbers they need for it (the Bayesian information criterion, BIC): a term must earn its place.',
   simulated: 'A method of integration has damping of its own: it simulates an oscillator other than the one asked for. This is the decay rate of that one.',
   free_part: 'The part of the recording where nothing touches or drives the mass: only there does it show its own law.',
-}
+} satisfies Record<string, string>

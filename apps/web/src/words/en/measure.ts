@@ -143,6 +143,7 @@ export const measure = {
     free: 'It swings freely',
     above: (least: string) => `above ${least}`,
     how: 'How is that chosen?',
+    notDriven: 'A drive is looked for; none is found.',
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
     giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },
