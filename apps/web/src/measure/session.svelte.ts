@@ -201,9 +201,10 @@ async function refit(): Promise<void> {
     session.busy = 'more'
   }
   let best = await bestAsked
+  let quick: Fit | undefined
   if (mine !== turn) return
   if (allAsked) {
-    const quick = [constant, best].filter(converged).sort((a, b) => bic(a) - bic(b))[0]
+    quick = [constant, best].filter(converged).sort((a, b) => bic(a) - bic(b))[0]
     if (quick) {
       show(quick)
       session.busy = 'more'
@@ -212,7 +213,8 @@ async function refit(): Promise<void> {
     if (mine !== turn) return
   }
   if (isRefused(best)) return refuse(mine, best.refused)
-  if (best && best.status !== 'converged') return settle(mine, null, { ...nothing, message: best.message ?? best.status })
+  // Where the comparison of all laws gave up, the better of two stays, and why is said with it.
+  if (best && best.status !== 'converged') return settle(mine, quick ?? null, { ...nothing, message: best.message ?? best.status })
   settle(mine, best)
   if (best && state.overlay) await simulate(mine, best.law!)
 }

@@ -71,6 +71,7 @@ export function sentenceOf(rows: Row[], linear: LinearPart | null, words: Words)
     const loses = asPercent(change(worst.energyFactor))
     const should = asPercent(change(linear.energy_factor_per_cycle))
     const text = worst.simulated! > asked ? w.adds : w.takes
+    if (loses === should) return say(worst, (name) => w.otherRate(name, digits(asked), digits(worst.simulated!)))
     return say(worst, (name) => text(name, digits(asked), digits(worst.simulated!), loses, should))
   }
   const slowest = swinging.reduce((a, b) => (Math.abs(b.frequencyError ?? 0) > Math.abs(a.frequencyError ?? 0) ? b : a))

@@ -124,6 +124,8 @@ const go = async (page, hash) => {
     const interval = page.getByRole('button', { name: '95 % interval' })
     await interval.click()
     assert.match(await page.getByRole('tooltip').innerText(), /In 95 of 100 such recordings/)
+    const { x, y, width, height } = await page.getByRole('tooltip').boundingBox()
+    assert.ok(x >= 0 && y >= 0 && x + width <= 1440 && y + height <= 900, `${x} ${y} ${width} ${height}`)
     await page.keyboard.press('Escape')
     assert.equal(await page.getByRole('tooltip').count(), 0)
     await page.getByRole('button', { name: 'quality factor' }).focus()

@@ -173,7 +173,7 @@ export const measure: typeof en = {
     angular_frequency: ['Kreisfrequenz', 'ω₀'],
     decay_rate: ['Abklingrate', 'γ'],
     drag: ['Widerstand / Masse', 'd/m'],
-    frequency: ['Frequenz', 'f₀'],
+    frequency: ['Frequenz', 'f'],
     quality_factor: ['Güte', 'Q'],
     drive_frequency: ['Frequenz des Antriebs', 'ω'],
     drive_amplitude: ['Antrieb je Masse', ''],

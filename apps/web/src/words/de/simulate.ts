@@ -101,6 +101,7 @@ export const simulate: typeof en = {
     farthest: 'größter Abstand',
     energyEnd: 'Energie am Ende',
     none: 'Ein Verfahren wählen, um zu sehen, was es aus dem Gesetz macht.',
+    otherRate: (method, asked, gets) => `${method} macht aus der Abklingrate ${asked} 1/s eine von ${gets}.`,
     growsBelow: (method, asked, gets, percent, limit) =>
       `${method} nimmt mehr Dämpfung weg, als da ist: aus ${asked} 1/s werden ${gets}; eine freie Schwingung wächst um ${percent} je Periode. Unter *h* = ${limit} ist es stabil.`,
     growsAlways: (method, gets, percent) =>

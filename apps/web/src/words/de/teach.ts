@@ -38,7 +38,7 @@ export const teach: typeof en = {
     {
       title: 'Eine Masse an einer Feder',
       predict: { ask: 'Doppelt so weit gezogen: wie lange dauert eine Schwingung?', options: ['doppelt so lange', 'genauso lange', 'halb so lange'], right: 1, told: 'Genauso lange: die Periode hängt nicht davon ab, wie weit gezogen wurde.' },
-      text: 'Eine Masse von 1 kg hängt an einer Feder von 9 N/m. Ziehen und loslassen: **Ort *x*₀** auf **1 m** schieben und die Schwingungen zählen.',
+      text: 'Eine Masse von 1 kg hängt an einer Feder von 9 N/m. Anheben und loslassen: **Ort *x*₀** auf **1 m** schieben und die Schwingungen zählen. Dann 2 m versuchen.',
       goal: 'Zu tun: *x*₀ ist 1 m',
       done: 'Erledigt: *x*₀ ist 1,00 m',
       whyTitle: 'Warum dauert eine Schwingung 2,09 s?',

@@ -171,7 +171,7 @@ export const measure = {
     angular_frequency: ['angular frequency', 'ω₀'],
     decay_rate: ['decay rate', 'γ'],
     drag: ['drag / mass', 'd/m'],
-    frequency: ['frequency', 'f₀'],
+    frequency: ['frequency', 'f'],
     quality_factor: ['quality factor', 'Q'],
     drive_frequency: ['frequency of the drive', 'ω'],
     drive_amplitude: ['drive, per mass', ''],

@@ -99,6 +99,7 @@ export const simulate = {
     farthest: 'farthest off',
     energyEnd: 'energy at the end',
     none: 'Choose a method to see what it makes of the law.',
+    otherRate: (method: string, asked: string, gets: string) => `${method} makes ${gets} of the decay rate of ${asked} 1/s.`,
     growsBelow: (method: string, asked: string, gets: string, percent: string, limit: string) =>
       `${method} takes away more damping than there is: ${asked} 1/s becomes ${gets}, so a free swing grows by ${percent} every cycle. Below *h* = ${limit} it is stable.`,
     growsAlways: (method: string, gets: string, percent: string) =>

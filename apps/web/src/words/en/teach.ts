@@ -49,7 +49,7 @@ export const teach = {
     {
       title: 'A mass on a spring',
       predict: { ask: 'Pulled twice as far, how long does a swing take?', options: ['twice as long', 'just as long', 'half as long'], right: 1, told: 'Just as long: the period does not depend on how far it was pulled.' },
-      text: 'A mass of 1 kg hangs on a spring of 9 N/m. Pull it down and let go: drag **position *x*₀** to **1 m** and count the swings.',
+      text: 'A mass of 1 kg hangs on a spring of 9 N/m. Lift it and let go: drag **position *x*₀** to **1 m** and count the swings. Then try 2 m.',
       goal: 'To do: *x*₀ is 1 m',
       done: 'Done: *x*₀ is 1.00 m',
       whyTitle: 'Why does a swing take 2.09 s?',
