@@ -8,7 +8,7 @@
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-import { onPage, run } from './program.mjs'
+import { onPage, run, sameWords } from './program.mjs'
 import { differences } from './runs.mjs'
 
 const share = 1e-4
@@ -39,7 +39,7 @@ export function compareFit(core, cromer, folder, { name, bytes, options }) {
       `status ${ours.status} (${ours.document.message}), the program's ${theirs.status}: ${theirs.message}`,
     ]
   if (theirs.status === 2)
-    return ours.document.message === onPage(theirs.message)
+    return sameWords(ours.document.message, theirs.message)
       ? []
       : [`"${ours.document.message}", the program says "${theirs.message}"`]
   const program = JSON.parse(theirs.output),
