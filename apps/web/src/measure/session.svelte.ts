@@ -35,7 +35,8 @@ export interface Simulated {
 /// Longest file that is read [bytes].
 export const longest = 250e6
 
-const nothing: Refusal = { message: '', argument: null, code: '', values: {} }
+/// Nothing is refused.
+export const nothing: Refusal = { message: '', argument: null, code: '', values: {} }
 
 class Session {
   file: File | null = $state.raw(null)

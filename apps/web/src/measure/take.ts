@@ -1,6 +1,6 @@
 // What was dropped, pasted or chosen: one file is read, and what cannot be is said where a bad file is.
 import { words } from '../words/words.svelte'
-import { longest, openFile, session } from './session.svelte'
+import { longest, nothing, openFile, session } from './session.svelte'
 
 /// Opens the first of `files`. False where it could not be read, or there is none.
 export async function takeFiles(files: ArrayLike<globalThis.File> | null | undefined): Promise<boolean> {
@@ -8,7 +8,7 @@ export async function takeFiles(files: ArrayLike<globalThis.File> | null | undef
   if (!file) return false
   const w = words().measure.drop
   const refuse = (name: string, message: string): false => {
-    session.refused = { file: null, name, why: { message, argument: null, code: '', values: {} } }
+    session.refused = { file: null, name, why: { ...nothing, message } }
     return false
   }
   if (file.size > longest) return refuse(file.name, w.tooLarge(`${Math.round(file.size / 1e6)}\u00a0MB`))

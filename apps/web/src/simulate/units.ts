@@ -23,11 +23,15 @@ function fit(curves: Curve[], units: (Unit & { least: number })[]): Unit {
   for (const curve of curves)
     if (!curve.unbounded || curves.every((each) => each.unbounded))
       most = Math.max(most, extentOf(curve.y).size)
-  return (most > 0 && units.find((unit) => most >= unit.least)) || units[0]!
+  return suiting(most, units)
 }
+
+const suiting = (size: number, units: (Unit & { least: number })[]): Unit => (size > 0 && units.find((unit) => size >= unit.least)) || units[0]!
 
 export const lengthUnit = (curves: Curve[]): Unit => fit(curves, lengths)
 export const energyUnit = (curves: Curve[]): Unit => fit(curves, energies)
+/** Of one size [J]. */
+export const energyUnitOf = (size: number): Unit => suiting(size, energies)
 
 /** y times `factor`. */
 export const scaled = (curves: Curve[], factor: number): Curve[] =>
