@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "cromer/analysis/energy.h"
+#include "cromer/analysis/forces.h"
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
@@ -137,6 +138,34 @@ Json states(const SimulatedRun& run, Json times) {
   return columns;
 }
 
+/// A column for each force that a run has: {"spring": [...], "viscous": [...], "drive": [...]}.
+Json forces(const SimulatedRun& run) {
+  const auto& [t, x, v] = run.trajectory;
+  const Law law = law_of(run.oscillator);
+  const HarmonicForce<double> drive{run.drive.amplitude, run.drive.frequency, run.drive.phase};
+  const bool driven = drive.amplitude != 0;
+  const std::size_t count = t.size(), first = json_blocks().size();
+  std::size_t columns = 0;
+  Json object;
+  const auto column = [&](std::string_view name) { object[name] = block(first + count * columns++, count); };
+  column("spring");
+  for_each_resistance([&]<class T>() {
+    if (law.has<T>()) column(T::info.name);
+  });
+  if (driven) column("drive");
+  double* to = room_for(count * columns);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Forces now = forces_on(run.oscillator, driven ? drive(t[i]) : 0, {x[i], v[i]});
+    double* at = to + i;
+    *at = now.spring;
+    for_each_resistance([&]<class T>() {
+      if (law.has<T>()) *(at += count) = now.resistance.of<T>();
+    });
+    if (driven) at[count] = now.drive;
+  }
+  return object;
+}
+
 Json motion(const SimulatedRun& run, Json times) {
   const Outcome& outcome = run.outcome;
   Json object;
@@ -170,15 +199,15 @@ bool begins_with(const std::vector<double>& all, const std::vector<double>& some
 
 /// {"runs": [...], "linear_part": {...}, "warnings": [...]}: the part of the document of `simulate` that
 /// every move of a slider needs, and the quantities of the linear law. The columns go straight into
-/// json_blocks(); runs with the same times share them.
-Json motions_of(const SimulateResult& result) {
+/// json_blocks(); runs with the same times share them. The run of the method `forces` has those that act too.
+Json motions_of(const SimulateResult& result, std::string_view forces_of) {
   const auto& runs = result.runs;
   const auto longest = std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
     return a.trajectory.size() < b.trajectory.size();
   });
   const std::vector<double>& times = longest->trajectory.t;
   std::size_t count = times.size();
-  for (const SimulatedRun& run : runs) count += 4 * run.trajectory.size();
+  for (const SimulatedRun& run : runs) count += (run.method == forces_of ? 10 : 4) * run.trajectory.size();
   json_blocks().reserve(json_blocks().size() + count);
   const std::size_t first = json_blocks().size();
   kept(times);
@@ -187,6 +216,9 @@ Json motions_of(const SimulateResult& result) {
   for (const SimulatedRun& run : runs) {
     const auto& t = run.trajectory.t;
     list.push_back(motion(run, begins_with(times, t) ? block(first, t.size()) : kept(t)));
+    // what hysteresis does is not known from the states
+    if (run.method == forces_of && run.oscillator.hysteresis_stiffness == 0)
+      list.back()["forces"] = forces(run);
   }
   document["linear_part"] = linear_part(runs.front().oscillator);
   add_notices(document, result.notices, {});
@@ -194,12 +226,14 @@ Json motions_of(const SimulateResult& result) {
 }
 
 /// The states of a simulation, which the page draws, without the rest of its document.
-Answer motion_task(const Request& request, std::string_view) {
+Answer motion_task(const Request& asked, std::string_view) {
+  Request request = asked;
+  const std::string forces_of = take(request, "forces");
   auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
   options->motion_only = true;
   const auto result = simulate(*options);
-  return result ? found(to_text(motions_of(*result)), result->ok()) : bad_input(result.error());
+  return result ? found(to_text(motions_of(*result, forces_of)), result->ok()) : bad_input(result.error());
 }
 
 Answer methods_task(const Request& request, std::string_view) {

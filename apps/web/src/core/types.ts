@@ -51,6 +51,9 @@ export interface Motion
     'method' | 'step' | 'until' | 'status' | 'effective' | 'stable' | 'stability_limit' | 'energy_factor_per_cycle'
   > {
   states: States
+  /// [N] those that act, state by state, of the method that the option "forces" names: spring, viscous, drag, friction,
+  /// van-der-pol, drive. Their sum is mass times acceleration.
+  forces?: Record<string, Float64Array>
   drive_frequency: number
   energy_at_end: Maybe
 }

@@ -12,10 +12,13 @@ export interface Run extends Motion {
   between: States | null
 }
 
+/** All that is known of it: also between the steps, where that is. */
+export const statesOf = ({ between, states }: Run): States => between ?? states
+
 /** Of a method that knows no more, on the line between two steps; NaN after the end. */
-export function stateAt({ between, states }: Run, t: number): { x: number; v: number } {
-  const of = between ?? states
-  return { x: valueAtX(of.t, of.x, t, between !== null), v: valueAtX(of.t, of.v, t, between !== null) }
+export function stateAt(run: Run, t: number): { x: number; v: number } {
+  const [of, smooth] = [statesOf(run), run.between !== null]
+  return { x: valueAtX(of.t, of.x, t, smooth), v: valueAtX(of.t, of.v, t, smooth) }
 }
 
 /** Not to be followed by a plot's limits: it grows by the method's fault. */

@@ -10,5 +10,7 @@ export const referenceOf = (s: SimulateState): string => (isLinear(s) ? 'exact' 
 export const isContinuous = (method: string): boolean => method === 'exact' || method === 'dormand-prince'
 /** [s]; one where nothing swings. */
 export const period = (linear: LinearPart | null): number => (linear?.natural_frequency ? (2 * Math.PI) / linear.natural_frequency : 1)
-/** The drive's force at `t` [N], for its arrow. */
-export const driveForce = (s: SimulateState, t: number): number => s.driveAmplitude * Math.cos(s.driveFrequency * t)
+/** The drive's force [N] at a time [s]; null without one. */
+export function driveOf({ driveAmplitude, driveFrequency }: SimulateState): ((t: number) => number) | null {
+  return driveAmplitude === 0 ? null : (t) => driveAmplitude * Math.cos(driveFrequency * t)
+}

@@ -55,6 +55,13 @@ export function betweenOptions(s: SimulateState): Option[] | null {
   return methods.length > 0 && pieces > 1 ? runOptions(s, methods, kept / pieces) : null
 }
 
+/** Asks for the forces on the mass, which follows the first method: at the states where it is known best. */
+export function askForces(options: Option[], between: Option[] | null): void {
+  const follows = options.find(([name]) => name === 'method')!
+  const has = between?.some(([name, value]) => name === 'method' && value === follows[1])
+  ;(has ? between! : options).push(['forces', follows[1]])
+}
+
 /** Where the motion must be stepped until it settles the curve has fewer points. */
 export function resonanceOptions(s: SimulateState, from: number, to: number): Option[] {
   const drive: Option[] = [['drive-amplitude', String(s.driveAmplitude)], ['drive-frequency', String(s.driveFrequency || 1)]]

@@ -2,14 +2,13 @@
 import { lookOf, token } from '../look/curves'
 import type { Decoration, Frame } from '../plot/curve'
 import type { Pen } from '../plot/pen'
+import { forceLooks, type Force } from './forces'
 
 export interface Shown {
   x: number // of the mass [m], what it follows
   marks: { meaning: string; road: boolean; x: number }[] // where each method puts it
-  force: number // now [N]
-  forceMost: number
-  forceName: string // beside the arrow
-  forceText: string
+  forces: Force[]
+  forceMost: number // [N] of the longest arrow
   cursor: number // [s]
   shares: boolean // the plot's axis is the position
   scale: number // [m] that fill half the height where it does not
@@ -28,10 +27,15 @@ export interface Place {
   valueAt(y: number): number
 }
 
+const apart = 13 // [px] from arrow to arrow
+const sizeOf = (small: boolean): [width: number, height: number] => (small ? [52, 30] : [60, 34])
+
+/** Width left of the axis that the oscillator with so many arrows takes [px]. */
+export const roomOf = (small: boolean, arrows: number): number => (small ? 84 : 114) + Math.max(small ? 16 : 36, apart * arrows + 8)
+
 /** `room`: width left of the axis that is the oscillator's own. */
-export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale'>, room: number): Place {
-  const small = room < 140
-  const [width, height] = small ? [52, 30] : [60, 34]
+export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale'>, room: number, small: boolean): Place {
+  const [width, height] = sizeOf(small)
   const ceiling = frame.top - 6
   const high = frame.bottom - frame.top
   const centre = (frame.top + frame.bottom) / 2
@@ -41,14 +45,13 @@ export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale
     : (y: number) => ((centre - y) / (0.3 * high)) * shown.scale
   const wanted = Number.isFinite(shown.x) ? toY(shown.x) : toY(0)
   const y = Math.max(ceiling + 22 + height / 2, Math.min(frame.bottom - height / 2 + 6, wanted))
-  return { middle: room / 2 - (small ? 6 : 8), y, width, height, ceiling, toY, valueAt }
+  return { middle: room - (small ? 56 : 83), y, width, height, ceiling, toY, valueAt }
 }
 
-export function oscillator(shown: Shown, room: number): Decoration {
+export function oscillator(shown: Shown, room: number, small: boolean): Decoration {
   return (pen, frame) => {
-    const small = room < 140
     const ink = token('ink')
-    const { middle, y, toY, ceiling, ...box } = placeOf(frame, shown, room)
+    const { middle, y, toY, ceiling, ...box } = placeOf(frame, shown, room, small)
     const top = y - box.height / 2
 
     drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
@@ -57,16 +60,14 @@ export function oscillator(shown: Shown, room: number): Decoration {
     if (shown.shares) drawLink(pen, frame, shown.cursor, middle + box.width / 2, y)
     pen.box(middle - box.width / 2, top, box.width, box.height, token('sunk'), ink, 4)
     pen.text(middle, y, '*m*', { colour: ink, size: 13, align: 'center' })
-    const bars: number[] = []
     for (const mark of shown.marks) {
       const at = toY(mark.x)
       if (!(at >= frame.top - 8 && at <= frame.bottom + 8)) continue
       const { line: colour, width } = lookOf(mark.meaning, mark.road)
       const beside = middle + box.width / 2 + 8
       pen.line([beside, at, beside + 15, at], { colour, width: width > 3 ? 5 : 3, round: false })
-      bars.push(at)
     }
-    drawForce(pen, middle, y + box.height / 2 + 5, shown, room, bars)
+    drawForces(pen, middle - box.width / 2, y, shown, small ? 30 : 38)
   }
 }
 
@@ -105,28 +106,24 @@ function drawLink(pen: Pen, frame: Frame, cursor: number, from: number, y: numbe
   pen.line(points, { colour: token('text3'), width: 1, round: false })
 }
 
-/** Up is positive, as in the plot; its length is the force now. Its words keep clear of the methods' `bars`. */
-function drawForce(pen: Pen, x: number, base: number, shown: Shown, room: number, bars: number[]): void {
-  if (!(shown.forceMost > 0)) return
-  const colour = token('line-drive')
-  const length = (46 * shown.force) / shown.forceMost
-  const sign = Math.sign(length)
-  // an upward push is drawn from below the mass up to it, so that the spring stays visible
-  const size = Math.abs(length)
-  if (size > 2) {
-    const [tail, head] = sign < 0 ? [base, base + size] : [base + size, base]
-    const tip = Math.min(9, size)
-    pen.line([x, tail, x, head + sign * tip], { colour, width: 3, round: false })
-    pen.fill([x - 6, head + sign * tip, x + 6, head + sign * tip, x, head], colour)
-  }
-  const lettering = { colour: token('word-drive'), size: 11.5, bold: true }
-  const [name, force] = [shown.forceName, shown.forceText]
-  const lines = pen.width(`${name} ${force}`, lettering) < room - x - 8 ? [`${name} ${force}`] : [name, force]
-  const high = 14 * lines.length
-  let top = base + 6
-  for (let tries = 0; tries < 5; ++tries) {
-    const hit = bars.filter((bar) => bar > top - 3 && bar < top + high + 3)
-    if (hit.length > 0) top = Math.max(...hit) + 4
-  }
-  lines.forEach((line, i) => pen.text(x + 11, top + 7 + 14 * i, line, lettering))
+/** Left of the mass, from a rod that is part of it. Up is positive, as in the plot; the largest force of the run is `longest`. */
+function drawForces(pen: Pen, right: number, y: number, { forces, forceMost }: Shown, longest: number): void {
+  if (forces.length === 0) return
+  const left = right - apart * forces.length
+  pen.line([left - 3, y, right, y], { colour: token('ink'), width: 2, round: false })
+  forces.forEach(({ name, value }, i) => {
+    const { symbol, dash, ...tokens } = forceLooks[name]!
+    const [colour, word] = [token(tokens.colour), token(tokens.word)]
+    const x = left + apart * (i + 0.5) - 3
+    const size = forceMost > 0 && Number.isFinite(value) ? (longest * Math.abs(value)) / forceMost : 0
+    const up = value < 0 ? 1 : -1
+    const head = Math.min(8, size)
+    if (size > 1) {
+      pen.line([x, y, x, y + up * (size - head)], { colour, width: 3, dash, round: false })
+      pen.fill([x - 4.5, y + up * (size - head), x + 4.5, y + up * (size - head), x, y + up * size], colour)
+    }
+    const at = y + up * (size + 9)
+    pen.text(x - (symbol ? 6 : 3), at, '*F*', { colour: word, size: 11.5, bold: true })
+    if (symbol) pen.text(x + 1, at + 3, `*${symbol}*`, { colour: word, size: 8.5, bold: true })
+  })
 }

@@ -1,5 +1,6 @@
 // Things that swing, with numbers of their usual size.
 import type { SimulateState } from './state'
+import { terms } from './terms'
 
 type Preset = Pick<SimulateState, 'mass' | 'stiffness' | 'damping' | 'driveAmplitude' | 'driveFrequency' | 'position' | 'step' | 'until'>
 
@@ -16,3 +17,10 @@ export const presets = {
 } satisfies Record<string, Preset>
 
 export type PresetName = keyof typeof presets
+
+/** All that a preset sets: also what it does not name. */
+export const stateOf = (name: PresetName): Partial<SimulateState> => ({ ...Object.fromEntries(terms.map(({ key }) => [key, 0])), velocity: 0, ...presets[name] })
+
+/** The one that is on; '' where there is none. */
+export const presetOf = (s: SimulateState): PresetName | '' =>
+  (Object.keys(presets) as PresetName[]).find((name) => Object.entries(stateOf(name)).every(([key, value]) => s[key as keyof SimulateState] === value)) ?? ''

@@ -1,31 +1,35 @@
 // What the core says to the state of the page: asked anew at every change, the newest question first.
-import { untrack } from 'svelte'
 import { ask, askAside, openCore } from '../core/ask'
 import { answerAtOnce, learn } from '../core/at_once'
-import type { Answer, LinearPart, MethodList, Options, Resonance } from '../core/types'
+import type { Answer, LinearPart, MethodList, Motion, Options, Resonance } from '../core/types'
 import { page } from '../state/page.svelte'
 import type { Said } from '../words/said'
 import type { Run } from './curves'
 import { isContinuous, isLinear } from './law'
-import { betweenOptions, coreOptions, resonanceOptions } from './options'
+import { askForces, betweenOptions, coreOptions, resonanceOptions } from './options'
 import { resonanceRange } from './ranges'
 import type { SimulateState } from './state'
 
-interface Results {
-  runs: Run[]
-  linear: LinearPart | null // null until the core has said it
+class Results {
+  runs: Run[] = $state.raw([])
+  linear: LinearPart | null = $state.raw(null) // null until the core has said it
   /** Why there is no newer picture: the core's own words. */
-  message: Said
-  resonance: Resonance['curves']
-  limits: Record<string, number> // largest stable step [s] of each method that has one
+  message: Said = $state.raw('')
+  resonance: Resonance['curves'] = $state.raw([])
+  limits: Record<string, number> = $state.raw({}) // largest stable step [s] of each method that has one
 }
-let current: Results = $state.raw({ runs: [], linear: null, message: '', resonance: [], limits: {} })
+const [current, settled] = [new Results(), new Results()]
 
-/** The newest results; a component that reads them follows them. */
+/** The newest results; a component that reads one of them follows it. */
 export const latest = (): Results => current
+/** The same for what stands beside the motion: once that has been painted, so that it is seen sooner. */
+export const later = (): Results => settled
+
+const afterPaint = (then: () => void): void => void requestAnimationFrame(() => setTimeout(then))
 
 function put(part: Partial<Results>): void {
-  current = { ...untrack(() => current), ...part }
+  Object.assign(current, part)
+  afterPaint(() => Object.assign(settled, part))
 }
 
 /** `between`: the same run between the steps, where that was asked for. */
@@ -33,9 +37,12 @@ function show([answer, between]: Answer<'motion'>[], nothing: boolean): void {
   if (answer!.status === 2) return put({ message: answer!.document.message })
   const { runs, linear_part } = answer!.document
   const finer = between && between.status !== 2 ? between.document.runs : runs
-  const known = (method: string) => finer.find((each) => each.method === method)?.states ?? null
+  const known = (run: Motion): Run => {
+    const same = isContinuous(run.method) && finer.find((each) => each.method === run.method)
+    return { ...run, between: same ? same.states : null, forces: (same && same.forces) || run.forces }
+  }
   put({
-    runs: nothing ? [] : runs.map((run) => ({ ...run, between: isContinuous(run.method) ? known(run.method) : null })),
+    runs: nothing ? [] : runs.map(known),
     linear: linear_part, message: '',
   })
 }
@@ -65,6 +72,7 @@ function simulate(state: SimulateState, then: () => void): void {
   const [options, between] = [coreOptions(state), betweenOptions(state)]
   const nothing = methodsIn(options).length === 0 // but what the law is known by
   if (nothing) options.push(['method', 'euler-cromer'])
+  askForces(options, between)
   const all = between ? [options, between] : [options]
   // Of linear laws every step costs the same; others may take any number of iterations, or of steps of their own.
   const alike = isLinear(state) && !methodsIn(options).includes('dormand-prince')
@@ -73,7 +81,7 @@ function simulate(state: SimulateState, then: () => void): void {
   const done = (answers: Answer<'motion'>[]) => {
     shown = mine
     show(answers, nothing)
-    then()
+    afterPaint(then)
   }
   const atOnce = alike ? all.map((asked) => answerAtOnce('motion', asked, ...cost(asked))) : [null]
   if (atOnce.every((answer) => answer !== null)) return done(atOnce)
@@ -132,7 +140,7 @@ async function bound(state: SimulateState): Promise<void> {
 
 /** What the resonance curve depends on. */
 const resonanceKey = (state: SimulateState): string =>
-  JSON.stringify({ ...state, position: 0, velocity: 0, until: 0, quantity: '' })
+  JSON.stringify({ ...state, position: 0, velocity: 0, until: 0, quantity: '', forces: false })
 const limitsKey = (s: SimulateState): string => [s.mass, s.stiffness, s.damping, isLinear(s)].join()
 const calm = 120 // [ms] of rest before the limits are asked for
 

@@ -24,6 +24,7 @@ export const simulateDefaults = {
   until: 25,
   methods: ['exact', 'forward-euler', 'euler-cromer', 'implicit-euler'] as string[],
   quantity: 'position' as Quantity,
+  forces: true, // shown on the mass
 }
 export type SimulateState = typeof simulateDefaults
 

@@ -13,6 +13,11 @@ const energies = [
   { name: 'mJ', factor: 1e3, least: 1e-4 },
   { name: 'µJ', factor: 1e6, least: 0 },
 ]
+const forces = [
+  { name: 'kN', factor: 1e-3, least: 1e4 },
+  { name: 'N', factor: 1, least: 0.1 },
+  { name: 'mN', factor: 1e3, least: 0 },
+]
 export interface Unit {
   name: string
   factor: number
@@ -30,8 +35,9 @@ const suiting = (size: number, units: (Unit & { least: number })[]): Unit => (si
 
 export const lengthUnit = (curves: Curve[]): Unit => fit(curves, lengths)
 export const energyUnit = (curves: Curve[]): Unit => fit(curves, energies)
-/** Of one size [J]. */
+/** Of one size [J], [N]. */
 export const energyUnitOf = (size: number): Unit => suiting(size, energies)
+export const forceUnitOf = (size: number): Unit => (size > 0 ? suiting(size, forces) : forces[1]!)
 
 /** y times `factor`. */
 export const scaled = (curves: Curve[], factor: number): Curve[] =>

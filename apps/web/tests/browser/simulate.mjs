@@ -144,10 +144,91 @@ const button = (page, name) => page.getByRole('button', { name })
     const energies = (await page.locator('.bars b').allInnerTexts()).map((text) => Number(text.match(/[\d.]+/)[0]))
     assert.ok(energies[0] < 0.02 && Math.abs(energies[1] + energies[2] - 4.5) < 0.02, `${energies}`)
   })
-  await check('an example is one choice, slow motion says how slow, a motion is heard', async () => {
-    await page.getByLabel('examples').selectOption('fork')
+  await check('what the second cursor reads follows the start', async () => {
+    await go(page, '#simulate?damping=0.2&driveAmplitude=0&position=1&stiffness=9&mass=1&methods=exact')
+    const second = page.getByRole('button', { name: /^Second cursor/ })
+    const turning = page.getByRole('button', { name: 'To the next turning point' })
+    if ((await second.getAttribute('aria-pressed')) === 'true') await second.click()
+    await button(page, 'Back to the start').click()
+    await turning.click()
+    await second.click()
+    const read = async () => (await page.locator('.between').innerText()).replaceAll('−', '-').match(/positions (-?[\d.]+)(, |$)/)
+    const w = Math.sqrt(9 - 0.01)
+    const x = (t, v) => Math.exp(-0.1 * t) * (Math.cos(w * t) + ((v + 0.1) / w) * Math.sin(w * t))
+    const t = Math.PI / w
+    await turning.click()
+    const [, across, more] = await read()
+    assert.ok(Math.abs(across - x(2 * t, 0) / x(t, 0)) < 0.003 && more === '', `${across}`) // no logarithm of what is negative
+    await turning.click()
+    await field(page, 'velocity').fill('2')
+    await page.keyboard.press('Enter')
+    await rest(page)
+    const [, ratio] = await read()
+    assert.ok(Math.abs(ratio - x(3 * t, 2) / x(t, 2)) < 0.003, `${ratio}`)
+    await second.click()
+  })
+  await check('the forces on the mass add up to what accelerates it, and can be hidden', async () => {
+    const read = (name) => page.locator(`[data-force="${name}"] b`).innerText().then((text) => Number(text.replace('−', '-').split('\u00a0')[0]))
+    const shown = (t) =>
+      page.locator('.bar input[type=range]').evaluate((range, to) => {
+        range.step = 'any'
+        range.value = String(to)
+        range.dispatchEvent(new Event('input', { bubbles: true }))
+        return new Promise((resolve) => requestAnimationFrame(() => resolve(Number(document.querySelector('.value b').textContent.replace('−', '-')))))
+      }, t)
+    await go(page, '#simulate?position=1&damping=0.5&cubic=2&friction=0.1&mass=2&methods=dormand-prince&step=0.02')
+    for (const t of [0.4, 1.33, 7.2]) {
+      const x = await shown(t)
+      assert.ok(Math.abs((await read('spring')) + 9 * x + 2 * x ** 3) < 0.02, `spring at ${t} s`)
+      assert.ok(Math.abs((await read('drive')) - Math.cos(3 * t)) < 0.006, `drive at ${t} s`)
+      assert.equal(Math.abs(await read('friction')), 0.1)
+      const all = await Promise.all(['spring', 'viscous', 'friction', 'drive'].map(read))
+      assert.ok(Math.abs(all.reduce((a, b) => a + b) - (await read('sum'))) < 0.021, `${all} at ${t} s`)
+      // m a by the positions of the neighbourhood
+      const h = 0.05
+      const [before, after] = [await shown(t - h), await shown(t + h)]
+      await shown(t)
+      assert.ok(Math.abs((2 * (before - 2 * x + after)) / h ** 2 - (await read('sum'))) < 0.8 + 0.05 * Math.abs(await read('sum')), `m a at ${t} s`)
+    }
+    const violet = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector('[data-drawn] > canvas')
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true })
+        copy.drawImage(canvas, 0, 0)
+        const { data } = copy.getImageData(0, 0, 170, canvas.height)
+        let count = 0
+        for (let i = 0; i < data.length; i += 4) count += Number(Math.abs(data[i] - 0x6a) + Math.abs(data[i + 1] - 0x55) + Math.abs(data[i + 2] - 0xc7) < 12 && data[i + 3] > 200)
+        return count
+      })
+    await shown(2 * Math.PI / 3)
+    const drawn = await violet()
+    assert.ok(drawn > 10, `${drawn} pixels of the drive's arrow`)
+    await button(page, 'Show the forces on the mass').click()
+    await rest(page)
+    assert.equal(await page.locator('[data-force]').count(), 0)
+    assert.ok((await violet()) > drawn, 'alone the drive is drawn to its own scale')
+    await page.keyboard.press('Enter')
+    await rest(page)
+    assert.equal(await page.locator('[data-force]').count(), 5)
+  })
+  await check('the energies of a driven motion stay readable beside what is lost', async () => {
+    await go(page, '#simulate?position=0&damping=0.2&until=100&methods=exact')
+    assert.match(await page.locator('.bars').innerText(), /^kinetic\s+[\d.]+ of 12\.\d\u00a0J\s+spring\s+[\d.]+ of 12\.\d\u00a0J\s+lost\s+[\d.]+ of [1-9]\d\d\u00a0J$/)
+    await go(page, '#simulate?driveAmplitude=0&position=1&methods=exact')
+    assert.match(await page.locator('.bars').innerText(), /^kinetic\s+[\d.]+ of 4\.50\u00a0J\s+spring\s+[\d.]+ of 4\.50\u00a0J\s+lost\s+[\d.]+ of 4\.50\u00a0J$/)
+  })
+  await check('an example is one choice and stays named until it is left, slow motion says how slow, a motion is heard', async () => {
+    const example = page.getByLabel('examples')
+    await example.selectOption('swing')
+    await page.waitForFunction(() => location.hash.includes('mass=30'))
+    assert.equal(await example.inputValue(), 'swing')
+    await slider(page, 'mass').press('ArrowRight')
+    await page.waitForFunction(() => !location.hash.includes('mass=30&'))
+    assert.equal(await example.inputValue(), '')
+    await example.selectOption('fork')
     await page.waitForFunction(() => location.hash.includes('stiffness=152900'))
     await rest(page)
+    assert.equal(await example.inputValue(), 'fork')
     await page.getByLabel('Speed of play').selectOption('0.1')
     assert.match(await page.getByLabel('Speed of play').getAttribute('title'), /^0\.000\d+ times as fast as in reality$/)
     await page.getByLabel('Speed of play').selectOption('1')
@@ -403,7 +484,7 @@ for (const [width, height, theme, language] of [
   })
   if (width < 700 && language === 'en-GB')
     await check('on a phone: plots, sheet and tabs', async () => {
-      for (const name of ['Energy', 'Phase', 'Resonance', 'Position']) {
+      for (const name of ['Energy', 'Phase', 'Resonance', 'Motion']) {
         await page.getByRole('radio', { name, exact: true }).check()
         await rest(page)
         assert.equal(await page.locator('[data-drawn]').count(), 1, name)
@@ -414,6 +495,14 @@ for (const [width, height, theme, language] of [
         assert.ok(size.height >= 44, `${name}: ${size.height}`)
       }
       await moves(page, () => slider(page, 'step').press('PageUp'), 'step')
+      // one choice of what is plotted, slow motion, both cursors
+      assert.equal(await page.locator('.top').getByText('Position', { exact: true }).count(), 1)
+      await page.getByLabel('Speed of play').selectOption('0.1')
+      await page.getByRole('button', { name: /^Second cursor/ }).click()
+      await button(page, 'To the next turning point').click()
+      assert.match(await page.locator('.between').innerText(), /^From the second cursor: Δt = [1-9]?\d\.\d\d\u00a0s/)
+      const few = await page.locator('.bar').evaluate((bar) => [...bar.querySelectorAll('button, select')].map((each) => each.getBoundingClientRect()).filter(({ width, height, right }) => width < 40 || height < 40 || right > innerWidth))
+      assert.deepEqual(few, [], 'controls too small for a finger')
       await button(page, 'Show or hide the controls').click()
       assert.equal(await page.locator('.sheet [data-option]').count(), 0)
       await page.getByRole('link', { name: 'Measure' }).click()
@@ -438,11 +527,12 @@ for (const [width, height] of [[1440, 900], [1024, 768], [360, 740]]) {
         rows: document.querySelectorAll('.panel tbody tr').length, cut: table.scrollWidth - table.clientWidth,
         // the numbers at the cursor stand below the plot, the list below the curve
         numbers: box('.read').top >= box('.card .plot .box').bottom - 1, wide: document.documentElement.scrollWidth - innerWidth,
+        read: document.querySelectorAll('.read .value').length, hidden: document.querySelector('.read').scrollHeight - document.querySelector('.read').clientHeight,
         list: document.querySelectorAll('.resonance li').length,
         below: !box('.resonance ul') || box('.resonance ul').top >= box('.resonance .box').bottom - 1,
       }
     })
-    assert.deepEqual(seen, { rows: 12, cut: 0, numbers: true, wide: 0, list: width < 700 ? 0 : 12, below: true })
+    assert.deepEqual(seen, { rows: 12, cut: 0, numbers: true, wide: 0, read: 13, hidden: 0, list: width < 700 ? 0 : 12, below: true })
   })
   await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { energyAt, workOf } from '../../src/simulate/energy_now'
+import { energyAt, scalesOf, workOf } from '../../src/simulate/energy_now'
 import { soundOf } from '../../src/simulate/sound'
 import { turningAfter } from '../../src/simulate/turning'
 
@@ -31,13 +31,22 @@ describe('turning points', () => {
 
 describe('where the energy is', () => {
   it('adds up to what there was at the start', () => {
-    const work = workOf(states, () => 0)
+    const work = workOf(states, null)
     for (const time of [0, 1.234, 10, 20]) {
       const now = energyAt(states, work, m, time, true)
       expect(now.kinetic + now.spring + now.lost).toBeCloseTo(energy[0]!, 10)
       expect(now.lost).toBeGreaterThanOrEqual(-1e-12)
     }
     expect(energyAt(states, work, m, 20, true).lost).toBeCloseTo(energy[0]! - energy.at(-1)!, 12)
+  })
+  it('is drawn to one scale where the spring could hold what is lost, else to two', () => {
+    const free = scalesOf(states, workOf(states, null), m)
+    expect(free.stored).toBeCloseTo(4, 2)
+    expect(free.lost).toBe(free.stored)
+    // what a drive puts in and damping takes out, again and again
+    const fed = scalesOf(states, t.map((s) => 5 * s), m)
+    expect(fed.stored).toBe(free.stored)
+    expect(fed.lost).toBeCloseTo(energy[0]! + 100 - energy.at(-1)!, 10)
   })
   it('counts what a drive has done', () => {
     // a constant force does F times the way
