@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
-#include "cromer/documents/words/words.h"
+#include "cromer/documents/text.h"
 #include "syntax.h"
 
 namespace cromer::core::cli {
@@ -50,13 +47,7 @@ void append_wrapped(std::string& out, std::string_view text) {
 }
 
 void append_option(std::string& out, const Option& option) {
-  std::string text(option.help);
-  // The other ranges stand in the option's own words.
-  constexpr Range said[] = {Range::positive,     Range::not_negative, Range::not_negative_unless_bounded,
-                            Range::at_least_one, Range::fraction,     Range::air_temperature};
-  if (std::find(std::begin(said), std::end(said), option.range) != std::end(said))
-    text += fmt::format("; must {}", in_words(constraint(option.range)));
-  if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
+  const std::string text = option_text(option);
   const std::string left = left_side(option);
   out += left;
   out += left.size() + 2 > help_column ? '\n' + std::string(help_column, ' ')

@@ -57,6 +57,13 @@ CROMER_API cromer_result* cromer_call(const char* verb, const char* request, con
 
 /* The document of the program's --json, without what the arrays hold. */
 CROMER_API const char* cromer_document(const cromer_result* result);
+/* The result once more, its document as the program writes it: form is "text" (for people, in English), "csv"
+ * or "svg" (its figure). A result of its own, with CROMER_BAD_INPUT where there is none in that form. */
+CROMER_API cromer_result* cromer_written_as(const cromer_result* result, const char* form);
+/* The motion of a fit's law, of the run of that number, at times t [s] that strictly increase from the first
+ * used sample's on: arrays "t", "x" [displacement from the equilibrium] and "v". Not of a motion that a
+ * recorded force drives. */
+CROMER_API cromer_result* cromer_motion_at(const cromer_result* fit, int run, const double* t, size_t length);
 /* CROMER_DONE, CROMER_NO_SUCCESS or CROMER_BAD_INPUT (of NULL as well). */
 CROMER_API int cromer_status(const cromer_result* result);
 /* The arrays that came back; `count` is set to their number. They end with the result. */

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "apps/web/core/described.h"
@@ -14,7 +11,7 @@
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/described/spring.h"
 #include "cromer/documents/described/sweep.h"
-#include "tests/support/bytes_of.h"
+#include "tests/support/expect_in.h"
 
 namespace cromer::core {
 namespace {
@@ -219,18 +216,6 @@ std::string table(std::string_view heading) {
   DocsTable rows;
   rows.add<Result>();
   return "\n## " + std::string(heading) + "\n\n| name | unit | what it is |\n|---|---|---|\n" + rows.text();
-}
-
-/// Expects that the file in the tree is `now`, or writes it.
-void expect_in(const std::string& file, const std::string& now) {
-  const std::filesystem::path path = std::filesystem::path(CROMER_SOURCE_DIR) / file;
-  if (std::getenv("CROMER_WRITE_DESCRIPTIONS")) {
-    std::ofstream(path) << now;
-    return;
-  }
-  const std::string then = bytes_of(path);
-  EXPECT_EQ(then, now) << file << " is not what the descriptions say: run test_documents with "
-                       << "CROMER_WRITE_DESCRIPTIONS=1";
 }
 
 TEST(Descriptions, AreThePagesTypes) {

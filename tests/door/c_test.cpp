@@ -62,6 +62,62 @@ TEST(CallC, FitsArrays) {
   EXPECT_EQ(array(answer, "1.x").size(), 1500u);
 }
 
+Answer written_as(const Answer& answer, const char* form) {
+  return Answer(cromer_written_as(answer.get(), form));
+}
+
+TEST(CallC, ResultsAreWrittenAsTheProgramWritesThem) {
+  const Swing made = swing();
+  const Answer fit = call("fit", R"({"mass": 0.2, "law": "viscous"})", made.arrays());
+  EXPECT_THAT(cromer_document(written_as(fit, "text").get()), HasSubstr("decay rate"));
+  EXPECT_THAT(cromer_document(written_as(fit, "csv").get()), HasSubstr("stiffness (N/m)"));
+  EXPECT_THAT(cromer_document(written_as(fit, "svg").get()), HasSubstr("</svg>"));
+  const Answer methods = call("methods", R"({"natural_frequency": 3, "step": 0.01})");
+  EXPECT_THAT(cromer_document(written_as(methods, "text").get()), HasSubstr("euler-cromer"));
+  for (const char* verb : {"simulate", "spectrum", "sweep", "compare"}) {
+    const std::vector<double> pulse{0, 1, 2, 1, 0};
+    const bool of_ground = std::string(verb) == "spectrum";
+    const Answer some =
+        of_ground ? call(verb, R"({"spacing": 0.01})", {{"acceleration", pulse.data(), pulse.size()}})
+        : std::string(verb) == "compare"
+            ? call(verb, "{}", made.arrays())
+            : call(verb, R"({"stiffness": 9, "damping": 0.2, "drive_amplitude": 1, "drive_frequency": 3})");
+    ASSERT_NE(cromer_status(some.get()), CROMER_BAD_INPUT) << verb << cromer_document(some.get());
+    for (const char* form : {"text", "csv"}) {
+      const Answer written = written_as(some, form);
+      EXPECT_EQ(cromer_status(written.get()), CROMER_DONE) << verb << cromer_document(written.get());
+      EXPECT_THAT(cromer_document(written.get()), Not(HasSubstr("\"code\""))) << verb;
+    }
+  }
+}
+
+TEST(CallC, AFormThatThereIsNotIsRefused) {
+  const Answer methods = call("methods", "{}");
+  for (const char* form : {"csv", "svg"})
+    EXPECT_EQ(document(written_as(methods, form))["code"], "no_such_form");
+  EXPECT_EQ(document(written_as(methods, "pdf"))["code"], "word_not_known");
+  EXPECT_EQ(document(written_as(methods, nullptr))["argument"], "form");
+  EXPECT_EQ(document(written_as(nullptr, "text"))["code"], "no_result");
+  EXPECT_EQ(document(written_as(call("fit", "{}"), "text"))["code"], "no_result");
+}
+
+TEST(CallC, TheLawsMotionIsKnownBetweenAndAfterTheSamples) {
+  const Swing made = swing();
+  const Answer fit = call("fit", R"({"law": "viscous"})", made.arrays());
+  const std::vector<double> t{0.005, 7.123, 20};
+  const Answer motion(cromer_motion_at(fit.get(), 1, t.data(), t.size()));
+  ASSERT_EQ(cromer_status(motion.get()), CROMER_DONE) << cromer_document(motion.get());
+  EXPECT_EQ(array(motion, "t"), t);
+  const auto x = array(motion, "x");
+  for (std::size_t i = 0; i < t.size(); ++i)
+    EXPECT_NEAR(x[i], 0.05 * std::exp(-0.05 * t[i]) * std::cos(3 * t[i]), 1e-9) << t[i];
+  const double before = -1;
+  EXPECT_EQ(document(Answer(cromer_motion_at(fit.get(), 1, &before, 1)))["code"], "times_before_the_first");
+  EXPECT_EQ(document(Answer(cromer_motion_at(fit.get(), 2, t.data(), 3)))["code"], "no_fit_of_that_run");
+  EXPECT_EQ(document(Answer(cromer_motion_at(nullptr, 1, t.data(), 3)))["code"], "no_fit_of_that_run");
+  EXPECT_EQ(array(Answer(cromer_motion_at(fit.get(), 1, nullptr, 3)), "x"), std::vector<double>{});
+}
+
 TEST(CallC, TextsHaveUnits) {
   const Swing made = swing();
   const Answer answer = call("fit", R"({"mass": "217.6 ± 0.3 g", "law": "viscous"})", made.arrays());

@@ -10,6 +10,7 @@
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -54,6 +55,9 @@ std::string compare_text(const std::vector<CompareResult>& comparisons);
 
 /// Dialect, columns, rate, gaps and outliers, a line each; of long lists the first twenty.
 std::string inspect_text(const Inspection& inspection);
+
+/// What an option is, what it must satisfy, and in brackets its default.
+std::string option_text(const Option& option);
 
 /// Their table; where `options` ask for a step, what each of them simulates instead.
 std::string methods_text(const MethodsOptions& options, std::span<const MethodRow> methods);

@@ -18,6 +18,7 @@
 #include "cromer/documents/json.h"
 #include "cromer/documents/json/described.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/door/found.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
@@ -34,14 +35,24 @@
 struct cromer_result {
   int status = CROMER_DONE;
   std::string document{};
+  cromer::core::Found found{};
   std::list<std::string> names{};            ///< of the arrays
-  std::list<std::vector<double>> columns{};  ///< their values
+  std::list<std::vector<double>> columns{};  ///< values that `found` does not hold as such
   std::vector<cromer_array> arrays{};
 
-  void add(std::string name, std::vector<double> values) {
+  /// An array whose values `found` holds.
+  void show(std::string name, const std::vector<double>& values) {
     names.push_back(std::move(name));
+    arrays.push_back({names.back().c_str(), values.data(), values.size()});
+  }
+  void add(std::string name, std::vector<double> values) {
     columns.push_back(std::move(values));
-    arrays.push_back({names.back().c_str(), columns.back().data(), columns.back().size()});
+    show(std::move(name), columns.back());
+  }
+  void show(const std::string& prefix, const cromer::Trajectory& motion) {
+    show(prefix + "t", motion.t);
+    show(prefix + "x", motion.x);
+    show(prefix + "v", motion.v);
   }
 };
 
@@ -265,6 +276,7 @@ Result<void> fit_verb(Call& call, cromer_result& result) {
     result.add(run + "v", std::move(known.v));
   }
   result.document = to_json(*fits, false, call.voice());
+  result.found = *std::move(fits);
   return {};
 }
 
@@ -274,18 +286,14 @@ Result<void> compare_verb(Call& call, cromer_result& result) {
   if (!motion) return motion.error();
   auto compared = compare(motion->recording, options, call.watch());
   if (!compared) return said(compared.error(), *motion);
-  for (CompareResult& each : *compared) {
+  for (CompareResult& each : *compared) put_in_arguments(each, motion->of_arrays);
+  for (const CompareResult& each : result.found.emplace<std::vector<CompareResult>>(*std::move(compared))) {
     if (!each.complete || !each.recording.succeeded()) result.status = CROMER_NO_SUCCESS;
-    put_in_arguments(each, motion->of_arrays);
-    for (std::size_t i = 0; i < each.curves.size(); ++i) {
-      const std::string curve = std::to_string(each.recording.series.run) + "." + std::to_string(i + 1) + ".";
-      const Trajectory& states = each.curves[i].trajectory;
-      result.add(curve + "t", states.t);
-      result.add(curve + "x", states.x);
-      result.add(curve + "v", states.v);
-    }
+    for (std::size_t i = 0; i < each.curves.size(); ++i)
+      result.show(std::to_string(each.recording.series.run) + "." + std::to_string(i + 1) + ".",
+                  each.curves[i].trajectory);
   }
-  result.document = to_json(std::span<const CompareResult>(*compared), call.voice());
+  result.document = to_json(std::get<std::vector<CompareResult>>(result.found), call.voice());
   return {};
 }
 
@@ -311,29 +319,29 @@ Result<void> simulate_verb(Call& call, cromer_result& result) {
   if (auto good = call.check_arrays(); !good) return good;
   options.memory = memory_for_states;
   const bool of_arrays = call.has_array("force") || call.has_array("acceleration");
-  auto simulated = simulate(options, call.watch());
-  if (!simulated) return in_arguments(simulated.error(), of_arrays);
-  put_in_arguments(*simulated, of_arrays);
-  if (!simulated->ok()) result.status = CROMER_NO_SUCCESS;
-  for (std::size_t i = 0; i < simulated->runs.size(); ++i) {
-    const SimulatedRun& run = simulated->runs[i];
+  auto found = simulate(options, call.watch());
+  if (!found) return in_arguments(found.error(), of_arrays);
+  put_in_arguments(*found, of_arrays);
+  const auto& simulated = result.found.emplace<SimulateResult>(*std::move(found));
+  if (!simulated.ok()) result.status = CROMER_NO_SUCCESS;
+  for (std::size_t i = 0; i < simulated.runs.size(); ++i) {
+    const SimulatedRun& run = simulated.runs[i];
     const std::string of_run = std::to_string(i + 1) + ".";
-    result.add(of_run + "t", run.trajectory.t);
-    result.add(of_run + "x", run.trajectory.x);
-    result.add(of_run + "v", run.trajectory.v);
+    result.show(of_run, run.trajectory);
     result.add(of_run + "energy", energies(run));
-    if (!run.sensor.empty()) result.add(of_run + "sensor", run.sensor);
+    if (!run.sensor.empty()) result.show(of_run + "sensor", run.sensor);
   }
-  result.document = to_json(*simulated, false, call.voice());
+  result.document = to_json(simulated, false, call.voice());
   return {};
 }
 
 Result<void> methods_verb(Call& call, cromer_result& result) {
   MethodsOptions options;
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  const auto rows = list_methods(options);
+  auto rows = list_methods(options);
   if (!rows) return rows.error();
   result.document = to_json(std::span<const MethodRow>(*rows), call.voice());
+  result.found = ListedMethods{std::move(options), *std::move(rows)};
   return {};
 }
 
@@ -373,15 +381,16 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   if (auto good = call.check_arrays(); !good) return good;
   if (found->interrupted) result.status = CROMER_NO_SUCCESS;
   found->notices = in_arguments(std::move(found->notices), file->empty());
-  result.add("period", found->periods);
-  for (std::size_t i = 0; i < found->spectra.size(); ++i) {
-    const ResponseSpectrum& spectrum = found->spectra[i];
-    const std::string ratio = found->spectra.size() > 1 ? std::to_string(i + 1) + "." : "";
-    if (!spectrum.displacement.empty()) result.add(ratio + "displacement", spectrum.displacement.front());
-    if (!spectrum.rotd50.empty()) result.add(ratio + "rotd50", spectrum.rotd50);
-    if (!spectrum.rotd100.empty()) result.add(ratio + "rotd100", spectrum.rotd100);
+  const auto& kept = result.found.emplace<SpectrumResult>(*std::move(found));
+  result.show("period", kept.periods);
+  for (std::size_t i = 0; i < kept.spectra.size(); ++i) {
+    const ResponseSpectrum& spectrum = kept.spectra[i];
+    const std::string ratio = kept.spectra.size() > 1 ? std::to_string(i + 1) + "." : "";
+    if (!spectrum.displacement.empty()) result.show(ratio + "displacement", spectrum.displacement.front());
+    if (!spectrum.rotd50.empty()) result.show(ratio + "rotd50", spectrum.rotd50);
+    if (!spectrum.rotd100.empty()) result.show(ratio + "rotd100", spectrum.rotd100);
   }
-  result.document = to_json(*found, false, call.voice());
+  result.document = to_json(kept, false, call.voice());
   return {};
 }
 
@@ -400,13 +409,14 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
   }
   if (auto good = assign(grids, table, call.verb()); !good) return good;
   options.memory = memory_for_results;
-  const auto swept = run_sweep(options, call.watch());
+  auto swept = run_sweep(options, call.watch());
   if (!swept) return swept.error();
   if (!swept->counts.ok() || swept->interrupted) result.status = CROMER_NO_SUCCESS;
   const auto& columns = swept->plan.rows.columns;
   for (std::size_t j = 0; j + 1 < columns.size(); ++j)
     result.add(std::string(columns[j]), column_of(*swept, j));
   result.document = to_json(*swept, false, call.voice());
+  result.found = *std::move(swept);
   return {};
 }
 
@@ -422,8 +432,10 @@ Result<void> read_verb(Call& call, cromer_result& result) {
   if (!recording) return recording.error();
   auto seen = inspect(*std::move(recording), options, *column);
   if (!seen) return seen.error();
-  for (const core::Column& each : seen->recording.table.columns) result.add(column_title(each), each.values);
-  result.document = to_json(*seen, false, call.voice());
+  const auto& read = result.found.emplace<ReadFile>(ReadFile{options, *std::move(seen)});
+  for (const core::Column& each : read.inspection.recording.table.columns)
+    result.show(column_title(each), each.values);
+  result.document = to_json(read.inspection, false, call.voice());
   return {};
 }
 
@@ -480,29 +492,70 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
 }  // namespace
 }  // namespace cromer::core
 
-cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays, size_t count,
-                           cromer_progress progress, void* user) {
+namespace {
+
+/// Runs `work`, which fills a result of its own or says why it cannot. nullptr where memory has run out.
+template <class Work>
+cromer_result* answer(cromer::core::Voice& voice, const Work& work) {
   using namespace cromer;
   std::unique_ptr<cromer_result> result(new (std::nothrow) cromer_result);
   if (!result) return nullptr;
-  core::Voice voice{.audience = core::Audience::caller};
   const auto refuse = [&](const Error& error) {
     *result = {};
     result->status = CROMER_BAD_INPUT;
     result->document = core::to_text(core::refusal_object(error.notice, error.argument, voice));
   };
   try {
-    const Progress told =
-        progress ? Progress([=](double done) { return progress(done, user) != 0; }) : Progress{};
-    const auto good = core::run(verb ? verb : "", request ? request : "",
-                                std::span(arrays, arrays ? count : 0), told, voice, *result);
-    if (!good) refuse(core::in_arguments(good.error()));
+    if (const Result<void> good = work(*result); !good) refuse(core::in_arguments(good.error()));
   } catch (const std::bad_alloc&) {
     return nullptr;
   } catch (const std::exception& error) {
     refuse(Error{"call_failed", {{"what", error.what()}}});
   }
   return result.release();
+}
+
+const cromer::core::Found& found_of(const cromer_result* result) {
+  static const cromer::core::Found nothing;
+  return result ? result->found : nothing;
+}
+
+}  // namespace
+
+cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays, size_t count,
+                           cromer_progress progress, void* user) {
+  using namespace cromer;
+  core::Voice voice{.audience = core::Audience::caller};
+  return answer(voice, [&](cromer_result& result) {
+    const Progress told =
+        progress ? Progress([=](double done) { return progress(done, user) != 0; }) : Progress{};
+    return core::run(verb ? verb : "", request ? request : "", std::span(arrays, arrays ? count : 0), told,
+                     voice, result);
+  });
+}
+
+cromer_result* cromer_written_as(const cromer_result* result, const char* form) {
+  using namespace cromer;
+  core::Voice voice{.audience = core::Audience::caller};
+  return answer(voice, [&](cromer_result& written) -> Result<void> {
+    auto text = core::written_as(found_of(result), form ? form : "");
+    if (!text) return text.error();
+    written.document = *std::move(text);
+    return {};
+  });
+}
+
+cromer_result* cromer_motion_at(const cromer_result* fit, int run, const double* t, size_t length) {
+  using namespace cromer;
+  core::Voice voice{.audience = core::Audience::caller};
+  return answer(voice, [&](cromer_result& made) -> Result<void> {
+    auto motion = core::motion_of_run(found_of(fit), run, std::span(t, t ? length : 0));
+    if (!motion) return motion.error();
+    made.document = "{}\n";
+    for (auto& [name, values] : {std::pair("t", &motion->t), {"x", &motion->x}, {"v", &motion->v}})
+      made.add(name, std::move(*values));
+    return {};
+  });
 }
 
 const char* cromer_document(const cromer_result* result) { return result ? result->document.c_str() : ""; }

@@ -10,7 +10,6 @@
 #include "cromer/model/law.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/lab_quantities.h"
-#include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer {
 namespace {
@@ -22,7 +21,7 @@ const core::FittedRecording* usable(const LawFit& fit) {
 
 Error no_values(const LawFit& fit) {
   if (!fit.detail) return {Notice{"fit_is_empty"}, "fit"};
-  return {Notice{"fit_without_values", {{"what", fit.detail->fit.message}}}, "fit"};
+  return core::no_values(*fit.detail);
 }
 
 Residual residual_of(const core::Residual& residual) {
@@ -79,25 +78,8 @@ std::optional<Estimate> LawFit::find(std::string_view wanted) const {
 }
 
 Result<Trajectory> LawFit::at(std::span<const double> t) const {
-  const core::FittedRecording* known = usable(*this);
-  if (!known) return no_values(*this);
-  if (known->fit.drive.kind == core::DriveKind::recorded)
-    return Error{Notice{"motion_known_at_samples"}, "t"};
-  if (auto good = core::check_times(t); !good) return good.error();
-  if (t.empty()) return Trajectory{};
-  const double first = known->series.t.front();
-  if (t.front() < first)
-    return Error{Notice{"times_before_the_first", {{"begin", t.front()}, {"first", first}}}, "t"};
-  if ((t.back() - first) / known->fit.step > core::most_steps_of_a_run)
-    return Error{Notice{"times_too_late", {{"end", t.back()}}}, "t"};
-  // The law's motion is known from the first sample on.
-  std::vector<double> from_first(t.begin(), t.end());
-  const bool begins_later = t.front() > first;
-  if (begins_later) from_first.insert(from_first.begin(), first);
-  Trajectory motion = core::motion_of(known->fit, from_first);
-  if (begins_later)
-    for (auto* values : {&motion.t, &motion.x, &motion.v}) values->erase(values->begin());
-  return motion;
+  if (!detail) return no_values(*this);
+  return core::motion_at(*detail, t);
 }
 
 Result<FittedMotion> LawFit::motion() const {

@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "cromer/base/quantity.h"
+#include "cromer/door/options.h"
 #include "cromer/door/words.h"
+#include "cromer/identify/law_fit.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {
 
@@ -22,6 +25,30 @@ void put_in_arguments(CompareResult& compared, bool of_arrays) {
 void put_in_arguments(SimulateResult& simulated, bool of_arrays) {
   simulated.notices = in_arguments(std::move(simulated.notices), of_arrays);
   for (SimulatedRun& run : simulated.runs) run.message = in_arguments(std::move(run.message), of_arrays);
+}
+
+Error no_values(const FittedRecording& fitted) {
+  return {Notice{"fit_without_values", {{"what", fitted.fit.message}}}, "fit"};
+}
+
+Result<Trajectory> motion_at(const FittedRecording& fitted, std::span<const double> t) {
+  if (!fitted.fit.is_usable()) return no_values(fitted);
+  if (fitted.fit.drive.kind == DriveKind::recorded) return Error{Notice{"motion_known_at_samples"}, "t"};
+  if (auto good = check_times(t); !good) return good.error();
+  if (t.empty()) return Trajectory{};
+  const double first = fitted.series.t.front();
+  if (t.front() < first)
+    return Error{Notice{"times_before_the_first", {{"begin", t.front()}, {"first", first}}}, "t"};
+  if ((t.back() - first) / fitted.fit.step > most_steps_of_a_run)
+    return Error{Notice{"times_too_late", {{"end", t.back()}}}, "t"};
+  // The law's motion is known from the first sample on.
+  std::vector<double> from_first(t.begin(), t.end());
+  const bool begins_later = t.front() > first;
+  if (begins_later) from_first.insert(from_first.begin(), first);
+  Trajectory motion = motion_of(fitted.fit, from_first);
+  if (begins_later)
+    for (auto* values : {&motion.t, &motion.x, &motion.v}) values->erase(values->begin());
+  return motion;
 }
 
 cromer::MethodEffect effect_of(const MethodEffect& effect) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "cromer/methods.h"
@@ -17,6 +18,13 @@ namespace cromer::core {
 void put_in_arguments(FittedRecording& fitted, bool of_arrays);
 void put_in_arguments(CompareResult& compared, bool of_arrays);
 void put_in_arguments(SimulateResult& simulated, bool of_arrays);
+
+/// Why a fit has no values that may be looked at.
+Error no_values(const FittedRecording& fitted);
+
+/// The law's motion at times [s] that strictly increase from the first used sample's on. An Error where the fit
+/// has no values, or a recorded force drives the motion.
+Result<Trajectory> motion_at(const FittedRecording& fitted, std::span<const double> t);
 
 cromer::MethodEffect effect_of(const MethodEffect& effect);
 

@@ -111,6 +111,10 @@ constexpr Entry entries[] = {
      "{verb} hat kein Argument „{argument}“"},
     {"unknown_argument_but", error, "{verb} has no argument \"{argument}\"; did you mean {near}?",
      "{verb} hat kein Argument „{argument}“; ist {near} gemeint?"},
+    {"no_result", error, "there is no result to be written", "es gibt kein Ergebnis zum Aufschreiben"},
+    {"no_such_form", error, "this result cannot be written as \"{form}\"",
+     "dieses Ergebnis lässt sich nicht als „{form}“ schreiben"},
+    {"no_fit_of_that_run", error, "there is no fit of run {run}", "es gibt keine Anpassung von Lauf {run}"},
     {"call_failed", error, "the call failed: {what}", "der Aufruf ist gescheitert: {what}"},
 };
 

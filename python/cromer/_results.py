@@ -1,0 +1,594 @@
+"""What the verbs give back."""
+
+from __future__ import annotations
+
+import html
+import json
+import shlex
+import warnings
+from dataclasses import dataclass
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
+
+import numpy as np
+
+from ._core import NO_SUCCESS, Answer, InputError, Numbers, _numbers
+
+
+class CromerWarning(UserWarning):
+    """What there is to know about a result. `code` is the same in every language, `values` is what the text holds."""
+
+    def __init__(self, text: str, code: str = "", values: Optional[Mapping[str, Any]] = None) -> None:
+        super().__init__(text)
+        self.code, self.values = code, dict(values or {})
+
+
+class FitWarning(CromerWarning):
+    """A computation that did not succeed: what exists was given back."""
+
+
+class NoSuccess(RuntimeError):
+    """With strict=True, in place of FitWarning. `result` is what exists."""
+
+    def __init__(self, text: str, result: Any = None) -> None:
+        super().__init__(text)
+        self.result = result
+
+
+@dataclass(frozen=True)
+class Notice:
+    """One thing to know about a result; `severity` is "note", "warning" or "error"."""
+
+    code: str
+    severity: str
+    text: str
+    values: Dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its standard error and its 95 % interval, in SI units."""
+
+    name: str
+    value: float
+    standard_error: float
+    confidence_95: Tuple[float, float]
+    unit: str
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        low, high = self.confidence_95
+        unit = "" if self.unit in ("", "1") else f" {self.unit}"
+        return f"{_with_error(self.value, self.standard_error)}{unit} (95 %: {low:.7g} to {high:.7g})"
+
+    def to_uncertainties(self) -> Any:
+        """The same as a number of the package `uncertainties`."""
+        from uncertainties import ufloat
+        return ufloat(self.value, self.standard_error, tag=self.name)
+
+    def to_pint(self, registry: Any = None) -> Any:
+        """The value as a quantity of the package `pint`, of `registry` or of pint's own."""
+        import pint
+        registry = registry or pint.get_application_registry()
+        return self.value * registry.parse_units(self.unit if self.unit not in ("", "1") else "dimensionless")
+
+
+def _with_error(value: float, error: float) -> str:
+    """17.04 ± 0.02: the error at two digits if it begins with 1 or 2, else at one, the value to the same place."""
+    if not (np.isfinite(error) and error > 0 and np.isfinite(value)):
+        return f"{value:.7g}"
+    exponent = int(np.floor(np.log10(error)))
+    digits = (1 if float(f"{error / 10.0**exponent:.0f}") < 3 and error / 10.0**exponent < 2.95 else 0) - exponent
+    if -4 <= np.floor(np.log10(max(abs(value), error))) < 7:
+        return f"{value:.{max(digits, 0)}f} ± {error:.{max(digits, 0)}f}"
+    power = int(np.floor(np.log10(max(abs(value), error))))
+    places = max(digits + power, 0)
+    return f"({value / 10.0**power:.{places}f} ± {error / 10.0**power:.{places}f})e{power:+03d}"
+
+
+def _number(value: Any) -> float:
+    return float("nan") if value is None else float(value)
+
+
+def _estimate(name: str, each: Mapping[str, Any]) -> Estimate:
+    low, high = each.get("confidence_95") or (None, None)
+    return Estimate(name, _number(each["value"]), _number(each["standard_error"]), (_number(low), _number(high)),
+                    each.get("unit", ""))
+
+
+class Result:
+    """What all results have."""
+
+    def __init__(self, answer: Answer, document: Optional[Dict[str, Any]] = None) -> None:
+        self._answer = answer
+        self._document: Dict[str, Any] = json.loads(answer.text) if document is None else document
+
+    @property
+    def notices(self) -> List[Notice]:
+        return [Notice(each["code"], each["severity"], each["text"], each["values"])
+                for each in self._document.get("notices", [])]
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The document of the program's --json, without what the arrays hold (docs/results.md)."""
+        return json.loads(json.dumps(self._document))  # type: ignore[no-any-return]
+
+    def to_json(self) -> str:
+        return json.dumps(self._document, indent=2, ensure_ascii=False)
+
+    def to_csv(self) -> str:
+        """The table that the program writes."""
+        return self._answer.written_as("csv")
+
+    def to_svg(self) -> str:
+        """The figure that the program draws."""
+        return self._answer.written_as("svg")
+
+    def __str__(self) -> str:
+        return self._answer.written_as("text").rstrip("\n")
+
+
+def told(result: Result, answer: Answer, strict: bool, message: str = "") -> None:
+    """Warns of what there is to know; raises NoSuccess if the result has to succeed and did not."""
+    for notice in result.notices:
+        if notice.severity != "note":
+            warnings.warn(CromerWarning(notice.text, notice.code, notice.values), stacklevel=3)
+    if answer.status == NO_SUCCESS:
+        text = message or "the computation did not succeed: see its status"
+        if strict:
+            raise NoSuccess(text, result)
+        warnings.warn(FitWarning(text, getattr(result, "status", "")), stacklevel=3)
+
+
+def _frame(columns: Mapping[str, Any], index: Optional[str] = None) -> Any:
+    import pandas
+    frame = pandas.DataFrame({name: np.array(values) for name, values in columns.items()})
+    return frame.set_index(index) if index else frame
+
+
+def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table as notebooks show it."""
+    cells = "".join(f"<th style='text-align:left'>{html.escape(each)}</th>" for each in head)
+    body = "".join("<tr>" + "".join(f"<td style='text-align:left'>{html.escape(each)}</td>" for each in row) + "</tr>"
+                   for row in rows)
+    return f"<p><b>{html.escape(title)}</b></p><table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>"
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """States against time: t [s], x [m] and v [m/s], or [rad] and [rad/s] of an angle; arrays of equal length."""
+
+    t: Numbers
+    x: Numbers
+    v: Numbers
+
+    def to_pandas(self) -> Any:
+        return _frame({"t": self.t, "x": self.x, "v": self.v}, "t")
+
+
+@dataclass(frozen=True)
+class Residual:
+    """What a fit leaves: rms [unit of the record], p of the normality test, autocorrelation from sample to sample,
+    and whether it is compatible with white noise."""
+
+    rms: float
+    normality: float
+    autocorrelation: float
+    white: bool
+
+
+class LawFit(Result):
+    """The law of one recorded motion.
+
+    Attributes: `law` ("viscous+drag"), `status` ("converged" where it succeeded), `message` (why it did not),
+    `parameters` and `derived` (name to Estimate, SI), `fitted` and `covariance` (names, and a square array in their
+    order), `residual`; and per sample used `t` [s], `measured`, `residuals` (measured less fitted), `x`
+    (displacement of the law from the equilibrium) and `v`.
+    """
+
+    def __init__(self, answer: Answer, document: Optional[Dict[str, Any]] = None) -> None:
+        super().__init__(answer, document)
+        has = self._document.get
+        recording = has("recording") or {}
+        self.run: int = recording.get("run", 1)
+        self.law: str = has("law", "") or ""
+        self.status: str = has("status", "")
+        self.message: str = has("message", "") or ""
+        self.parameters = {name: _estimate(name, each) for name, each in (has("parameters") or {}).items()}
+        self.derived = {name: _estimate(name, each) for name, each in (has("derived") or {}).items()}
+        covariance = has("covariance") or {}
+        self.fitted: List[str] = list(covariance.get("parameters", []))
+        self.covariance: Numbers = np.array(
+            [[_number(each) for each in row] for row in covariance.get("matrix", [])], dtype=np.float64)
+        left = has("residual") or {}
+        self.residual = Residual(_number(left.get("rms")), _number(left.get("normality")),
+                                 _number(left.get("autocorrelation")), bool(left.get("white", False)))
+        self.candidates: List[Dict[str, Any]] = has("candidates") or []
+        self.segments: List[Dict[str, Any]] = has("segments") or []
+
+    def _array(self, name: str) -> Numbers:
+        return self._answer.arrays.get(f"{self.run}.{name}", np.empty(0))
+
+    @property
+    def t(self) -> Numbers:
+        return self._array("t")
+
+    @property
+    def measured(self) -> Numbers:
+        return self._array("measured")
+
+    @property
+    def residuals(self) -> Numbers:
+        return self._array("residual")
+
+    @property
+    def x(self) -> Numbers:
+        return self._array("x")
+
+    @property
+    def v(self) -> Numbers:
+        return self._array("v")
+
+    @property
+    def succeeded(self) -> bool:
+        return self.status == "converged"
+
+    def __getitem__(self, name: str) -> Estimate:
+        for known in (self.parameters, self.derived):
+            if name in known:
+                return known[name]
+        for single in ("decay_rate_mean", "reynolds_max", "keulegan_carpenter"):
+            if name == single and isinstance(self._document.get(single), dict):
+                return _estimate(name, self._document[single])
+        raise KeyError(f"{name!r}: this fit has {', '.join([*self.parameters, *self.derived])}")
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.parameters or name in self.derived
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self.parameters
+        yield from self.derived
+
+    def at(self, t: Any) -> Trajectory:
+        """The law's motion at times t [s], strictly increasing from the first used sample's on.
+
+        InputError of a motion that a recorded force drives: it is known at the samples only.
+        """
+        motion = self._answer.motion_at(self.run, _numbers("t", t))
+        return Trajectory(motion["t"], motion["x"], motion["v"])
+
+    def simulation(self) -> Dict[str, Any]:
+        """The arguments with which `simulate` runs this law from the first used sample on."""
+        command = self._document.get("simulate")
+        if not command:
+            raise InputError("this law cannot be simulated by itself", "fit", "fit_without_law")
+        words = shlex.split(command)[2:]
+        given: Dict[str, Any] = {}
+        for option, value in zip(words[::2], words[1::2]):
+            given[option[2:].replace("-", "_")] = value if _no_number(value) else float(value)
+        return given
+
+    def to_pandas(self) -> Any:
+        """The samples: t as the index, measured, x, v and residual."""
+        return _frame({"t": self.t, "measured": self.measured, "x": self.x, "v": self.v, "residual": self.residuals}, "t")
+
+    def plot(self, ax: Any = None) -> Any:
+        """Record, law and residual; draws into `ax` the record and the law alone. Returns the axes."""
+        from . import _plot
+        return _plot.fit(self, ax)
+
+    def __repr__(self) -> str:
+        head = f"LawFit: {self.law or 'no law'}, {self.status}"
+        return "\n".join([head, *(f"  {each.name} = {each}" for each in self.parameters.values())])
+
+    def _repr_html_(self) -> str:
+        rows = [[each.name.replace("_", " "), _with_error(each.value, each.standard_error),
+                 f"{each.confidence_95[0]:.7g} to {each.confidence_95[1]:.7g}", each.unit]
+                for each in [*self.parameters.values(), *self.derived.values()]]
+        title = f"Law: {self.law} ({self.status})" if self.succeeded else f"{self.status}: {self.message}"
+        return _table(title, ["", "value ± standard error", "95 % interval", "unit"], rows)
+
+
+def _no_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return True
+    return False
+
+
+class Fits(Result, Sequence[LawFit]):
+    """The fits of several runs, in their order."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self._fits = [LawFit(answer, each) for each in self._document.get("fits", [self._document])]
+
+    @overload
+    def __getitem__(self, index: int) -> LawFit: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[LawFit]: ...
+    def __getitem__(self, index: Union[int, slice]) -> Union[LawFit, List[LawFit]]:
+        return self._fits[index]
+
+    def __len__(self) -> int:
+        return len(self._fits)
+
+
+class Run(Result):
+    """One simulated run: `t` [s], `x` [m], `v` [m/s], `energy` [J] and, with a simulated sensor, `sensor`; `method`,
+    `status` ("reached_end" where it succeeded), `in_words` (what the method makes of the law) and `document`."""
+
+    def __init__(self, answer: Answer, number: int, document: Dict[str, Any], notices: List[Dict[str, Any]]) -> None:
+        super().__init__(answer, document)
+        self._number, self._said = number, notices
+        self.method: str = document["method"]
+        self.label: str = document["label"]
+        self.status: str = document["status"]
+        self.step = _number(document.get("step"))
+        self.in_words: str = document.get("in_words") or ""
+        self.energy_balance: Dict[str, float] = document.get("energy_balance") or {}
+
+    @property
+    def notices(self) -> List[Notice]:
+        return [Notice(each["code"], each["severity"], each["text"], each["values"]) for each in self._said]
+
+    def _array(self, name: str) -> Numbers:
+        return self._answer.arrays.get(f"{self._number}.{name}", np.empty(0))
+
+    @property
+    def t(self) -> Numbers:
+        return self._array("t")
+
+    @property
+    def x(self) -> Numbers:
+        return self._array("x")
+
+    @property
+    def v(self) -> Numbers:
+        return self._array("v")
+
+    @property
+    def energy(self) -> Numbers:
+        return self._array("energy")
+
+    @property
+    def sensor(self) -> Numbers:
+        return self._array("sensor")
+
+    def to_pandas(self) -> Any:
+        return _frame({"t": self.t, "x": self.x, "v": self.v, "energy": self.energy}, "t")
+
+    def plot(self, of: str = "position", ax: Any = None) -> Any:
+        """`of`: "position", "velocity", "energy" or "phase" (v against x). Returns the axes."""
+        from . import _plot
+        return _plot.runs([self], of, ax)
+
+    def __repr__(self) -> str:
+        return f"Run: {self.label}, {self.status}, {self.t.size} states\n  {self.in_words}".rstrip()
+
+
+class Runs(Result, Sequence[Run]):
+    """Several runs of the same law: by number, or by the name of the method."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        said = self._document.get("notices", [])
+        self._runs = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
+
+    @overload
+    def __getitem__(self, index: Union[int, str]) -> Run: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Run]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[Run, List[Run]]:
+        if isinstance(index, str):
+            for each in self._runs:
+                if index in (each.label, each.method):
+                    return each
+            raise KeyError(f"{index!r}: there are {', '.join(each.label for each in self._runs)}")
+        return self._runs[index]
+
+    def __len__(self) -> int:
+        return len(self._runs)
+
+    def to_pandas(self) -> Any:
+        """All states, one below the other, with the run's label."""
+        import pandas
+        return pandas.concat([each.to_pandas().assign(run=each.label) for each in self._runs])
+
+    def plot(self, of: str = "position", ax: Any = None) -> Any:
+        """All runs in one picture, as Run.plot draws one."""
+        from . import _plot
+        return _plot.runs(self._runs, of, ax)
+
+    def __repr__(self) -> str:
+        return "\n".join(repr(each) for each in self._runs)
+
+
+class Curve:
+    """One simulated curve of a comparison: `t`, `x`, `v` and its numbers (`rms`, `r_squared`, `phase_drift`, ...)."""
+
+    def __init__(self, arrays: Mapping[str, Numbers], prefix: str, document: Dict[str, Any]) -> None:
+        self.t, self.x, self.v = (arrays.get(prefix + name, np.empty(0)) for name in ("t", "x", "v"))
+        self.label: str = document["label"]
+        self.law: str = document["law"]
+        self.method: str = document["method"]
+        self.numbers = {name: value for name, value in document.items() if isinstance(value, (int, float))}
+
+    def __getattr__(self, name: str) -> float:
+        numbers: Dict[str, float] = self.__dict__.get("numbers", {})
+        if name in numbers:
+            return numbers[name]
+        raise AttributeError(name)
+
+
+class Comparison(Result):
+    """A recorded motion beside its simulations: `curves`, `explanation` (in words) and `fit`."""
+
+    def __init__(self, answer: Answer, document: Optional[Dict[str, Any]] = None) -> None:
+        super().__init__(answer, document)
+        if "comparisons" in self._document:
+            raise InputError("the recording has several runs: name one with run=", "run", "several_runs")
+        run = self._document["recording"]["run"]
+        self.status: str = self._document["status"]
+        self.explanation: str = self._document.get("explanation") or ""
+        self.curves = [Curve(answer.arrays, f"{run}.{i + 1}.", each)
+                       for i, each in enumerate(self._document.get("curves") or [])]
+        self.fit = LawFit(answer, self._document.get("fit") or {})
+
+    def __repr__(self) -> str:
+        return f"Comparison: {self.status}, {len(self.curves)} curves\n  {self.explanation}"
+
+
+class Methods(Result, Sequence[Dict[str, Any]]):
+    """The methods of integration, each with what it is and, with a step, what it simulates in place of the law
+    (`effective`, `stable`, `stability_limit`, `in_words`): by number or by name."""
+
+    @overload
+    def __getitem__(self, index: Union[int, str]) -> Dict[str, Any]: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Dict[str, Any]]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[Dict[str, Any], List[Dict[str, Any]]]:
+        rows: List[Dict[str, Any]] = self._document["methods"]
+        if isinstance(index, str):
+            for each in rows:
+                if each["name"] == index:
+                    return each
+            raise KeyError(f"{index!r}: there are {', '.join(self.names)}")
+        return rows[index]
+
+    def __len__(self) -> int:
+        return len(self._document["methods"])
+
+    @property
+    def names(self) -> List[str]:
+        return [each["name"] for each in self._document["methods"]]
+
+    def to_pandas(self) -> Any:
+        import pandas
+        return pandas.json_normalize(self._document["methods"]).set_index("name")
+
+    def __repr__(self) -> str:
+        return f"Methods: {', '.join(self.names)}"
+
+
+class Spectrum(Result):
+    """Response spectrum: `period` [s], `sd` [m], `psv` [m/s] and `psa` [m/s²] of the first component, and of two
+    components `rotd50` and `rotd100` [m]. Of shape (periods,), with several damping ratios (ratios, periods)."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self.period = answer.arrays.get("period", np.empty(0))
+        self.status = "interrupted" if answer.status == NO_SUCCESS else "done"
+
+    def _of(self, name: str) -> Numbers:
+        arrays = self._answer.arrays
+        if name in arrays:
+            return arrays[name]
+        rows = [arrays[key] for key in arrays if key.partition(".")[2] == name]
+        return np.array(rows) if rows else np.empty(0)
+
+    @property
+    def damping_ratio(self) -> Numbers:
+        return np.array([each["damping_ratio"] for each in self._document["spectra"]])
+
+    @property
+    def sd(self) -> Numbers:
+        return self._of("displacement")
+
+    @property
+    def psv(self) -> Numbers:
+        return self.sd * (2 * np.pi / self.period)
+
+    @property
+    def psa(self) -> Numbers:
+        return self.sd * (2 * np.pi / self.period) ** 2
+
+    @property
+    def rotd50(self) -> Numbers:
+        return self._of("rotd50")
+
+    @property
+    def rotd100(self) -> Numbers:
+        return self._of("rotd100")
+
+    def to_pandas(self) -> Any:
+        """The first damping ratio's SD, PSV and PSA against the period."""
+        first = {"SD": self.sd, "PSV": self.psv, "PSA": self.psa}
+        return _frame({"period": self.period, **{key: np.atleast_2d(each)[0] for key, each in first.items()}}, "period")
+
+    def plot(self, of: str = "psa", ax: Any = None) -> Any:
+        """`of`: "psa", "psv" or "sd" against the period. Returns the axes."""
+        from . import _plot
+        return _plot.spectrum(self, of, ax)
+
+    def __repr__(self) -> str:
+        return f"Spectrum: {self.period.size} periods, damping ratios {', '.join(f'{z:g}' for z in self.damping_ratio)}"
+
+
+class Sweep(Result):
+    """What was swept and what was found, one value for each point: `amplitude` [m], `phase` [rad], ... as
+    attributes and by name; `columns` has them all, `units` their units, `statuses` how each point ended."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self.columns: Dict[str, Numbers] = {}
+        self.units: Dict[str, str] = {}
+        for title, values in answer.arrays.items():
+            name, _, unit = title.partition(" (")
+            self.columns[name] = values
+            self.units[name] = unit[:-1]
+        self.statuses: List[str] = self._document.get("statuses", [])
+        self.status = "interrupted" if answer.status == NO_SUCCESS and not all(self.statuses) else "done"
+
+    def __getitem__(self, name: str) -> Numbers:
+        return self.columns[name]
+
+    def __getattr__(self, name: str) -> Numbers:
+        columns: Dict[str, Numbers] = self.__dict__.get("columns", {})
+        if name in columns:
+            return columns[name]
+        raise AttributeError(f"{name!r}: this sweep has {', '.join(columns)}")
+
+    def to_pandas(self) -> Any:
+        return _frame(self.columns)
+
+    def plot(self, of: str = "amplitude", ax: Any = None) -> Any:
+        """`of` against the first swept option. Returns the axes."""
+        from . import _plot
+        return _plot.sweep(self, of, ax)
+
+    def __repr__(self) -> str:
+        return f"Sweep: {', '.join(self.columns)}; {len(self.statuses)} points"
+
+
+class Recording(Result):
+    """A file that was read: `columns` (titles), `units`, `runs`; a column by its title ("Position (m)"), by its name
+    without unit, or by its quantity ("position", of the first run). Values are as the file has them."""
+
+    def __init__(self, answer: Answer, file: str, options: Mapping[str, Any]) -> None:
+        super().__init__(answer)
+        self.file = file
+        self.options = dict(options)
+        self._about: List[Dict[str, Any]] = self._document.get("columns") or []
+        self.columns: List[str] = [each["name"] for each in self._about]
+        self.units: Dict[str, str] = {each["name"]: each["unit"] for each in self._about}
+        self.runs: List[int] = sorted({each["run"] for each in self._about})
+
+    def __getitem__(self, name: str) -> Numbers:
+        values = list(self._answer.arrays.values())
+        for key in (lambda each: each["name"], lambda each: each["name"].partition(" (")[0],
+                    lambda each: each["quantity"]):
+            for about, column in zip(self._about, values):
+                if str(key(about)).lower() == name.lower():
+                    return column
+        raise KeyError(f"{name!r}: this recording has {', '.join(self.columns)}")
+
+    def to_pandas(self) -> Any:
+        """Its columns; where they differ in length, the shorter ones end with NaN."""
+        import pandas
+        return pandas.DataFrame({name: pandas.Series(np.array(values)) for name, values in
+                                 zip(self.columns, self._answer.arrays.values())})
+
+    def __repr__(self) -> str:
+        return f"Recording of {self.file}: {', '.join(self.columns)}"

@@ -1,0 +1,322 @@
+"""The verbs."""
+
+from __future__ import annotations
+
+import inspect
+import os
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+
+import numpy as np
+
+from ._arguments import request_of
+from ._core import Answer, InputError, Progress, call
+from ._options import ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions
+from ._results import Comparison, Fits, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+File = Union[str, "os.PathLike[str]", Recording]
+Verb = TypeVar("Verb", bound=Callable[..., Any])
+
+
+def _documented(verb: Verb) -> Verb:
+    """Adds the verb's options, from the table that the program has, to its docstring and its signature."""
+    table = ARGUMENTS[verb.__name__.replace("fit_all", "fit")]
+    lines = [f"    {name} : {kind}\n        {text}" for name, (kind, text) in table.items()]
+    begin, _, end = (inspect.cleandoc(verb.__doc__ or "") + "\n").partition("{options}")
+    verb.__doc__ = begin + "\n".join(lines).strip() + end
+    signature = inspect.signature(verb)
+    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in table
+               if name not in signature.parameters]
+    verb.__signature__ = signature.replace(parameters=own + options)  # type: ignore[attr-defined]
+    return verb
+
+
+def _shown(progress: Union[None, bool, Progress], what: str) -> Optional[Progress]:
+    """A function of the share done, for True a bar of tqdm where that is installed."""
+    if progress is None or progress is False:
+        return None
+    if progress is not True:
+        return progress
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    bar = tqdm(total=100, desc=what, unit="%", leave=False)
+
+    def shown(done: float) -> None:
+        bar.update(round(100 * done) - bar.n)
+        if done >= 1:
+            bar.close()
+
+    return shown
+
+
+def _motion(t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+    """What a recorded motion is: of a request its file, or arrays."""
+    if isinstance(t, Recording):
+        if y is not None:
+            raise InputError("a recording has its own columns: name one with column=", "y", "file_and_arrays")
+        return {"file": t.file, **t.options}, {}
+    if isinstance(t, (str, os.PathLike)):
+        if y is not None:
+            raise InputError("a file has its own columns: name one with column=", "y", "file_and_arrays")
+        return {"file": os.fspath(t)}, {}
+    if y is None and hasattr(t, "index") and hasattr(t, "to_numpy"):  # a Series of pandas: its index is the time
+        return {}, {"t": t.index, "y": t, "force": force}
+    if y is None:
+        raise InputError("y is missing: fit(t, y), or fit(file)", "y", "array_is_missing")
+    return {}, {"t": t, "y": y, "force": force}
+
+
+@_documented
+def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = None, language: Optional[str] = None,
+        strict: bool = False, progress: Union[None, bool, Progress] = None,
+        **options: "Unpack[FitOptions]") -> LawFit:
+    """The law of motion of a free or a driven oscillation, with uncertainties, from its recording.
+
+    No start values are needed. The whole waveform is fitted by Levenberg-Marquardt; intervals allow for correlated
+    residuals (docs/identify.md).
+
+    Parameters
+    ----------
+    t : array of shape (n,), str, path, Series or Recording
+        Times [s], strictly increasing; or a file; or what `read` gave; or a pandas Series whose index is the time.
+    y : array of shape (n,)
+        The motion [SI unit of `observed`]; NaN is a missing value. At least one and a half periods.
+    force : array of shape (n,), optional
+        Recorded force [N] that drives the motion.
+    observed : str, optional
+        "position" (if not given), "angle", "velocity", "angular_velocity" or "acceleration".
+    language : str, optional
+        Of the sentences: "en" (if not given) or "de".
+    strict : bool
+        Raise NoSuccess where the fit does not converge, rather than warn.
+    progress : bool or callable, optional
+        True shows a bar where tqdm is installed; a callable gets the share done, 0 to 1, and ends the work by
+        returning False.
+    {options}
+
+    Returns
+    -------
+    LawFit
+
+    Raises
+    ------
+    InputError
+        An argument that cannot be used, or a file of several runs: name one with run=, or take `fit_all`.
+    """
+    found, answer = _fits(t, y, force, observed, language, progress, options)
+    if len(found) != 1:
+        raise InputError(f"the recording has {len(found)} runs: name one with run=, or take fit_all", "run",
+                         "several_runs", {"runs": len(found)})
+    first = found[0]
+    told(first, answer, strict, f"{first.status}: {first.message}" if first.message else first.status)
+    return first
+
+
+@_documented
+def fit_all(t: File, *, language: Optional[str] = None, strict: bool = False,
+            progress: Union[None, bool, Progress] = None, **options: "Unpack[FitOptions]") -> Fits:
+    """The laws of all runs of a recording, as `fit` finds one.
+
+    Parameters
+    ----------
+    t : str, path or Recording
+        A file, or what `read` gave.
+    language, strict, progress
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Fits
+    """
+    found, answer = _fits(t, None, None, None, language, progress, options)
+    told(found, answer, strict, "not every run could be fitted: see the status of each")
+    return found
+
+
+def _fits(t: Any, y: Any, force: Any, observed: Optional[str], language: Optional[str],
+          progress: Union[None, bool, Progress], options: Mapping[str, Any]) -> Tuple[Fits, Answer]:
+    request, arrays = _motion(t, y, force)
+    request.update(request_of({**options, "observed": observed, "language": language}))
+    answer = call("fit", request, arrays, _shown(progress, "fit"))
+    return Fits(answer), answer
+
+
+@overload
+def simulate(*, method: str = ..., force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+             **options: Any) -> Run: ...
+@overload
+def simulate(*, method: Sequence[str], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+             **options: Any) -> Runs: ...
+@_documented
+def simulate(*, method: Union[str, Sequence[str]] = "euler-cromer", force: Any = None, acceleration: Any = None,
+             spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
+             progress: Union[None, bool, Progress] = None, **options: Any) -> Union[Run, Runs]:
+    """The motion of an oscillator by one method or several.
+
+    Parameters
+    ----------
+    method : str or list of str
+        Which methods; `methods()` lists them. "exact" is the closed form of a linear law.
+    force : array, optional
+        Recorded force [N] that drives it, with `spacing`.
+    acceleration : array, optional
+        Recorded acceleration [m/s²] of the ground, with `spacing`.
+    spacing : float, optional
+        [s] between their samples.
+    language, strict, progress
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Run of one method, Runs of a list of methods
+    """
+    request = request_of({**options, "method": method, "spacing": spacing, "language": language})
+    answer = call("simulate", request, {"force": force, "acceleration": acceleration}, _shown(progress, "simulate"))
+    runs = Runs(answer)
+    states = ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
+    told(runs, answer, strict, states)
+    return runs[0] if isinstance(method, str) else runs
+
+
+@_documented
+def compare(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = None,
+            language: Optional[str] = None, strict: bool = False,
+            progress: Union[None, bool, Progress] = None, **options: "Unpack[CompareOptions]") -> Comparison:
+    """A recorded motion beside the simulation of its law, and of one constant decay rate.
+
+    Parameters
+    ----------
+    t, y, force, observed, language, strict, progress
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Comparison
+    """
+    request, arrays = _motion(t, y, force)
+    request.update(request_of({**options, "observed": observed, "language": language}))
+    answer = call("compare", request, arrays, _shown(progress, "compare"))
+    made = Comparison(answer)
+    told(made, answer, strict, made.status)
+    return made
+
+
+@_documented
+def methods(*, language: Optional[str] = None, **options: "Unpack[MethodsOptions]") -> Methods:
+    """The methods of integration; with a step, what each simulates in place of your law.
+
+    Parameters
+    ----------
+    language : str, optional
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Methods
+    """
+    answer = call("methods", request_of({**options, "language": language}), {})
+    made = Methods(answer)
+    told(made, answer, False)
+    return made
+
+
+@_documented
+def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any = None, periods: Any = None,
+             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+             **options: Any) -> Spectrum:
+    """The response spectrum of a ground motion.
+
+    Parameters
+    ----------
+    acceleration : array of shape (n,), str, path or Recording
+        Acceleration of the ground [m/s²]; or a file.
+    spacing : float
+        [s] between the samples of an array.
+    second : array of shape (n,), optional
+        The other horizontal component, for RotD50 and RotD100.
+    periods : array, optional
+        Natural periods [s], increasing; as text a grid.
+    language, strict, progress
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Spectrum
+    """
+    arrays: Dict[str, Any] = {}
+    given: Dict[str, Any] = {**options, "language": language}
+    if isinstance(acceleration, Recording):
+        given.update(file=acceleration.file, **acceleration.options)
+    elif isinstance(acceleration, (str, os.PathLike)):
+        given.update(file=os.fspath(acceleration))
+    else:
+        given.update(spacing=spacing)
+        arrays.update(acceleration=acceleration, second=second)
+    if isinstance(periods, str):
+        given.update(periods=periods)
+    elif periods is not None:
+        arrays.update(periods=periods)
+    answer = call("spectrum", request_of(given), arrays, _shown(progress, "spectrum"))
+    made = Spectrum(answer)
+    told(made, answer, strict, "interrupted")
+    return made
+
+
+@_documented
+def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+          **options: Any) -> Sweep:
+    """Amplitude and phase of the steady motion over grids of any options, by the closed form or by steps.
+
+    Parameters
+    ----------
+    language, strict, progress
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Sweep
+    """
+    grids = {name: value for name, value in options.items()
+             if not isinstance(value, (str, bytes)) and np.ndim(value) == 1 and not isinstance(value, tuple)}
+    rest = {name: value for name, value in options.items() if name not in grids}
+    answer = call("sweep", request_of({**rest, "language": language}), grids, _shown(progress, "sweep"))
+    made = Sweep(answer)
+    told(made, answer, strict, "not every point settled: see statuses")
+    return made
+
+
+@_documented
+def read(file: Union[str, "os.PathLike[str]"], *, language: Optional[str] = None,
+         **options: "Unpack[ReadOptions]") -> Recording:
+    """A recording as it comes out of a logger.
+
+    Parameters
+    ----------
+    file : str or path
+        Its format is found by what is in it.
+    language : str, optional
+        As of `fit`.
+    {options}
+
+    Returns
+    -------
+    Recording
+    """
+    given = request_of(options)
+    answer = call("read", {"file": os.fspath(file), **given, **request_of({"language": language})}, {})
+    made = Recording(answer, os.fspath(file), given)
+    told(made, answer, False)
+    return made

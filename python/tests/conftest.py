@@ -1,0 +1,32 @@
+"""The library and the program of the tree: CROMER_LIBRARY and CROMER_PROGRAM, as ./dev test sets them."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+
+
+@pytest.fixture(scope="session")
+def program():
+    """Runs the program with these words; gives what it printed."""
+    path = os.environ.get("CROMER_PROGRAM")
+    if not path:
+        pytest.skip("CROMER_PROGRAM names no program")
+
+    def run(*words):
+        done = subprocess.run([path, *words], capture_output=True, text=True, check=True)
+        return done.stdout
+
+    return run
+
+
+def swing(decay_rate=0.03, angular_frequency=8.9, amplitude=0.05, noise=2e-4, seconds=20.0, step=0.01, seed=1):
+    t = np.arange(0, seconds, step)
+    x = amplitude * np.exp(-decay_rate * t) * np.cos(angular_frequency * t)
+    return t, x + np.random.default_rng(seed).normal(0, noise, t.size)

@@ -1,0 +1,219 @@
+import pickle
+import signal
+import threading
+import warnings
+
+import cromer
+import numpy as np
+import pytest
+from conftest import ROOT, swing
+
+RECORDING = str(ROOT / "data" / "recording1.csv")
+
+
+def test_the_law_of_arrays():
+    t, x = swing()
+    fit = cromer.fit(t, x, mass="217.6 ± 0.3 g")
+    assert fit.succeeded and fit.law == "viscous"
+    rate = fit["decay_rate"]
+    assert rate.confidence_95[0] < 0.03 < rate.confidence_95[1]
+    assert rate.unit == "1/s" and float(rate) == rate.value
+    assert fit["stiffness"].value == pytest.approx(0.2176 * (8.9**2 + 0.03**2), rel=1e-3)
+    assert fit.covariance.shape == (len(fit.fitted),) * 2
+    i = fit.fitted.index("decay_rate")
+    assert np.sqrt(fit.covariance[i, i]) == pytest.approx(rate.standard_error, rel=1e-12)
+    assert np.array_equal(fit.t, t) and np.array_equal(fit.measured, x)
+    assert np.allclose(fit.measured - fit.residuals, fit.x + fit["equilibrium"].value, atol=1e-15)
+    with pytest.raises(KeyError, match="quality_factor"):
+        fit["no_such_thing"]
+
+
+def test_intervals_hold_the_truth():
+    held = 0
+    for seed in range(60):
+        t, x = swing(seed=100 + seed, seconds=8, noise=1e-3)
+        low, high = cromer.fit(t, x, law="viscous")["decay_rate"].confidence_95
+        held += low < 0.03 < high
+    assert held >= 52  # of 60 at 95 %: fewer once in 3000 runs
+
+
+def test_the_law_between_and_after_the_samples():
+    t, x = swing(noise=1e-6)
+    fit = cromer.fit(t, x, law="viscous")
+    at = np.array([0.005, 3.333, 25.0])
+    motion = fit.at(at)
+    assert np.allclose(motion.x, 0.05 * np.exp(-0.03 * at) * np.cos(8.9 * at), atol=1e-6)
+    with pytest.raises(cromer.InputError) as refused:
+        fit.at([-1.0])
+    assert refused.value.argument == "t" and refused.value.code == "times_before_the_first"
+
+
+@pytest.mark.parametrize("given", ["217.6 ± 0.3 g", (0.2176, 0.0003), [0.2176, 0.0003], np.array([0.2176, 0.0003])])
+def test_masses_as_people_have_them(given):
+    t, x = swing()
+    fit = cromer.fit(t, x, mass=given, law="viscous")
+    assert fit["stiffness"].standard_error == pytest.approx(0.0003 * 8.9**2, rel=0.01)
+
+
+def test_uncertainties_and_pint():
+    ufloat = pytest.importorskip("uncertainties").ufloat
+    t, x = swing()
+    fit = cromer.fit(t, x, mass=ufloat(0.2176, 0.0003), law="viscous")
+    assert fit["stiffness"].to_uncertainties().std_dev == fit["stiffness"].standard_error
+    pint = pytest.importorskip("pint")
+    grams = cromer.fit(t, x, mass=217.6 * pint.UnitRegistry().gram, law="viscous")
+    assert grams["stiffness"].value == pytest.approx(fit["stiffness"].value, rel=1e-12)
+
+
+def test_series_of_pandas():
+    pandas = pytest.importorskip("pandas")
+    t, x = swing()
+    fit = cromer.fit(pandas.Series(x, index=t))
+    assert fit["decay_rate"] == cromer.fit(t, x)["decay_rate"]
+    assert cromer.fit(pandas.Series(t), pandas.Series(x))["decay_rate"] == fit["decay_rate"]
+    assert list(fit.to_pandas().columns) == ["measured", "x", "v", "residual"]
+
+
+def test_files_and_what_read_gave():
+    recording = cromer.read(RECORDING)
+    assert recording["position"].size == recording["Time (s)"].size
+    assert recording.units["Position (m)"] == "m"
+    of_file = cromer.fit(RECORDING)
+    assert of_file["angular_frequency"] == cromer.fit(recording)["angular_frequency"]
+    of_arrays = cromer.fit(recording["time"], recording["position"])
+    assert of_arrays["angular_frequency"].value == pytest.approx(of_file["angular_frequency"].value, rel=1e-12)
+    assert len(cromer.fit_all(recording)) == 1
+
+
+@pytest.mark.parametrize("arguments, options, argument, code", [
+    (([0, 1, 2], [0, 1]), {}, None, None),
+    (([0, 1, 2], None), {}, "y", "array_is_missing"),
+    (([[0, 1]], [0, 1]), {}, "t", "not_one_dimension"),
+    ((["a", "b"], [0, 1]), {}, "t", "no_numbers"),
+    (("no_such_file.csv", None), {}, None, None),
+    ((np.arange(100.0), np.sin(np.arange(100.0))), {"mas": 1}, "mas", "unknown_argument_but"),
+    ((np.arange(100.0), np.sin(np.arange(100.0))), {"mass": "5 N"}, "mass", None),
+    ((np.arange(100.0), np.sin(np.arange(100.0))), {"law": "stiff"}, "law", "law_term_unknown")])
+def test_wrong_input_is_said(arguments, options, argument, code):
+    with pytest.raises(cromer.InputError) as refused:
+        cromer.fit(*arguments, **options)
+    assert isinstance(refused.value, ValueError) and str(refused.value)
+    if argument is not None:
+        assert refused.value.argument == argument
+    if code is not None:
+        assert refused.value.code == code
+    again = pickle.loads(pickle.dumps(refused.value))
+    assert (str(again), again.code) == (str(refused.value), refused.value.code)
+
+
+def test_what_does_not_succeed_warns_or_raises():
+    t = np.arange(0, 10, 0.01)
+    noise = np.random.default_rng(3).normal(0, 1, t.size)
+    with pytest.warns(cromer.FitWarning):
+        fit = cromer.fit(t, noise)
+    assert not fit.succeeded and fit.message
+    with pytest.raises(cromer.NoSuccess) as none, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        cromer.fit(t, noise, strict=True)
+    assert none.value.result.status == fit.status
+
+
+def test_notices_are_warnings_with_codes():
+    t, x = swing(noise=2e-3)
+    x += 0.002 * np.cos(2 * np.pi * 0.11 * t)  # something slow that no law of a spring has
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        fit = cromer.fit(t, x)
+    told = {each.message.code for each in caught if isinstance(each.message, cromer.CromerWarning)}
+    assert {each.code for each in fit.notices if each.severity != "note"} <= told
+
+
+def test_the_same_as_the_program(program):
+    import json
+    document = json.loads(program("fit", RECORDING, "--mass", "217.6 ± 0.3 g", "--json"))
+    fit = cromer.fit(RECORDING, mass="217.6 ± 0.3 g")
+    for name, each in document["parameters"].items():
+        assert fit[name].value == each["value"] and fit[name].standard_error == each["standard_error"]
+    assert str(fit).splitlines()[0] in program("fit", RECORDING, "--mass", "217.6 ± 0.3 g")
+
+
+def test_pickled_fits_are_whole():
+    t, x = swing()
+    fit = cromer.fit(t, x)
+    again = pickle.loads(pickle.dumps(fit))
+    assert again["decay_rate"] == fit["decay_rate"] and np.array_equal(again.residuals, fit.residuals)
+    assert np.array_equal(again.at([1.0, 2.0]).x, fit.at([1.0, 2.0]).x)
+    assert str(again) == str(fit)
+
+
+def test_arrays_live_as_long_as_they_are_used():
+    t, x = swing()
+    residuals = cromer.fit(t, x).residuals
+    kept = residuals.copy()
+    for _ in range(5):
+        cromer.fit(t, x + 1)
+    assert np.array_equal(residuals, kept)
+    with pytest.raises(ValueError):
+        residuals[0] = 1
+
+
+def test_other_threads_go_on_and_give_the_same():
+    t, x = swing(seconds=100)
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(cromer.fit(t, x)["decay_rate"])) for _ in range(4)]
+    for each in threads:
+        each.start()
+    for each in threads:
+        each.join()
+    assert len(found) == 4 and len(set(found)) == 1
+
+
+def test_progress_ends_the_work():
+    t, x = swing(seconds=600)
+    told = []
+
+    def first_word(done):
+        told.append(done)
+        return False
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        fit = cromer.fit(t, x, progress=first_word)
+    assert told and all(0 <= each <= 1 for each in told)
+    assert fit is not None
+
+    def failing(done):
+        raise RuntimeError("mine")
+
+    with pytest.raises(RuntimeError, match="mine"):
+        cromer.fit(t, x, progress=failing)
+
+
+def test_ctrl_c_ends_the_work():
+    told = []
+
+    def interrupt(done):
+        if not told:
+            signal.raise_signal(signal.SIGINT)
+        told.append(done)
+
+    with pytest.raises(KeyboardInterrupt):
+        cromer.sweep(stiffness=9, damping=0.01, cubic=5, method="rk4", step=0.001, drive_amplitude=1,
+                     drive_frequency=np.linspace(1, 5, 5000), progress=interrupt)
+    assert max(told) < 0.9
+
+
+def test_as_it_is_shown():
+    t, x = swing()
+    fit = cromer.fit(t, x, mass=0.2)
+    assert "LawFit: viscous, converged" in repr(fit)
+    assert "<table>" in fit._repr_html_() and "decay rate" in fit._repr_html_()
+    assert "</svg>" in fit.to_svg() and "stiffness" in fit.to_csv()
+    assert "mass" in cromer.fit.__doc__ and "[kg]" in cromer.fit.__doc__
+
+
+def test_the_fitted_law_simulated_is_the_record():
+    t, x = swing(noise=1e-7)
+    fit = cromer.fit(t, x, mass=0.2, law="viscous")
+    run = cromer.simulate(**fit.simulation())
+    assert np.interp(5.0, run.t, run.x) == pytest.approx(0.05 * np.exp(-0.15) * np.cos(44.5), abs=2e-5)

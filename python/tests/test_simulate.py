@@ -1,0 +1,114 @@
+import cromer
+import numpy as np
+import pytest
+from conftest import swing
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+
+def test_one_method_and_several():
+    run = cromer.simulate(stiffness=9, damping=0.2, position=1, method="exact", step=0.01, until=5)
+    w = np.sqrt(9 - 0.01)
+    x = np.exp(-0.1 * run.t) * (np.cos(w * run.t) + 0.1 / w * np.sin(w * run.t))
+    assert np.allclose(run.x, x, atol=1e-12) and run.status == "reached_end"
+    runs = cromer.simulate(stiffness=9, damping=0.2, method=["euler-cromer", "exact"], step=0.01, until=5)
+    assert len(runs) == 2 and np.array_equal(runs["exact"].x, run.x)
+    assert runs[0].energy[0] == pytest.approx(4.5)
+    with pytest.raises(KeyError, match="euler-cromer"):
+        runs["rk5"]
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.1, 50), st.floats(0, 5), st.floats(-2, 2), st.floats(-2, 2))
+def test_euler_cromer_is_its_two_lines(stiffness, damping, x, v):
+    run = cromer.simulate(stiffness=stiffness, damping=damping, position=x, velocity=v, method="euler-cromer",
+                          step=0.01, until=0.5)
+    for i in range(50):
+        v += 0.01 * (-stiffness * x - damping * v)
+        x += 0.01 * v
+        assert run.x[i + 1] == pytest.approx(x, rel=1e-9, abs=1e-12)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.floats(0.5, 20), st.floats(0, 2), st.floats(0, 4), st.floats(0, 1))
+def test_laws_of_scipy(stiffness, damping, cubic, drag):
+    integrate = pytest.importorskip("scipy.integrate")
+    run = cromer.simulate(stiffness=stiffness, damping=damping, cubic=cubic, drag=drag, position=1,
+                          method="dormand-prince", tolerance=1e-11, step=0.1, until=3)
+    truth = integrate.solve_ivp(
+        lambda t, y: [y[1], -stiffness * y[0] - cubic * y[0]**3 - damping * y[1] - drag * y[1] * abs(y[1])],
+        (0, 3), [1, 0], rtol=1e-11, atol=1e-12, dense_output=True)
+    assert np.allclose(run.x, truth.sol(run.t)[0], atol=2e-8)
+
+
+def test_a_recorded_force():
+    signal = pytest.importorskip("scipy.signal")
+    t = np.arange(0, 20, 0.01)
+    force = np.sin(2.2 * t) * np.exp(-0.1 * t)
+    run = cromer.simulate(stiffness=9, damping=0.3, position=0, force=force, spacing=0.01, method="exact", step=0.01,
+                          until=float(t[-1]))
+    _, x, _ = signal.lsim(signal.lti([1], [1, 0.3, 9]), force, t)
+    assert np.allclose(run.x, x, atol=1e-9)
+
+
+def test_methods_say_what_they_simulate():
+    table = cromer.methods(natural_frequency=3, damping_ratio=0.01, step=0.01)
+    assert table["forward-euler"]["effective"]["decay_rate"] == pytest.approx(-0.015, rel=1e-3)
+    assert "euler-cromer" in table.names and len(table) == len(table.names)
+    assert table["implicit-euler"]["stable"]
+
+
+def test_a_sweep_is_the_closed_form():
+    w = np.linspace(1, 5, 50)
+    found = cromer.sweep(stiffness=9, damping=0.2, method="exact", drive_amplitude=1, drive_frequency=w)
+    assert np.array_equal(found.drive_frequency, w)
+    assert np.allclose(found.amplitude, 1 / np.hypot(9 - w**2, 0.2 * w), rtol=1e-12)
+    assert found.units["amplitude"] == "m" and set(found.statuses) == {"settled"}
+
+
+def test_a_spectrum_beside_scipy():
+    integrate = pytest.importorskip("scipy.signal")
+    dt = 0.005
+    t = np.arange(0, 12, dt)
+    a = np.sin(9 * t) * np.exp(-((t - 4) / 2) ** 2)
+    periods = np.array([0.2, 0.7, 2.0])
+    found = cromer.spectrum(a, dt, periods=periods, damping_ratio=0.05)
+    for period, sd in zip(periods, found.sd):
+        w = 2 * np.pi / period
+        _, x, _ = integrate.lsim(integrate.lti([-1], [1, 0.1 * w, w * w]), a, t)
+        assert sd == pytest.approx(np.abs(x).max(), rel=2e-3) and sd >= np.abs(x).max() * (1 - 1e-9)
+    assert np.allclose(found.psa, found.sd * (2 * np.pi / periods) ** 2)
+    several = cromer.spectrum(a, dt, periods=periods, damping_ratio=[0.02, 0.05])
+    assert several.sd.shape == (2, 3) and np.array_equal(several.sd[1], found.sd)
+
+
+def test_a_comparison_says_what_the_method_adds():
+    t, x = swing(noise=1e-5)
+    found = cromer.compare(t, x)
+    assert found.status == "converged" and found.explanation
+    assert found.curves[0].t.size and found.curves[0].rms > 0
+
+
+@pytest.mark.parametrize("wrong, argument", [({"step": -1}, "step"), ({"method": "rk5"}, "method"),
+                                             ({"spacing": 0.1}, "spacing"), ({"stifness": 3}, "stifness")])
+def test_wrong_input_is_said(wrong, argument):
+    with pytest.raises(cromer.InputError) as refused:
+        cromer.simulate(**{"step": 0.01, "until": 1, **wrong})
+    assert refused.value.argument == argument
+
+
+def test_pictures():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    t, x = swing()
+    cromer.fit(t, x).plot()
+    runs = cromer.simulate(stiffness=9, method=["euler-cromer", "exact"], step=0.05, until=5)
+    for of in ("position", "velocity", "energy", "phase"):
+        axes = runs.plot(of)
+        assert [each.get_text() for each in axes.get_legend().get_texts()] == ["exact", "euler-cromer"]
+    with pytest.raises(ValueError, match="phase"):
+        runs.plot("poition")
+    cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5)).plot()
+    cromer.spectrum(np.sin(t), 0.01, periods=np.geomspace(0.1, 5, 20), damping_ratio=[0.02, 0.05]).plot("psv")
+    plt.close("all")

@@ -1,0 +1,89 @@
+// The Python package's arguments are made from the tables of options. With CROMER_WRITE_DESCRIPTIONS=1 the
+// test writes the file; without, it compares it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cromer/documents/text.h"
+#include "tests/support/expect_in.h"
+
+namespace cromer::core {
+namespace {
+
+struct TypeOf {
+  bool grid;  ///< a text may be a number or an array
+
+  std::string operator()(double*) const { return "Value"; }
+  std::string operator()(std::optional<double>*) const { return "Value"; }
+  std::string operator()(std::vector<double>*) const { return "Union[Value, Sequence[Value]]"; }
+  std::string operator()(std::optional<Quantity>*) const { return "Uncertain"; }
+  std::string operator()(std::optional<int>*) const { return "int"; }
+  std::string operator()(long long*) const { return "int"; }
+  std::string operator()(unsigned long long*) const { return "int"; }
+  std::string operator()(bool*) const { return "bool"; }
+  std::string operator()(std::string*) const { return grid ? "Grid" : "str"; }
+  std::string operator()(std::vector<std::string>*) const { return "Union[str, Sequence[str]]"; }
+};
+
+std::string argument(std::string_view option) {
+  std::string name(option);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name == "from" ? "from_" : name;  // a word of Python's own
+}
+
+/// "text" as Python has it.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+template <class Options>
+void append(std::string& types, std::string& table, const std::string& verb, const std::string& name) {
+  Options options;
+  types += "\n\nclass " + name + "(TypedDict, total=False):\n";
+  table += "    " + quoted(verb) + ": {\n";
+  for (const Option& option : options_of(options)) {
+    const bool grid = option.is_text() && !option.unit.empty();
+    const std::string type = std::visit(TypeOf{grid}, option.target);
+    types += "    " + argument(option.name) + ": " + type + "\n";
+    const std::string unit =
+        option.unit.empty() || option.unit == "1" ? "" : "[" + std::string(option.unit) + "] ";
+    table += "        " + quoted(argument(option.name)) + ": (" + quoted(type) + ", " +
+             quoted(unit + option_text(option)) + "),\n";
+  }
+  table += "    },\n";
+}
+
+TEST(Descriptions, AreThePythonPackagesArguments) {
+  std::string types, table;
+  append<ReadOptions>(types, table, "read", "ReadOptions");
+  append<FitOptions>(types, table, "fit", "FitOptions");
+  append<SimulateOptions>(types, table, "simulate", "SimulateOptions");
+  append<CompareOptions>(types, table, "compare", "CompareOptions");
+  append<MethodsOptions>(types, table, "methods", "MethodsOptions");
+  append<SweepOptions>(types, table, "sweep", "SweepOptions");
+  append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions");
+  expect_in("python/cromer/_options.py",
+            "\"\"\"What the verbs take: written by tests/documents/python_options_test.cpp from the tables "
+            "of options, "
+            "with\nCROMER_WRITE_DESCRIPTIONS=1.\"\"\"\n\n"
+            "from __future__ import annotations\n\n"
+            "from typing import Dict, Sequence, Tuple, TypedDict, Union\n\n"
+            "from ._arguments import Grid, Uncertain, Value\n" +
+                types +
+                "\n\n#: Of each verb's arguments the type, and in brackets the unit, what it is, and in "
+                "brackets the "
+                "default.\nARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {\n" +
+                table + "}\n");
+}
+
+}  // namespace
+}  // namespace cromer::core
