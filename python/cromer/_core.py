@@ -8,7 +8,7 @@ import os
 import pathlib
 import sys
 import threading
-from typing import Any, Callable, Dict, Mapping, Optional
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,7 +65,7 @@ def _load() -> ctypes.CDLL:
 
 
 _library = _load()
-version = _library.cromer_version().decode()
+version: str = _library.cromer_version().decode()
 
 
 class _Handle:
@@ -88,14 +88,17 @@ class Answer:
     def __init__(self, handle: _Handle) -> None:
         self._handle: Optional[_Handle] = handle
         self._again: Optional[Callable[[], _Handle]] = None
-        self.text = _library.cromer_document(handle.address).decode()
+        self.text: str = _library.cromer_document(handle.address).decode()
         self.status: int = _library.cromer_status(handle.address)
         if self.status == BAD_INPUT:
             refusal = json.loads(self.text)
             raise InputError(refusal["message"], refusal["argument"], refusal["code"], refusal["values"])
         count = ctypes.c_size_t()
         held = _library.cromer_arrays(handle.address, ctypes.byref(count))
-        self.arrays: Dict[str, Numbers] = {held[i].name.decode(): _view(held[i], handle) for i in range(count.value)}
+        #: in the order of the library; two runs may have columns of one title
+        self.listed: List[Tuple[str, Numbers]] = [(held[i].name.decode(), _view(held[i], handle))
+                                                  for i in range(count.value)]
+        self.arrays: Dict[str, Numbers] = dict(self.listed)
 
     @property
     def handle(self) -> _Handle:
@@ -114,7 +117,8 @@ class Answer:
 
     def __getstate__(self) -> Dict[str, Any]:
         state = dict(self.__dict__, _handle=None)
-        state["arrays"] = {name: np.array(values) for name, values in self.arrays.items()}
+        state["listed"] = [(name, np.array(values)) for name, values in self.listed]
+        state["arrays"] = dict(state["listed"])
         return state
 
 
@@ -196,7 +200,7 @@ def _view(array: _Array, handle: _Handle) -> Numbers:
     if array.length == 0:
         return np.empty(0)
     memory = (ctypes.c_double * array.length).from_address(ctypes.addressof(array.values.contents))
-    memory.owner = handle  # type: ignore[attr-defined]
+    memory.owner = handle
     view = np.frombuffer(memory, dtype=np.float64)
     view.flags.writeable = False
     return view

@@ -7,6 +7,7 @@ from typing import Dict, Sequence, Tuple, TypedDict, Union
 
 from ._arguments import Grid, Uncertain, Value
 
+
 class ReadOptions(TypedDict, total=False):
     rate: Value
     time_column: str
@@ -85,7 +86,6 @@ class SimulateOptions(TypedDict, total=False):
     delimiter: str
     decimal: str
     skip_bad_rows: bool
-    method: Union[str, Sequence[str]]
     step: Value
     until: Value
     tolerance: Value
@@ -179,7 +179,6 @@ class SweepOptions(TypedDict, total=False):
 
 
 class SpectrumOptions(TypedDict, total=False):
-    periods: str
     frequencies: str
     damping_ratio: Union[str, Sequence[str]]
     loss_factor: Union[str, Sequence[str]]
@@ -219,7 +218,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "disc_diameter": ("Uncertain", "[m] diameter of a disc, for the Reynolds number; must be positive [none]"),
         "temperature": ("Uncertain", "[K] temperature of the air, for its density and viscosity; must lie between 100 K and 1900 K (for instance \"20 °C\") [20 °C]"),
         "segment": ("Value", "[s] decay rate per segment of this length; must be positive [none]"),
-        "segments": ("int", "at most this many segments; without --segment, this many equal parts; must be positive [all whole ones]"),
+        "segments": ("int", "at most this many segments; without segment, this many equal parts; must be positive [all whole ones]"),
         "force_column": ("str", "column of a recorded force that drives it [the motion is free]"),
         "between_samples": ("str", "what the force did between its samples: linear, hold, band-limited, or auto for what the data prefer [auto]"),
         "drive_frequency": ("str", "rough frequency of a harmonic drive, \"1.2 Hz\" (the fit refines it), or auto to find it [the motion is free]"),
@@ -237,10 +236,10 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
     "simulate": {
         "mass": ("Value", "[kg] mass m; must be positive [1 kg]"),
         "stiffness": ("Value", "[N/m] spring constant k; negative with a cubic is a double well [1 N/m]"),
-        "damping": ("Value", "[kg/s] viscous damping c; must not be negative without --van-der-pol [0]"),
+        "damping": ("Value", "[kg/s] viscous damping c; must not be negative without van_der_pol [0]"),
         "drag": ("Value", "[kg/m] quadratic drag d; must not be negative [0]"),
         "friction": ("Value", "[N] dry friction f while it slides; must not be negative [0]"),
-        "static_friction": ("Value", "[N] largest force that dry friction holds at rest, at least --friction; must not be negative [as --friction]"),
+        "static_friction": ("Value", "[N] largest force that dry friction holds at rest, at least friction; must not be negative [as friction]"),
         "cubic": ("Value", "[N/m^3] cubic stiffness k3 [0]"),
         "quadratic": ("Value", "[N/m^2] quadratic stiffness k2 [0]"),
         "odd_quadratic": ("Value", "[N/m^2] odd quadratic stiffness ka, of x|x| [0]"),
@@ -263,7 +262,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "drive_to": ("Value", "[rad/s] angular frequency where a chirp ends; must not be negative"),
         "drive_start": ("Value", "[s] when a pulse or chirp begins; must not be negative [0]"),
         "drive_duration": ("Value", "[s] how long a pulse or chirp lasts; must be positive [a chirp: to the end of the run]"),
-        "unbalance_mass": ("Value", "[kg] rotating mass m_u, part of --mass; must be positive"),
+        "unbalance_mass": ("Value", "[kg] rotating mass m_u, part of mass; must be positive"),
         "eccentricity": ("Value", "[m] its distance e from the axis; must be positive"),
         "base_displacement": ("Value", "[m] amplitude Y of a shaking base; must be positive"),
         "drive_file": ("str", "file with a recorded force: time and force [none]"),
@@ -275,7 +274,6 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "delimiter": ("str", "\",\", \";\", tab or blank [found]"),
         "decimal": ("str", "decimal mark, \".\" or \",\" [found]"),
         "skip_bad_rows": ("bool", "leave out rows with a word in a number column [such a row is an error]"),
-        "method": ("Union[str, Sequence[str]]", "a name from `cromer methods`; may be given several times [euler-cromer]"),
         "step": ("Value", "[s] time step; of an adaptive method the spacing of its states; must be positive [1/200 of the shorter of natural and drive period (or pulse); of a recorded drive a whole part of its spacing]"),
         "until": ("Value", "[s] end of the run; must be positive [20 natural periods (of the drive where the law has none), at least to the end of a pulse or chirp; the length of a recorded drive]"),
         "tolerance": ("Value", "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's scale; 1e-15 to 1e-2 [1e-12; adaptive 1e-9]"),
@@ -303,7 +301,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "disc_diameter": ("Uncertain", "[m] diameter of a disc, for the Reynolds number; must be positive [none]"),
         "temperature": ("Uncertain", "[K] temperature of the air, for its density and viscosity; must lie between 100 K and 1900 K (for instance \"20 °C\") [20 °C]"),
         "segment": ("Value", "[s] decay rate per segment of this length; must be positive [none]"),
-        "segments": ("int", "at most this many segments; without --segment, this many equal parts; must be positive [all whole ones]"),
+        "segments": ("int", "at most this many segments; without segment, this many equal parts; must be positive [all whole ones]"),
         "goal": ("str", "how long to record to know a quantity this well, \"decay_rate 0.5 %\" [none]"),
         "monte_carlo": ("int", "check the spring constant's uncertainty by this many trials (1000 to 10000000) [none]"),
         "seed": ("int", "seed of the trials [1]"),
@@ -328,10 +326,10 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
     "sweep": {
         "mass": ("Grid", "[kg] mass m; must be positive [1 kg]"),
         "stiffness": ("Grid", "[N/m] spring constant k; negative with a cubic is a double well [1 N/m]"),
-        "damping": ("Grid", "[kg/s] viscous damping c; must not be negative without --van-der-pol [0]"),
+        "damping": ("Grid", "[kg/s] viscous damping c; must not be negative without van_der_pol [0]"),
         "drag": ("Grid", "[kg/m] quadratic drag d; must not be negative [0]"),
         "friction": ("Grid", "[N] dry friction f while it slides; must not be negative [0]"),
-        "static_friction": ("Grid", "[N] largest force that dry friction holds at rest, at least --friction; must not be negative [as --friction]"),
+        "static_friction": ("Grid", "[N] largest force that dry friction holds at rest, at least friction; must not be negative [as friction]"),
         "cubic": ("Grid", "[N/m^3] cubic stiffness k3 [0]"),
         "quadratic": ("Grid", "[N/m^2] quadratic stiffness k2 [0]"),
         "odd_quadratic": ("Grid", "[N/m^2] odd quadratic stiffness ka, of x|x| [0]"),
@@ -348,7 +346,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "drive_amplitude": ("Grid", "[N] amplitude F of the driving force; must not be negative [0: none]"),
         "drive_frequency": ("Grid", "[rad/s] its angular frequency w; must not be negative [none]"),
         "drive_phase": ("Grid", "[rad] its phase phi at t = 0 [0]"),
-        "unbalance_mass": ("Grid", "[kg] rotating mass m_u, part of --mass; must be positive"),
+        "unbalance_mass": ("Grid", "[kg] rotating mass m_u, part of mass; must be positive"),
         "eccentricity": ("Grid", "[m] its distance e from the axis; must be positive"),
         "base_displacement": ("Grid", "[m] amplitude Y of a shaking base; must be positive"),
         "method": ("Union[str, Sequence[str]]", "a name from `cromer methods` [euler-cromer]"),
@@ -365,7 +363,6 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "check": ("bool", "where the answer is a closed form, step eight points as well and say how far they differ"),
     },
     "spectrum": {
-        "periods": ("str", "natural periods, \"0.01:10:200:log\", \"20,50,100 ms\" [0.01:10:200:log; of a shock, frequencies that suit it]"),
         "frequencies": ("str", "natural frequencies instead of periods, \"1:1000:200:log Hz\""),
         "damping_ratio": ("Union[str, Sequence[str]]", "damping ratios; may be given several times [0.05]"),
         "loss_factor": ("Union[str, Sequence[str]]", "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states"),

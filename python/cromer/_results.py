@@ -70,7 +70,7 @@ class Estimate:
     def to_pint(self, registry: Any = None) -> Any:
         """The value as a quantity of the package `pint`, of `registry` or of pint's own."""
         import pint
-        registry = registry or pint.get_application_registry()
+        registry = registry or pint.get_application_registry()  # type: ignore[no-untyped-call]
         return self.value * registry.parse_units(self.unit if self.unit not in ("", "1") else "dimensionless")
 
 
@@ -564,7 +564,7 @@ class Sweep(Result):
 
 class Recording(Result):
     """A file that was read: `columns` (titles), `units`, `runs`; a column by its title ("Position (m)"), by its name
-    without unit, or by its quantity ("position", of the first run). Values are as the file has them."""
+    without unit, or by its quantity ("position"). Values are as the file has them."""
 
     def __init__(self, answer: Answer, file: str, options: Mapping[str, Any]) -> None:
         super().__init__(answer)
@@ -575,20 +575,20 @@ class Recording(Result):
         self.units: Dict[str, str] = {each["name"]: each["unit"] for each in self._about}
         self.runs: List[int] = sorted({each["run"] for each in self._about})
 
-    def __getitem__(self, name: str) -> Numbers:
-        values = list(self._answer.arrays.values())
-        for key in (lambda each: each["name"], lambda each: each["name"].partition(" (")[0],
-                    lambda each: each["quantity"]):
-            for about, column in zip(self._about, values):
-                if str(key(about)).lower() == name.lower():
-                    return column
-        raise KeyError(f"{name!r}: this recording has {', '.join(self.columns)}")
+    def __getitem__(self, key: Union[str, Tuple[str, int]]) -> Numbers:
+        """recording["position"], of the first run that has it; recording["position", 2] of run 2."""
+        name, run = (key, None) if isinstance(key, str) else key
+        for spelled in range(3):
+            for about, (_, values) in zip(self._about, self._answer.listed):
+                names: List[str] = [about["name"], about["name"].partition(" (")[0], about["quantity"]]
+                if names[spelled].lower() == name.lower() and run in (None, about["run"]):
+                    return values
+        raise KeyError(f"{key!r}: this recording has {', '.join(self.columns)}, runs {self.runs}")
 
     def to_pandas(self) -> Any:
         """Its columns; where they differ in length, the shorter ones end with NaN."""
         import pandas
-        return pandas.DataFrame({name: pandas.Series(np.array(values)) for name, values in
-                                 zip(self.columns, self._answer.arrays.values())})
+        return pandas.concat([pandas.Series(np.array(values), name=name) for name, values in self._answer.listed], axis=1)
 
     def __repr__(self) -> str:
         return f"Recording of {self.file}: {', '.join(self.columns)}"

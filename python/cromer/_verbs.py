@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import inspect
 import os
-from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple, TypeVar, Union, overload
 
 import numpy as np
 
 from ._arguments import request_of
 from ._core import Answer, InputError, Progress, call
-from ._options import ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions
+from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
+                       SpectrumOptions, SweepOptions)
 from ._results import Comparison, Fits, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
@@ -150,15 +151,15 @@ def _fits(t: Any, y: Any, force: Any, observed: Optional[str], language: Optiona
 @overload
 def simulate(*, method: str = ..., force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-             **options: Any) -> Run: ...
+             **options: "Unpack[SimulateOptions]") -> Run: ...
 @overload
-def simulate(*, method: Sequence[str], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+def simulate(*, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-             **options: Any) -> Runs: ...
+             **options: "Unpack[SimulateOptions]") -> Runs: ...
 @_documented
-def simulate(*, method: Union[str, Sequence[str]] = "euler-cromer", force: Any = None, acceleration: Any = None,
+def simulate(*, method: Union[str, List[str], Tuple[str, ...]] = "euler-cromer", force: Any = None, acceleration: Any = None,
              spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
-             progress: Union[None, bool, Progress] = None, **options: Any) -> Union[Run, Runs]:
+             progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs]:
     """The motion of an oscillator by one method or several.
 
     Parameters
@@ -234,7 +235,7 @@ def methods(*, language: Optional[str] = None, **options: "Unpack[MethodsOptions
 @_documented
 def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any = None, periods: Any = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-             **options: Any) -> Spectrum:
+             **options: "Unpack[SpectrumOptions]") -> Spectrum:
     """The response spectrum of a ground motion.
 
     Parameters
@@ -276,7 +277,7 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
 
 @_documented
 def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-          **options: Any) -> Sweep:
+          **options: "Unpack[SweepOptions]") -> Sweep:
     """Amplitude and phase of the steady motion over grids of any options, by the closed form or by steps.
 
     Parameters
@@ -289,9 +290,10 @@ def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Uni
     -------
     Sweep
     """
-    grids = {name: value for name, value in options.items()
-             if not isinstance(value, (str, bytes)) and np.ndim(value) == 1 and not isinstance(value, tuple)}
-    rest = {name: value for name, value in options.items() if name not in grids}
+    given: Dict[str, Any] = dict(options)
+    grids = {name: value for name, value in given.items()
+             if not isinstance(value, (str, tuple)) and np.ndim(value) == 1 and name != "method"}
+    rest = {name: value for name, value in given.items() if name not in grids}
     answer = call("sweep", request_of({**rest, "language": language}), grids, _shown(progress, "sweep"))
     made = Sweep(answer)
     told(made, answer, strict, "not every point settled: see statuses")

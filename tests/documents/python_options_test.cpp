@@ -35,6 +35,22 @@ std::string argument(std::string_view option) {
   return name == "from" ? "from_" : name;  // a word of Python's own
 }
 
+/// "without segment" for "without --segment".
+std::string in_arguments(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text.compare(i, 2, "--") != 0) {
+      out += text[i++];
+      continue;
+    }
+    const std::size_t end =
+        std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-", i), text.size());
+    out += argument(std::string_view(text).substr(i + 2, end - i - 2));
+    i = end;
+  }
+  return out;
+}
+
 /// "text" as Python has it.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -45,19 +61,22 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
+/// `own`: an option that the verb has as an argument with a type of its own.
 template <class Options>
-void append(std::string& types, std::string& table, const std::string& verb, const std::string& name) {
+void append(std::string& types, std::string& table, const std::string& verb, const std::string& name,
+            const std::string& own = "") {
   Options options;
   types += "\n\nclass " + name + "(TypedDict, total=False):\n";
   table += "    " + quoted(verb) + ": {\n";
   for (const Option& option : options_of(options)) {
+    if (option.name == own) continue;
     const bool grid = option.is_text() && !option.unit.empty();
     const std::string type = std::visit(TypeOf{grid}, option.target);
     types += "    " + argument(option.name) + ": " + type + "\n";
     const std::string unit =
         option.unit.empty() || option.unit == "1" ? "" : "[" + std::string(option.unit) + "] ";
     table += "        " + quoted(argument(option.name)) + ": (" + quoted(type) + ", " +
-             quoted(unit + option_text(option)) + "),\n";
+             quoted(unit + in_arguments(option_text(option))) + "),\n";
   }
   table += "    },\n";
 }
@@ -66,11 +85,11 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
   std::string types, table;
   append<ReadOptions>(types, table, "read", "ReadOptions");
   append<FitOptions>(types, table, "fit", "FitOptions");
-  append<SimulateOptions>(types, table, "simulate", "SimulateOptions");
+  append<SimulateOptions>(types, table, "simulate", "SimulateOptions", "method");
   append<CompareOptions>(types, table, "compare", "CompareOptions");
   append<MethodsOptions>(types, table, "methods", "MethodsOptions");
   append<SweepOptions>(types, table, "sweep", "SweepOptions");
-  append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions");
+  append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions", "periods");
   expect_in("python/cromer/_options.py",
             "\"\"\"What the verbs take: written by tests/documents/python_options_test.cpp from the tables "
             "of options, "

@@ -267,7 +267,7 @@ Result<void> fit_verb(Call& call, cromer_result& result) {
     put_in_arguments(each, motion->of_arrays);
     if (!each.succeeded()) result.status = CROMER_NO_SUCCESS;
     if (!each.fit.is_usable()) continue;
-    FittedMotion known = fitted_motion(each);
+    FittedMotion known = law_motion(each);
     const std::string run = std::to_string(each.series.run) + ".";
     result.add(run + "t", std::move(known.t));
     result.add(run + "measured", std::move(known.measured));

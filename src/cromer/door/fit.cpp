@@ -85,7 +85,7 @@ Result<Trajectory> LawFit::at(std::span<const double> t) const {
 Result<FittedMotion> LawFit::motion() const {
   const core::FittedRecording* known = usable(*this);
   if (!known) return no_values(*this);
-  core::FittedMotion made = core::fitted_motion(*known);
+  core::FittedMotion made = core::law_motion(*known);
   FittedMotion motion;
   motion.t = std::move(made.t);
   motion.x = std::move(made.x);

@@ -115,7 +115,7 @@ std::vector<double> energies_of(const FittedRecording& fitted, const std::vector
   return energies;
 }
 
-FittedMotion fitted_motion(const FittedRecording& fitted) {
+FittedMotion law_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const LawFit& fit = fitted.fit;
   const Motion& p = fit.motion;
@@ -133,11 +133,18 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   motion.measured = first(series.y);
   motion.x = first(law.x);
   motion.v = first(law.v);
+  return motion;
+}
+
+FittedMotion fitted_motion(const FittedRecording& fitted) {
+  FittedMotion motion = law_motion(fitted);
   motion.per_mass = fitted.find("stiffness") == nullptr;
   motion.energy = energies_of(fitted, motion.x, motion.v);
-  if (derivative == 0 && !fitted.driven) {
+  const Series& series = fitted.series;
+  if (derivative_order(series.quantity) <= 0 && !fitted.driven) {
+    const Motion& p = fitted.fit.motion;
     motion.local_velocity = local_velocities(series, p.angular_frequency(), p.equilibrium);
-    motion.local_velocity.resize(n);
+    motion.local_velocity.resize(motion.t.size());
   }
   return motion;
 }
