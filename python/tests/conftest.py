@@ -1,15 +1,13 @@
-"""The library and the program of the tree: CROMER_LIBRARY and CROMER_PROGRAM, as ./dev test sets them."""
+"""PYTHONPATH, CROMER_LIBRARY and CROMER_PROGRAM are set by ./dev test."""
 
 import os
 import pathlib
 import subprocess
-import sys
 
 import numpy as np
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "python"))
 
 
 @pytest.fixture(scope="session")
