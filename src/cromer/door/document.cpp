@@ -5,23 +5,18 @@
 
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
-#include "cromer/figures/figures.h"
+#include "cromer/door/found.h"
 
 namespace cromer {
 namespace {
 
 core::Voice voice_of(Language language) { return {language, core::Audience::caller}; }
 
-/// An SVG is drawn without any library, and cannot fail.
-std::string drawn(const core::Figure& figure) { return *core::draw(figure, core::FigureFormat::svg); }
-
 /// For what writes several results.
 template <class Detail>
 std::span<const Detail> alone(const std::shared_ptr<const Detail>& detail) {
   return {detail.get(), 1};
 }
-
-constexpr const char* no_command = "";  // nothing to say of where the numbers come from
 
 }  // namespace
 
@@ -54,35 +49,37 @@ std::string csv(const Comparison& comparison) {
 }
 
 std::string csv(const ResponseSpectrum& spectrum) {
-  return spectrum.detail ? core::spectrum_csv(*spectrum.detail, no_command) : "";
+  return spectrum.detail ? core::spectrum_csv(*spectrum.detail, core::no_command) : "";
 }
 
 std::string csv(const FrequencyResponse& response) {
-  return response.detail ? core::sweep_csv(*response.detail, no_command) : "";
+  return response.detail ? core::sweep_csv(*response.detail, core::no_command) : "";
 }
 
 std::string csv(const Simulation& simulation) {
-  return simulation.detail ? core::simulate_csv(*simulation.detail, no_command) : "";
+  return simulation.detail ? core::simulate_csv(*simulation.detail, core::no_command) : "";
 }
 
-std::string svg(const LawFit& fit) { return fit.detail ? drawn(core::fit_figure(alone(fit.detail))) : ""; }
+std::string svg(const LawFit& fit) {
+  return fit.detail ? core::drawn(core::fit_figure(alone(fit.detail))) : "";
+}
 
 std::string svg(const Comparison& comparison) {
-  return comparison.detail ? drawn(core::compare_figure(alone(comparison.detail))) : "";
+  return comparison.detail ? core::drawn(core::compare_figure(alone(comparison.detail))) : "";
 }
 
 std::string svg(const ResponseSpectrum& spectrum) {
-  return spectrum.detail && !spectrum.interrupted ? drawn(core::spectrum_figure(*spectrum.detail)) : "";
+  return spectrum.detail && !spectrum.interrupted ? core::drawn(core::spectrum_figure(*spectrum.detail)) : "";
 }
 
 std::string svg(const FrequencyResponse& response) {
   if (!response.detail) return "";
   const auto figure = core::sweep_figure(*response.detail);
-  return figure ? drawn(*figure) : "";
+  return figure ? core::drawn(*figure) : "";
 }
 
 std::string svg(const Simulation& simulation) {
-  return simulation.detail ? drawn(core::simulate_figure(*simulation.detail)) : "";
+  return simulation.detail ? core::drawn(core::simulate_figure(*simulation.detail)) : "";
 }
 
 }  // namespace cromer

@@ -5,12 +5,9 @@
 #include "cromer/documents/csv.h"
 #include "cromer/documents/text.h"
 #include "cromer/door/results.h"
-#include "cromer/figures/figures.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr const char* no_command = "";  // nothing to say of where the numbers come from
 
 /// How each result is written; a form that a result lacks is an Error.
 struct Writer {
@@ -58,14 +55,16 @@ struct Writer {
     if (form == "text") return sweep_text(result);
     if (form == "csv") return sweep_csv(result, no_command);
     const auto figure = sweep_figure(result);
-    return figure ? drawn(*figure) : figure.error();
+    if (!figure) return figure.error();
+    return drawn(*figure);
   }
 
   Error has_no_form() const { return Error{Notice{"no_such_form", {{"form", form}}}, "form"}; }
-  static Result<std::string> drawn(const Figure& figure) { return draw(figure, FigureFormat::svg); }
 };
 
 }  // namespace
+
+std::string drawn(const Figure& figure) { return *draw(figure, FigureFormat::svg); }
 
 Result<std::string> written_as(const Found& found, std::string_view form) {
   const std::vector<std::string> known{"text", "csv", "svg"};

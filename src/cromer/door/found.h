@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "cromer/figures/figures.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/inspect/inspect.h"
@@ -30,6 +31,11 @@ struct ReadFile {
 /// monostate: nothing yet, or a refusal.
 using Found = std::variant<std::monostate, ReadFile, std::vector<FittedRecording>, SimulateResult,
                            std::vector<CompareResult>, ListedMethods, SpectrumResult, SweepResult>;
+
+inline constexpr const char* no_command = "";  ///< nothing to say of where the numbers come from
+
+/// As an SVG document, which needs no library and cannot fail.
+std::string drawn(const Figure& figure);
 
 /// The result as the program writes it. `form`: "text", "csv" or "svg". An Error where there is no result, or
 /// none in that form.
