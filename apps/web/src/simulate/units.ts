@@ -9,6 +9,8 @@ const lengths = [
   { name: 'µm', factor: 1e6, least: 0 },
 ]
 const energies = [
+  { name: 'MJ', factor: 1e-6, least: 1e7 },
+  { name: 'kJ', factor: 1e-3, least: 1e4 },
   { name: 'J', factor: 1, least: 0.1 },
   { name: 'mJ', factor: 1e3, least: 1e-4 },
   { name: 'µJ', factor: 1e6, least: 0 },
@@ -31,13 +33,14 @@ function fit(curves: Curve[], units: (Unit & { least: number })[]): Unit {
   return suiting(most, units)
 }
 
-const suiting = (size: number, units: (Unit & { least: number })[]): Unit => (size > 0 && units.find((unit) => size >= unit.least)) || units[0]!
+/** Nothing has the unit without a prefix. */
+const suiting = (size: number, units: (Unit & { least: number })[]): Unit => units.find(({ factor, least }) => (size > 0 ? size >= least : factor === 1))!
 
 export const lengthUnit = (curves: Curve[]): Unit => fit(curves, lengths)
 export const energyUnit = (curves: Curve[]): Unit => fit(curves, energies)
 /** Of one size [J], [N]. */
 export const energyUnitOf = (size: number): Unit => suiting(size, energies)
-export const forceUnitOf = (size: number): Unit => (size > 0 ? suiting(size, forces) : forces[1]!)
+export const forceUnitOf = (size: number): Unit => suiting(size, forces)
 
 /** y times `factor`. */
 export const scaled = (curves: Curve[], factor: number): Curve[] =>

@@ -31,6 +31,13 @@ const dropped = async (page, name, content) => {
 const states = {
   simulate: async (page) => page.waitForTimeout(1500),
   'simulate-nonlinear': (page) => go(page, '#simulate?cubic=20&drag=0.1'),
+  'simulate-forces': async (page) => {
+    await go(page, '#simulate?position=1&friction=0.2&drag=0.3&driveAmplitude=2')
+    const tool = (name) => page.getByRole('button', { name })
+    await tool(/^(Second cursor|Zweiter Zeiger)/).click()
+    for (let i = 0; i < 2; ++i) await tool(/^(To the next turning point|Zum nächsten Umkehrpunkt)/).click()
+    await page.waitForTimeout(1200)
+  },
   'simulate-no-method': (page) => go(page, '#simulate?methods='),
   'simulate-critical': (page) => go(page, '#simulate?damping=6'),
   'measure-empty': measure,
