@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <variant>
 
 #include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
@@ -31,7 +33,7 @@ std::string stop_of(const std::vector<double>& amplitudes, bool described = fals
 
 std::string stops(const char* between, const char* amplitude) {
   return std::string("the swing stops between ") + between + " s, from an amplitude of " + amplitude +
-         " to less than a tenth of it within a period, as when a hand catches it: end before with --to";
+         " to less than a tenth of it, as when a hand catches it: end before with --to";
 }
 
 TEST(AmplitudeWindows, StandOneAfterTheOther) {
@@ -112,6 +114,29 @@ TEST(SuddenStop, OfASwingNearlyDoneOrDescribedIsNoFriction) {
   EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0046), "");
   EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.71, 0.1, 0, 0, 0}, true), stops("5 and 6", "0.71 m"));
   EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.69, 0.1, 0, 0, 0}, true), "");
+}
+
+// The part before the stop holds nothing of what came after, wherever in its cycle the hand catches it.
+TEST(SuddenStop, IsPlacedBeforeTheHandCatchesIt) {
+  for (const double noise : {0.0, 3e-4})
+    for (const bool to_rest : {true, false})
+      for (double caught = 10; caught < 11; caught += 0.03) {
+        SyntheticRecord record{even_times(2000, 0.01), {}, 0};
+        std::mt19937 engine(7);
+        std::normal_distribution<double> normal(0, 1);
+        const auto swing = [](double t) { return 0.05 * std::exp(-0.05 * t) * std::cos(2 * pi * t / 0.8); };
+        for (const double t : record.t)
+          record.y.push_back(0.2 + noise * normal(engine) +
+                             (t < caught ? swing(t)
+                              : to_rest  ? 0
+                                         : swing(caught)));
+        const Notice stop = sudden_stop(record.record(), 0.8, "m", false);
+        ASSERT_EQ(stop.code, "swing_stops") << caught;
+        const double from = std::get<double>(stop.values.at(0).value);
+        // A swing that is held where it turns looks free a moment longer.
+        EXPECT_LE(from, caught + 0.08 * 0.8) << caught << ' ' << to_rest;
+        EXPECT_GT(from, caught - 0.25 * 0.8) << caught << ' ' << to_rest;
+      }
 }
 
 // What is left after the last whole window tells as well.

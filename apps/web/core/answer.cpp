@@ -280,7 +280,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   Json& list = document["fits"] = Json::array();
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
-    list.push_back(json_of(FitOnPage{fitted}, {}));
+    list.push_back(json_of(FitOnPage{fitted, request.settings}, {}));
   }
   return found(to_text(document), ok);
 }

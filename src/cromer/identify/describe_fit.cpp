@@ -254,8 +254,9 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
       const double shift = minimum.without_bounds[at] - minimum.parameters[at];
       estimate.low = std::min(estimate.low + shift, estimate.value);
       estimate.high = std::max(estimate.high + shift, estimate.value);
-      if (!fitted.of[at].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
+      if (fitted.of[at].is_never_negative()) estimate.low = std::max(estimate.low, 0.0);
     }
+    if (quantities.names[i] == "drive_amplitude") estimate.low = std::max(estimate.low, 0.0);
     fit.estimates.push_back(estimate);
   }
   if (!inverse.determined()) {

@@ -217,7 +217,7 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
     estimate.standard_error = std::sqrt(entry(i, i));
     estimate.low = std::min(mixture_quantile(mixture, 0.025, degrees), estimate.value);
     estimate.high = std::max(mixture_quantile(mixture, 0.975, degrees), estimate.value);
-    if (!fitted.of[i].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
+    if (fitted.of[i].is_never_negative()) estimate.low = std::max(estimate.low, 0.0);
   }
 
   const double second = *std::max_element(weights.begin() + 1, weights.end());

@@ -42,6 +42,7 @@ export interface LiveFit {
   column: string
   status: string
   law?: string
+  coefficients?: string[] // the law's own of the parameters
   parameters?: Record<string, Estimate>
   derived?: Record<string, Estimate>
   message?: string

@@ -1,13 +1,29 @@
 // The questions that Measure puts to the core, and the command line that asks the program the same.
 import type { Options } from '../core/types'
 import { asTyped } from '../look/numbers'
+import type { measure } from '../words/en/measure'
 import type { MeasureState } from './state'
 
 type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'skip' | 'from' | 'to' | 'law' | 'drive' | 'mass' | 'disc' | 'air'>
+type Words = typeof measure
 export type ReadAs = Pick<MeasureState, 'column' | 'rate' | 'skip'>
 
 /// Options of what is typed beside the law.
 export const fieldOptions = { mass: 'mass', disc: 'disc-diameter', air: 'temperature' }
+
+/// What the page calls the options that it sets.
+export const optionNames = ({ law, file, recording, quantities }: Words): Record<string, string> => ({
+  mass: law.mass,
+  'disc-diameter': law.disc,
+  temperature: law.air,
+  rate: file.rate,
+  column: file.column,
+  run: file.run,
+  from: recording.start,
+  to: recording.end,
+  law: law.title,
+  'drive-frequency': quantities.drive_frequency![0]
+})
 
 const given = (pairs: [string, string][]): Options =>
   pairs.map(([name, value]) => [name, asTyped(value)] as const).filter(([, value]) => value !== '')

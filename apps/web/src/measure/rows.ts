@@ -16,18 +16,10 @@ export interface Row {
 
 type Words = typeof measure
 
-const hysteresis = ['hysteresis_beta', 'hysteresis_gamma']
-const withMass = [
-  'stiffness', 'damping', 'drag_constant', 'friction_force', 'cubic_stiffness', 'quadratic_stiffness', 'odd_quadratic_stiffness', 'quintic_stiffness',
-  'van_der_pol_constant', 'hysteresis_force_stiffness', ...hysteresis, 'drag_coefficient',
-]
-const withoutMass = ['angular_frequency', 'decay_rate', 'drag', 'friction', 'cubic', 'quadratic', 'odd_quadratic', 'quintic', 'van_der_pol', 'hysteresis_stiffness', ...hysteresis]
-
 /// A live fit has no Reynolds number.
-export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
-  const keys = fit.parameters.stiffness ? withMass : withoutMass
-  const row = (key: string, estimate: Estimate | undefined) => rowOf(key, estimate, words, fit.law)
-  const rows = keys.flatMap((key) => row(key, fit.parameters[key]))
+export function rowsOf(fit: Pick<Fit, 'law' | 'coefficients' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
+  const row = (key: string, estimate: Estimate | undefined) => rowOf(key, estimate, words)
+  const rows = fit.coefficients.flatMap((key) => row(key, fit.parameters[key]))
   rows.push(...row('frequency', fit.derived.frequency))
   for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...row(key, fit.parameters[key]))
   if (fit.law === 'viscous') rows.push(...qualityOf(fit, words, row('quality_factor', fit.derived.quality_factor)))
@@ -50,20 +42,14 @@ function qualityOf({ parameters, derived }: Pick<Fit, 'parameters' | 'derived'>,
   return Number.isFinite(least) ? rows.map((each) => ({ ...each, value: words.law.above(significant(least, 2)), interval: '–' })) : []
 }
 
-function rowOf(key: string, estimate: Estimate | undefined, words: Words, law: string | null): Row[] {
+function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[] {
   if (!estimate || estimate.value === null) return []
   const { factor, unit } = scaleFor(estimate.value, estimate.unit)
   const [name, symbol] = words.quantities[key] ?? [key.replaceAll('_', ' '), '']
   const uncertainty = estimate.standard_error === null ? null : estimate.standard_error * factor
   const [low, high] = estimate.confidence_95
-  const least = estimate.value > 0 && isPositive(key, law) ? 0 : -Infinity
-  const ends =
-    low === null || high === null || uncertainty === null ? '–' : interval(Math.max(low, least) * factor, high * factor, words.law.to, ((high - low) / 2) * factor)
+  // one end may be cut where the quantity ends
+  const half = low === null || high === null ? 0 : Math.max(high - estimate.value, estimate.value - low)
+  const ends = low === null || high === null || uncertainty === null ? '–' : interval(low * factor, high * factor, words.law.to, half * factor)
   return [{ key, name, symbol, value: withUncertainty(estimate.value * factor, uncertainty, unit), interval: ends }]
 }
-
-/// Quantities that no motion has below 0: the interval ends there. Damping may be negative where something feeds the
-/// swing, and springs may soften.
-const isPositive = (key: string, law: string | null): boolean =>
-  /^(stiffness|drag|friction|angular_frequency|frequency|quality_factor|drive_frequency|drive_amplitude)/.test(key) ||
-  (/^(damping|decay_rate)$/.test(key) && !law?.includes('van-der-pol'))

@@ -5,8 +5,8 @@ import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
-import { compareOptions, fieldOptions, fitOptions, inspectOptions, type ReadAs } from './questions'
-import { ofFile, type Refusal, type Said } from '../words/said'
+import { compareOptions, fieldOptions, fitOptions, inspectOptions, optionNames, type ReadAs } from './questions'
+import { besideField, ofFile, type Refusal, type Said } from '../words/said'
 import { told, words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
@@ -64,17 +64,20 @@ class Session {
 
 export const session = new Session()
 
+/// A refusal with the page's own name of the setting at fault.
+const named = (why: Refusal): Said => besideField(why, optionNames(words().measure)[why.argument ?? ''])
+
 /// The message of the file that was not read, which begins with its name.
 export function refusedText(): string {
   const { name, why } = session.refused ?? { name: '', why: nothing }
-  return told(ofFile(name, why.message))
+  return told(ofFile(name, named(why)))
 }
 
 /// A refusal that stands beside its own field.
 export const isOfField = ({ argument }: Refusal): boolean => Object.values(fieldOptions).some((option) => option === argument)
 
 /// Why there is no fit, in the page's language.
-export const whyNoFit = (): string => told(session.why.message)
+export const whyNoFit = (): string => told(named(session.why))
 
 /// Each in a worker; as many as the device has processors beside the page's own, each with a file of its own.
 const cores: (ReturnType<typeof openCore> | undefined)[] = []

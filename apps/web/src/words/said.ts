@@ -26,11 +26,11 @@ export function heartOf(notice: { code: string; values: Values }): { code: strin
   return notice.code.startsWith('in_') && what?.code && what.values ? heartOf({ code: what.code, values: what.values }) : notice
 }
 
-/// Without the name of the option that it begins with: its field stands beside it.
-export const besideField = ({ message, argument }: Refusal): Said => {
-  const name = `${argument?.replaceAll('-', ' ')}: `
-  const bare = (text: string) => (text.startsWith(name) ? text.slice(name.length) : text)
-  return typeof message === 'string' ? bare(message) : { en: bare(message.en), de: bare(message.de) }
+/// Without the name of the option that it begins with: its field stands beside it. Or with `name` in its place.
+export const besideField = ({ message, argument }: Refusal, name = ''): Said => {
+  const begins = english(message).startsWith(`${argument?.replaceAll('-', ' ')}: `)
+  const named = (text: string) => (begins ? text.replace(/^.*?: /, () => (name ? `${name}: ` : '')) : text)
+  return typeof message === 'string' ? named(message) : { en: named(message.en), de: named(message.de) }
 }
 
 /// Of a file: its name before it, where the sentence does not begin with it.
@@ -38,3 +38,6 @@ export const ofFile = (name: string, said: Said): Said => {
   const named = (text: string) => (name === '' || text.startsWith(name) ? text : `${name}: ${text}`)
   return typeof said === 'string' ? named(said) : { en: named(said.en), de: named(said.de) }
 }
+
+/// A sentence of the core's that stands by itself.
+export const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?:]$/.test(text) ? '' : '.'}`

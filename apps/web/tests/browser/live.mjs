@@ -9,6 +9,7 @@ import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { axe, check, file, finish, launch, open } from './harness.mjs'
+import { swingingSensor } from './sensor.mjs'
 
 const program = resolve(process.env.CROMER_PROGRAM ?? fileURLToPath(new URL('../../../../build/ci/cromer', import.meta.url)))
 if (!existsSync(program)) {
@@ -16,28 +17,7 @@ if (!existsSync(program)) {
   process.exit(0)
 }
 
-const frequency = 1.5 // [Hz]
-const sockets = new Set()
-/** `time value` a hundred times a second: a swing with a decay rate of 0.1 1/s. */
-const sensor = createServer((socket) => {
-  sockets.add(socket)
-  const begin = performance.now()
-  let n = 0
-  const timer = setInterval(() => {
-    for (; n / 100 <= (performance.now() - begin) / 1000; ++n) {
-      const t = n / 100
-      const noise = 0.002 * Math.sin(1e4 * Math.sin(1e4 * n))
-      socket.write(`${t.toFixed(3)} ${(Math.exp(-0.1 * t) * Math.cos(2 * Math.PI * frequency * t) + noise).toFixed(6)}\n`)
-    }
-  }, 10)
-  socket.on('error', () => {})
-  socket.on('close', () => {
-    clearInterval(timer)
-    sockets.delete(socket)
-  })
-})
-await new Promise((resolve) => sensor.listen(0, '127.0.0.1', resolve))
-const from = `tcp:127.0.0.1:${sensor.address().port}`
+const { sensor, sockets, from, frequency } = await swingingSensor()
 
 /** A port that was free a moment ago. */
 async function freePort() {

@@ -1,12 +1,18 @@
-// Pictures of every view and state of the built page, to be looked at: node tests/browser/pictures.mjs [FOLDER]
+// Pictures of every view and state of the built page, to be looked at: node tests/browser/pictures.mjs [FOLDER] [--only=measure]
 //
-// FOLDER (build/pictures) gets NAME-WIDTH[-dark][-de].png; with --readme the README's two pictures are made instead.
-import { mkdirSync } from 'node:fs'
+// FOLDER (build/pictures) gets NAME-WIDTH[-dark][-de].png, and NAME-print.pdf; with --only those whose name has that
+// word. With --readme the README's two pictures are made instead.
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
+import { flawed } from './dialects.mjs'
 import { drop, launch, open, settled } from './harness.mjs'
+import { swingingSensor } from './sensor.mjs'
+import { program, serve } from './served_page.mjs'
 
 const readme = process.argv.includes('--readme')
 const folder = resolve(process.argv.slice(2).find((word) => !word.startsWith('--')) ?? join(import.meta.dirname, '../../../../build/pictures'))
+const only = process.argv.find((word) => word.startsWith('--only='))?.slice(7) ?? ''
 mkdirSync(folder, { recursive: true })
 
 const swing = (of, seconds = 40) => `Time (s),Position (m)\n${Array.from({ length: 100 * seconds }, (_, i) => `${i / 100},${of(i / 100).toFixed(5)}`).join('\n')}\n`
@@ -26,6 +32,14 @@ const dropped = async (page, name, content) => {
   await drop(page, name, content)
   await page.locator('.row', { hasText: name }).waitFor()
   await settled(page, 120)
+}
+
+let served
+/** Of the page that a program serves, which records from a sensor. */
+async function liveAddress() {
+  served ??= { ...(await swingingSensor()), folder: mkdtempSync(join(tmpdir(), 'cromer-pictures-')) }
+  served.serving ??= await serve('--from', served.from, '-o', join(served.folder, 'swing.csv'))
+  return served.serving.address
 }
 
 const states = {
@@ -61,6 +75,40 @@ const states = {
     await settled(page, 120)
   },
   'measure-doubted': (page) => dropped(page, 'beats.csv', swing((t) => 0.2 + 0.03 * Math.cos(9 * t) + 0.022 * Math.cos(9.35 * t) + 0.0002 * Math.sin(1e4 * t * t))),
+  'measure-long-name': (page) => dropped(page, `${'a_very_long_name_of_a_recording_'.repeat(4)}of_the_second_group.csv`, swing((t) => 0.2 + 0.03 * Math.exp(-0.05 * t) * Math.cos(9 * t) + 0.0002 * Math.sin(1e4 * t * t))),
+  'measure-several': async (page) => {
+    await dropped(page, 'first.csv', swing((t) => 0.2 + 0.03 * Math.exp(-0.05 * t) * Math.cos(9 * t) + 0.0002 * Math.sin(1e4 * t * t)))
+    await page.evaluate((texts) => {
+      const files = new DataTransfer()
+      texts.forEach((text, i) => files.items.add(new File([text], `${['second', 'third'][i]}.csv`)))
+      document.querySelector('main').dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }))
+    }, [8, 10].map((w) => swing((t) => 0.2 + 0.03 * Math.exp(-0.05 * t) * Math.cos(w * t) + 0.0002 * Math.sin(1e4 * t * t))))
+    await page.locator('.row', { hasText: 'second.csv' }).waitFor()
+    await settled(page, 120)
+  },
+  'measure-caught': (page) => dropped(page, 'caught.csv', swing((t) => 0.2 + (t < 30.3 ? 0.03 * Math.exp(-0.03 * t) * Math.cos(9 * t) : 0) + 0.0002 * Math.sin(1e4 * t * t))),
+  'measure-flawed': (page) => dropped(page, 'flawed.csv', flawed),
+  'measure-mass': async (page) => {
+    await dropped(page, 'swing.csv', swing((t) => 0.2 + 0.03 * Math.exp(-0.05 * t) * Math.cos(9 * t) + 0.0002 * Math.sin(1e4 * t * t)))
+    await page.locator('.given button').last().click()
+    await page.locator('[data-field=mass]').fill('217 parsnips')
+    await page.keyboard.press('Enter')
+    await page.locator('[data-field=mass][aria-invalid=true]').waitFor()
+  },
+  'measure-word': async (page) => {
+    await example(page, 0)
+    await page.locator('h2 button').first().click()
+  },
+  ...(program && {
+    'measure-live': async (page) => {
+      await page.goto(await liveAddress())
+      await measure(page)
+      const start = page.getByRole('button', { name: /^(Start recording|Aufnahme beginnen)$/ })
+      await page.locator('.zone').waitFor()
+      if (await start.count()) await start.click()
+      await page.locator('[data-live=frequency]').waitFor({ timeout: 60000 })
+    },
+  }),
   'teach-one': (page) => go(page, '#teach?lab=one'),
   'teach-two': async (page) => {
     await go(page, '#teach?lab=two')
@@ -92,15 +140,16 @@ if (readme) {
   await browser.close()
   process.exit()
 }
-for (const [name, reach] of Object.entries(states))
+const asked = ([name]) => name.includes(only)
+for (const [name, reach] of Object.entries(states).filter(asked))
   for (const look of looks) {
     const { width, colorScheme, locale } = look
     const file = [name, width, colorScheme, locale?.slice(0, 2)].filter(Boolean).join('-')
     await take(name, look, reach, join(folder, `${file}.png`), { fullPage: true })
     console.log(join(folder, `${file}.png`))
   }
-for (const [name, reach] of [['simulate', states.simulate], ['measure-fitted', states['measure-fitted']], ['teach-two', states['teach-two']]]) {
-  const { page, context } = await open(browser)
+for (const [name, reach] of [['simulate', states.simulate], ['measure-fitted', states['measure-fitted']], ['measure-overlay', states['measure-overlay']], ['measure-failed', states['measure-failed']], ['teach-two', states['teach-two']]].filter(asked)) {
+  const { page, context } = await open(browser, { colorScheme: 'dark' })
   await reach(page)
   await page.emulateMedia({ media: 'print' })
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
@@ -109,3 +158,9 @@ for (const [name, reach] of [['simulate', states.simulate], ['measure-fitted', s
   await context.close()
 }
 await browser.close()
+if (served) {
+  served.serving.server.kill()
+  served.sensor.close()
+  for (const socket of served.sockets) socket.destroy()
+  rmSync(served.folder, { recursive: true })
+}

@@ -13,6 +13,7 @@ const estimate = (value: number, standard_error: number, unit: string) =>
 function fit(change: Partial<Fit>): Fit {
   return {
     law: 'viscous+drag',
+    coefficients: ['stiffness', 'damping'],
     residual: { rms: 0.0003, normality: 1, autocorrelation: 0, white: true },
     displacement_rms: 0.0003,
     parameters: { stiffness: estimate(17.04, 0.0235, 'N/m'), damping: estimate(0.000785, 0.0000182, 'kg/s') },
@@ -86,15 +87,22 @@ describe('the table of the law', () => {
   it('writes both ends of an interval in full', () => {
     expect(rowsOf(fit({}), en)[2]!.interval).toBe('1.408\u202f397\u202f0\u00a0to 1.408\u202f400\u202f7')
   })
-  it('ends intervals where the quantity ends', () => {
+  it('shows the coefficients that the core names, in its order', () => {
+    const parameters = { angular_frequency: estimate(8.85, 1e-5, 'rad/s'), drag: estimate(0.09, 0.001, '1/m'), decay_rate: estimate(0.01, 0.001, '1/s') } as unknown as Fit['parameters']
+    expect(rowsOf(fit({ coefficients: ['drag', 'angular_frequency'], parameters }), en).map((row) => row.key)).toEqual(['drag', 'angular_frequency', 'frequency'])
+  })
+  it('keeps the digits of an interval that is cut where the quantity ends', () => {
+    const cut = { ...estimate(0.00002, 0.00005, 'kg/s'), confidence_95: [0, 0.000118] }
+    const parameters = { stiffness: estimate(17.04, 0.0235, 'N/m'), damping: cut } as unknown as Fit['parameters']
+    expect(rowsOf(fit({ parameters }), en)[1]!.interval).toBe('0.00\u00a0to 0.12')
+  })
+  it('gives the lower end alone of a quality factor whose rate may be 0', () => {
     const change = {
-      parameters: { damping: estimate(0.00002, 0.00005, 'kg/s'), stiffness: estimate(17.04, 0.0235, 'N/m'), decay_rate: estimate(0.00005, 0.0001, '1/s'), angular_frequency: estimate(8.85, 1e-5, 'rad/s') },
+      law: 'viscous',
+      parameters: { decay_rate: { ...estimate(0.00005, 0.0001, '1/s'), confidence_95: [0, 0.000246] }, angular_frequency: estimate(8.85, 1e-5, 'rad/s') },
       derived: { quality_factor: estimate(88500, 177000, '1') }
     } as unknown as Partial<Fit>
-    const intervals = (law: string) => Object.fromEntries(rowsOf(fit({ ...change, law }), en).map((row) => [row.key, row.interval]))
-    expect(intervals('viscous')).toMatchObject({ quality_factor: '–', damping: '0.00\u00a0to 0.12' })
-    // of a rate that may be 0 the quality factor has a lower end alone: 8.85 / (2 · 0.000246)
-    expect(rowsOf(fit({ ...change, law: 'viscous' }), en).find((row) => row.key === 'quality_factor')!.value).toBe('above 17988')
-    expect(intervals('viscous+van-der-pol').damping).toBe('−0.08\u00a0to 0.12')
+    // 8.85 / (2 · 0.000246)
+    expect(rowsOf(fit(change), en).find((row) => row.key === 'quality_factor')).toMatchObject({ value: 'above 17988', interval: '–' })
   })
 })

@@ -99,6 +99,7 @@ std::string live_fit_json(const FittedRecording& fitted) {
     object["from"] = fitted.series.t.front(), object["to"] = fitted.series.t.back();
   if (fitted.succeeded()) {
     object["law"] = to_text(fitted.fit.law);
+    object["coefficients"] = coefficient_names(fitted.fit.law, fitted.parameters);
     object["parameters"] = described::value_json(fitted.parameters, {});
     object["derived"] = described::value_json(fitted.derived, {});
   } else {

@@ -269,10 +269,10 @@ constexpr Entry entries[] = {
      "Seite wählen"},
     {"swing_stops", wrong_if_ignored,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
-     "less than a tenth of it within a period, as when a hand catches it: end before with {|{--to}|the "
+     "less than a tenth of it, as when a hand catches it: end before with {|{--to}|the "
      "handles}",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
-     "} auf weniger als ein Zehntel davon binnen einer Periode, wie von einer Hand gehalten: bitte mit "
+     "} auf weniger als ein Zehntel davon, wie von einer Hand gehalten: bitte mit "
      "{|{--to}|den Griffen} vorher enden"},
     {"few_samples_in_a_period", wrong_if_ignored,
      "only {samples:.2g} samples in a period: sampled at {rate:.4g} Hz, a swing of {slower:.5g} or "

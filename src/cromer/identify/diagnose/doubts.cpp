@@ -75,6 +75,35 @@ Notice wandering_zero(const Record& record, std::span<const double> r, std::stri
                 {{"jump", wandering.step.size}, {"unit", unit}, {"time", record.t[wandering.step.at]}}};
 }
 
+namespace {
+
+// The last sample before the swing is stopped: from `begin` to `end` each one is compared with the swing a
+// period before, times `ratio`, as those of the period before are.
+double last_free(const Record& record, double begin, double end, double period, double ratio) {
+  constexpr double least = 0.02;  // of the amplitude
+  constexpr double times = 1.5;
+  const auto place = [&](double t) {
+    return static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), t) - record.t.begin());
+  };
+  const std::size_t before = place(begin - period), first = place(begin);
+  const auto whole = record.y.subspan(before, first - before);
+  const double centre = std::accumulate(whole.begin(), whole.end(), 0.0) / static_cast<double>(whole.size());
+  const auto off = [&](std::size_t i) {
+    const double t = record.t[i] - period;
+    const std::size_t k = std::clamp<std::size_t>(place(t), 1, i);
+    const double part = (t - record.t[k - 1]) / (record.t[k] - record.t[k - 1]);
+    const double swing = record.y[k - 1] + part * (record.y[k] - record.y[k - 1]);
+    return std::abs(record.y[i] - centre - ratio * (swing - centre));
+  };
+  double most = least * sinusoid_amplitude(whole);
+  for (std::size_t i = before; i < first; ++i) most = std::max(most, times * off(i));
+  std::size_t i = first;
+  while (record.t[i] < end && off(i) < most) ++i;
+  return record.t[i - 1];
+}
+
+}  // namespace
+
 Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
   // Friction stops a motion too, but the amplitude then halves within the last swings. Where a law describes
   // the record, only a stop after a slower fall is reported.
@@ -97,10 +126,13 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
     const bool in_full_swing = before > 0.2 * largest && before > least_before * windows[i - 4].amplitude,
                nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
                              before > no_friction * windows[i - 4].amplitude;
-    if ((in_full_swing || nearly_done) && later < 0.1 * before)
-      return Notice{
-          "swing_stops",
-          {{"from", windows[i - 2].to}, {"to", windows[i].from}, {"amplitude", before}, {"unit", unit}}};
+    if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
+    const double ratio = std::min(1.0, windows[i - 3].amplitude / windows[i - 4].amplitude);
+    return Notice{"swing_stops",
+                  {{"from", last_free(record, windows[i - 2].from, windows[i].from, period, ratio)},
+                   {"to", windows[i].from},
+                   {"amplitude", before},
+                   {"unit", unit}}};
   }
   return {};
 }

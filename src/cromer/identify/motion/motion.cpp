@@ -21,7 +21,7 @@ Motion Motion::under(const Law& other) const {
 Parameters FittedParameters::lower_bounds() const {
   Parameters lower = LeastSquaresOptions::no_bounds();
   for (int i = 0; i < count; ++i)
-    if (!of[i].may_be_negative || of[i].as == FittedAs::square_root) lower[i] = 0;
+    if (of[i].is_never_negative()) lower[i] = 0;
   return lower;
 }
 

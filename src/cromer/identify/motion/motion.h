@@ -61,6 +61,9 @@ struct FittedParameter {
   bool may_be_negative = true;
   bool lives_at_rest = false;  ///< at zero frequency, as an equilibrium: not at the swing's own
 
+  /// A frequency is the root of a stiffness, which is never negative either.
+  bool is_never_negative() const { return !may_be_negative || as == FittedAs::square_root; }
+
   double of(const Motion& motion) const {
     if (member) return motion.*member;
     return as_fitted(as, motion.per_mass.*coefficient);

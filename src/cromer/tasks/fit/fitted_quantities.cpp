@@ -105,6 +105,12 @@ Estimate estimate_of(const Real& number, const LawFit& fit) {
   return estimate_of(number.value, number.derivative, fit);
 }
 
+// Of a quantity that is never negative.
+Estimate cut_at_zero(Estimate estimate) {
+  estimate.low = std::max(estimate.low, 0.0);
+  return estimate;
+}
+
 // If something surely feeds the swing, and something surely bounds it. The slopes are differences: the cycle
 // has no closed form.
 std::optional<Estimate> limit_cycle(const LawFit& fit, double near, double period) {
@@ -123,7 +129,7 @@ std::optional<Estimate> limit_cycle(const LawFit& fit, double near, double perio
     if (const auto moved = limit_cycle_amplitude(motion.per_mass, *value, period))
       slope[i] = (*moved - *value) / step;
   }
-  return estimate_of(*value, slope, fit);
+  return cut_at_zero(estimate_of(*value, slope, fit));
 }
 
 std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
@@ -133,15 +139,15 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.equivalent_rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = two_pi / w;
-  std::vector<Parameter> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
-                              {"period", estimate_of(period, fit), "s"},
+  std::vector<Parameter> list{{"frequency", cut_at_zero(estimate_of(1 / period, fit)), "Hz"},
+                              {"period", cut_at_zero(estimate_of(period, fit)), "s"},
                               {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
   // A motion that is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0))
-    list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
+    list.push_back({"quality_factor", cut_at_zero(estimate_of(undamped / (2 * equivalent), fit)), "1"});
   list.push_back({"logarithmic_decrement", estimate_of(law.decay.rate(A) * period, fit), "1"});
-  list.push_back({"at_amplitude", estimate_of(A, fit), unit});
+  list.push_back({"at_amplitude", cut_at_zero(estimate_of(A, fit)), unit});
   if (const auto limit = limit_cycle(fit, value_of(A), value_of(period)))
     list.push_back({"limit_cycle_amplitude", *limit, unit});
   return list;
@@ -205,6 +211,22 @@ std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body) {
     result.push_back({"drag_coefficient", scaled(*drag, factor, relative, fit.student), "1"});
   }
   return result;
+}
+
+std::vector<std::string> coefficient_names(const Law& law, const std::vector<Parameter>& parameters) {
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view name) {
+    const bool is_there = std::any_of(parameters.begin(), parameters.end(),
+                                      [&](const Parameter& each) { return each.name == name; });
+    if (is_there) names.emplace_back(name);
+    return is_there;
+  };
+  for_each_term([&]<class T>() {
+    if (!law.has<T>()) return;
+    for (const CoefficientInfo& info : T::coefficients) add(info.in_si) || add(info.parameter);
+  });
+  add("drag_coefficient");
+  return names;
 }
 
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,

@@ -40,6 +40,10 @@ std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observ
 /// against amplitude.
 std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body);
 
+/// Which of the parameters are the coefficients of the law, in the order of its terms: those in SI where a
+/// mass gives them, else those per unit mass. drag_coefficient comes last.
+std::vector<std::string> coefficient_names(const Law& law, const std::vector<Parameter>& parameters);
+
 /// Derived quantities that a goal may be set for.
 inline constexpr std::string_view derived_names[] = {"frequency",
                                                      "period",

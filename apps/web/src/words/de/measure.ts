@@ -55,6 +55,7 @@ export const measure: typeof en = {
   file: {
     title: 'Die Datei',
     dialect: 'Format',
+    plain: 'einfache Tabelle',
     column: 'Spalte',
     run: 'Lauf',
     samples: 'Messwerte',
@@ -83,8 +84,8 @@ export const measure: typeof en = {
   },
   fit: {
     title: 'Anpassung, und was sie übrig lässt',
-    white: (rms) => `Ein Punkt je Messwert. Die Reste haben kein Muster: ${rms} quadratisches Mittel, das Rauschen des Sensors.`,
-    pattern: (rms) => `Ein Punkt je Messwert. Die Reste haben ein Muster: ${rms} quadratisches Mittel, mehr als Rauschen.`,
+    white: (rms) => `Ein Punkt je Messwert. Die Reste haben kein Muster: ${rms} [rms:quadratisches Mittel], das Rauschen des Sensors.`,
+    pattern: (rms) => `Ein Punkt je Messwert. Die Reste haben ein Muster: ${rms} [rms:quadratisches Mittel], mehr als Rauschen.`,
     measured: 'gemessen',
     fitted: (law) => `angepasst: ${law}`,
     residual: (unit) => `gemessen − angepasst (${unit})`,
@@ -197,7 +198,7 @@ export const measure: typeof en = {
     lawOnly: 'angepasstes Gesetz',
     dots: 'Punkte: Stücke der Aufnahme, 95-%-Bereiche',
     none: 'Die Aufnahme ist zu kurz, um sie in Stücke zu teilen.',
-    unsure: 'Kein Stück der Aufnahme zeigt eine eigene Abklingrate.',
+    unsure: 'Zu wenige Stücke der Aufnahme zeigen eine eigene Abklingrate.',
     driven: 'Die Bewegung ist angetrieben.',
     seen: (first, last, from, to) => `Abklingrate ${first} bei der Amplitude ${from}, ${last} bei ${to}.`
   },
@@ -228,7 +229,7 @@ export const measure: typeof en = {
     show: 'Simulationen zeigen',
     hide: 'Simulationen ausblenden',
     says: (method, amplitude, phase) =>
-      `${method}: Am Ende hat die Amplitude ${amplitude} von der des Gesetzes, die Phase weicht um ${phase} ab.`,
+      `${method}: Am Ende hat die Amplitude ${amplitude} von der des Gesetzes, die [phase:Phase] weicht um ${phase} ab.`,
     grown: (method) => `${method} wächst bei diesem Schritt ohne Ende.`,
     constantEnd: (off) => `Mit einer festen Abklingrate liegt die Amplitude am Ende um ${off} daneben.`,
     step: (step) => `Schritt ${step}.`
@@ -238,5 +239,7 @@ export const measure: typeof en = {
   remedies: { skip: 'Schlechte Zeilen weglassen', driven: 'Es wird angetrieben', trim: 'Auf die Schwingung kürzen' },
   saveFile: (name) => `${name} sichern`,
   command: 'Befehl kopieren',
-  commandCopied: 'Der Befehl ist kopiert.'
+  commandCopied: 'Der Befehl ist kopiert.',
+  copyStudy: 'Studie kopieren',
+  studyCopied: 'Die Studie ist kopiert: bitte neben der Aufnahme speichern, für cromer report.'
 }

@@ -53,6 +53,7 @@ export const measure = {
   file: {
     title: 'The file',
     dialect: 'Dialect',
+    plain: 'plain table',
     column: 'Column used',
     run: 'Run',
     samples: 'Samples',
@@ -81,8 +82,8 @@ export const measure = {
   },
   fit: {
     title: 'Fit, and what it leaves',
-    white: (rms: string) => `One dot per sample. The residuals keep no pattern: rms ${rms}, the sensor’s own noise.`,
-    pattern: (rms: string) => `One dot per sample. The residuals keep a pattern: rms ${rms}, more than noise alone.`,
+    white: (rms: string) => `One dot per sample. The residuals keep no pattern: [rms:rms] ${rms}, the sensor’s own noise.`,
+    pattern: (rms: string) => `One dot per sample. The residuals keep a pattern: [rms:rms] ${rms}, more than noise alone.`,
     measured: 'measured',
     fitted: (law: string) => `fitted law: ${law}`,
     residual: (unit: string) => `measured − fitted (${unit})`,
@@ -195,7 +196,7 @@ export const measure = {
     lawOnly: 'fitted law',
     dots: 'dots: pieces of the recording, 95 % intervals',
     none: 'The recording is too short to be cut into pieces.',
-    unsure: 'No piece of the recording shows a decay rate of its own.',
+    unsure: 'Too few pieces of the recording show a decay rate of their own.',
     driven: 'The motion is driven.',
     seen: (first: string, last: string, from: string, to: string) =>
       `Decay rate ${first} at amplitude ${from}, ${last} at ${to}.`
@@ -219,7 +220,7 @@ export const measure = {
   },
   overlay: {
     title: 'The law, simulated',
-    caption: 'The fitted law as two methods step it from the same start, beside the recording: its first swings, and the energy of all.',
+    caption: 'The fitted law as two [method:methods] step it from the same start, beside the recording: its first swings, and the energy of all.',
     energyAxis: (unit: string) => ['energy ', 'E', ` (${unit})`],
     velocityAxis: (unit: string) => ['velocity ', 'v', ` (${unit})`],
     displacementAxis: (unit: string) => ['displacement ', 'x', ` (${unit})`],
@@ -227,7 +228,7 @@ export const measure = {
     show: 'Show simulations',
     hide: 'Hide the simulations',
     says: (method: string, amplitude: string, phase: string) =>
-      `${method}: the amplitude at the end is ${amplitude} of the law’s, its phase off by ${phase}.`,
+      `${method}: the amplitude at the end is ${amplitude} of the law’s, its [phase:phase] off by ${phase}.`,
     grown: (method: string) => `${method} grows without end at this step.`,
     constantEnd: (off: string) => `With one constant decay rate the amplitude at the end is off by ${off}.`,
     step: (step: string) => `Step ${step}.`
@@ -237,5 +238,7 @@ export const measure = {
   remedies: { skip: 'Skip bad rows', driven: 'It is driven', trim: 'Trim to the swing' },
   saveFile: (name: string) => `Save ${name}`,
   command: 'Copy command',
-  commandCopied: 'The command is copied.'
+  commandCopied: 'The command is copied.',
+  copyStudy: 'Copy study file',
+  studyCopied: 'The study file is copied: save it beside the recording, for cromer report.'
 }
