@@ -63,56 +63,57 @@ TEST(AmplitudeWindows, AGapTakesOneAway) {
 }
 
 TEST(SuddenStop, InTheFirstWindowsThatCanShowIt) {
-  EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0, 0, 0}), stops("3 and 4", "1 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0, 0, 0}), stops("2.875 and 4", "1 m"));
   EXPECT_EQ(stop_of({1, 1, 0.5, 0, 0, 0, 0, 0}), "");
   EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0, 0}), "");  // too short to tell
 }
 
 TEST(SuddenStop, InTheLastWindow) {
-  EXPECT_EQ(stop_of({1, 1, 1, 1, 1, 1, 0.5, 0}), stops("6 and 7", "1 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 1, 1, 1, 0.5, 0}), stops("5.875 and 7", "1 m"));
   EXPECT_EQ(stop_of({1, 1, 1, 1, 1, 1, 1, 0.5}), "");
 }
 
 TEST(SuddenStop, WithoutAUnitThereIsNone) {
   EXPECT_EQ(in_words(sudden_stop(of_amplitudes({1, 1, 1, 1, 1, 1, 0.5, 0}).record(), 1, "", false)),
-            stops("6 and 7", "1"));
+            stops("5.875 and 7", "1"));
 }
 
 TEST(SuddenStop, IsNoneWhereTheSwingComesBack) {
   EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0, 0, 0, 0.2}), "");
   EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0.2, 0, 0, 0}), "");
-  EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0.09, 0, 0, 0}), stops("3 and 4", "1 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0.09, 0, 0, 0}), stops("2.875 and 4", "1 m"));
 }
 
 TEST(SuddenStop, LeavesLessThanATenth) {
-  EXPECT_EQ(stop_of({1, 1, 1, 1, 0.5, 0.0999, 0.0999, 0.0999, 0.0999}), stops("4 and 5", "1 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 1, 0.5, 0.0999, 0.0999, 0.0999, 0.0999}), stops("3.875 and 5", "1 m"));
   EXPECT_EQ(stop_of({1, 1, 1, 1, 0.5, 0.1, 0.1, 0.1, 0.1}), "");
 }
 
 TEST(SuddenStop, BeginsAtAFifthOfTheLargestAmplitude) {
-  EXPECT_EQ(stop_of({1, 0.3, 0.3, 0.3, 0.201, 0.1, 0, 0, 0}), stops("5 and 6", "0.201 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.3, 0.3, 0.201, 0.1, 0, 0, 0}), stops("3.875 and 6", "0.3 m"));
   EXPECT_EQ(stop_of({1, 0.3, 0.3, 0.3, 0.2, 0.1, 0, 0, 0}), "");
   EXPECT_EQ(stop_of({0.3, 1, 0.3, 0.3, 0.2, 0.1, 0, 0, 0}), "");
-  EXPECT_EQ(stop_of({10, 3, 3, 3, 2.01, 1, 0, 0, 0}), stops("5 and 6", "2.01 m"));
+  EXPECT_EQ(stop_of({10, 3, 3, 3, 2.01, 1, 0, 0, 0}), stops("3.875 and 6", "3 m"));
   EXPECT_EQ(stop_of({10, 3, 3, 3, 2, 1, 0, 0, 0}), "");
 }
 
 // Of two windows before: a swing that decays so fast stops by itself.
 TEST(SuddenStop, FollowsASwingThatLasted) {
-  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.61, 0.1, 0, 0, 0}), stops("5 and 6", "0.61 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.61, 0.1, 0, 0, 0}), stops("3.875 and 6", "0.8 m"));
   EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.6, 0.1, 0, 0, 0}), "");
 }
 
 // Friction halves it at least; what leaves more in two windows is no friction, whatever law goes along with
 // it.
 TEST(SuddenStop, OfASwingNearlyDoneOrDescribedIsNoFriction) {
-  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.0351, 0.02, 0, 0, 0}), stops("5 and 6", "0.0351 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.0351, 0.02, 0, 0, 0}), stops("3.875 and 6", "0.05 m"));
   EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.0349, 0.02, 0, 0, 0}), "");
-  EXPECT_EQ(stop_of({1, 0.3, 0.03, 0.03, 0.0301, 0.02, 0, 0, 0}), stops("5 and 6", "0.0301 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.03, 0.03, 0.0301, 0.02, 0, 0, 0}), stops("4.875 and 6", "0.0301 m"));
   EXPECT_EQ(stop_of({1, 0.3, 0.03, 0.03, 0.03, 0.02, 0, 0, 0}), "");
-  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0044), stops("5 and 6", "0.045 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0044),
+            stops("3.875 and 6", "0.05 m"));
   EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0046), "");
-  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.71, 0.1, 0, 0, 0}, true), stops("5 and 6", "0.71 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.71, 0.1, 0, 0, 0}, true), stops("3.875 and 6", "0.8 m"));
   EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.69, 0.1, 0, 0, 0}, true), "");
 }
 
@@ -150,7 +151,7 @@ TEST(SuddenStop, IsSeenInTheLastPeriod) {
     return in_words(sudden_stop(record.record(), 1, "m", false));
   };
   EXPECT_EQ(with_rest(2), "");
-  EXPECT_EQ(with_rest(7), stops("7 and 7.875", "1 m"));
+  EXPECT_EQ(with_rest(7), stops("6.875 and 7.875", "1 m"));
 }
 
 // Four samples in a window are too few to know its amplitude.

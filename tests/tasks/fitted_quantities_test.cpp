@@ -110,6 +110,44 @@ TEST(ForceParameters, AnIntervalThatEndsAtItsBoundStaysThere) {
   FAIL();
 }
 
+TEST(DerivedQuantities, IntervalsEndWhereTheQuantityEnds) {
+  LawFit fit = released(0.002);
+  fit.names = {"angular_frequency", "decay_rate", "position"};
+  fit.covariance = {1e-6, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 1e-6};
+  int seen = 0;
+  for (const Parameter& each : derived_quantities(fit, "m", 0)) {
+    if (each.name == "damping_ratio") EXPECT_LT(each.estimate.low, 0);
+    if (each.name != "quality_factor" && each.name != "frequency") continue;
+    ++seen;
+    EXPECT_GT(each.estimate.standard_error, 0);
+    if (each.name == "quality_factor")
+      EXPECT_EQ(each.estimate.low, 0);
+    else
+      EXPECT_GT(each.estimate.low, 0);
+  }
+  EXPECT_EQ(seen, 2);
+}
+
+TEST(CoefficientNames, AreThoseInSIWhereAMassGivesThem) {
+  const auto names = [](const char* law, std::initializer_list<const char*> parameters) {
+    std::vector<Parameter> all;
+    for (const char* name : parameters) all.push_back({name, certain(1), ""});
+    return coefficient_names(law_of(law), all);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names("viscous+drag", {"decay_rate", "drag", "equilibrium", "angular_frequency", "velocity"}),
+            (Names{"angular_frequency", "decay_rate", "drag"}));
+  EXPECT_EQ(names("viscous+drag", {"angular_frequency", "decay_rate", "drag", "drag_coefficient", "stiffness",
+                                   "damping", "drag_constant"}),
+            (Names{"stiffness", "damping", "drag_constant", "drag_coefficient"}));
+  // beta and gamma are no forces: they have one name.
+  EXPECT_EQ(names("hysteresis", {"angular_frequency", "hysteresis_stiffness", "hysteresis_beta",
+                                 "hysteresis_gamma", "stiffness", "hysteresis_force_stiffness"}),
+            (Names{"stiffness", "hysteresis_force_stiffness", "hysteresis_beta", "hysteresis_gamma"}));
+  EXPECT_EQ(names("pendulum+viscous", {"angular_frequency", "decay_rate"}),
+            (Names{"decay_rate", "angular_frequency"}));
+}
+
 TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
   LawFit drag = released(0);
   drag.law = law_of("viscous+drag");

@@ -12,7 +12,7 @@ namespace cromer::core {
 namespace {
 
 /// A text as TOML has it.
-std::string quoted(std::string_view text) {
+std::string toml_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -29,8 +29,8 @@ std::string quoted(std::string_view text) {
 /// A value that stands for itself: in a study a brace begins a result.
 std::string value_of(std::string_view text) {
   std::string out;
-  for (const char c : text) out += c == '{' || c == '}' ? std::string(2, c) : std::string(1, c);
-  return quoted(out);
+  for (const char c : text) out += std::string(c == '{' ? 2 : 1, c);
+  return toml_text(out);
 }
 
 /// Each option once, with all its values.

@@ -79,7 +79,7 @@ namespace {
 
 // The last sample before the swing is stopped: from `begin` to `end` each one is compared with the swing a
 // period before, times `ratio`, as those of the period before are.
-double last_free(const Record& record, double begin, double end, double period, double ratio) {
+std::size_t last_free(const Record& record, double begin, double end, double period, double ratio) {
   constexpr double least = 0.02;  // of the amplitude
   constexpr double times = 1.5;
   const auto place = [&](double t) {
@@ -99,7 +99,7 @@ double last_free(const Record& record, double begin, double end, double period, 
   for (std::size_t i = before; i < first; ++i) most = std::max(most, times * off(i));
   std::size_t i = first;
   while (record.t[i] < end && off(i) < most) ++i;
-  return record.t[i - 1];
+  return i - 1;
 }
 
 }  // namespace
@@ -128,10 +128,15 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
                              before > no_friction * windows[i - 4].amplitude;
     if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
     const double ratio = std::min(1.0, windows[i - 3].amplitude / windows[i - 4].amplitude);
+    const std::size_t last = last_free(record, windows[i - 2].from, windows[i].from, period, ratio);
+    const auto first =
+        std::upper_bound(record.t.begin(), record.t.end(), record.t[last] - period) - record.t.begin();
+    const auto whole =
+        record.y.subspan(static_cast<std::size_t>(first), last + 1 - static_cast<std::size_t>(first));
     return Notice{"swing_stops",
-                  {{"from", last_free(record, windows[i - 2].from, windows[i].from, period, ratio)},
+                  {{"from", record.t[last]},
                    {"to", windows[i].from},
-                   {"amplitude", before},
+                   {"amplitude", sinusoid_amplitude(whole)},
                    {"unit", unit}}};
   }
   return {};
