@@ -19,6 +19,10 @@ export const forceLooks: Record<string, ForceLook> = {
   drive: { symbol: '', colour: 'line-drive', word: 'word-drive', dash: [] },
 }
 
+/** Of the forces on the mass those that are drawn: all, or the drive alone. */
+export const drawnOf = (forces: Record<string, Float64Array> = {}, all: boolean): Record<string, Float64Array> =>
+  Object.fromEntries(Object.entries(forces).filter(([name]) => all || name === 'drive'))
+
 export interface Force {
   name: string
   value: number // [N] up is positive, as positions are
