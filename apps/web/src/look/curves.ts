@@ -35,8 +35,12 @@ export function token(name: string): string {
 /** What was asked before, theme by theme: an answer of the browser's makes it style the whole page first. */
 const tokens = new Map<string, string>()
 
+/** On a wall lines are wider than the enlarged page makes them. */
+const wider = (look: CurveLook): CurveLook => (document.documentElement.dataset.projector ? { ...look, width: 1.4 * look.width } : look)
+
 /** `exact`, `measured`, `fitted`, `model` (dashed grey), `drive` or a method's name. `road`: drawn as the exact solution is. */
-export function lookOf(meaning: Meaning, road = meaning === 'exact'): CurveLook {
+export const lookOf = (meaning: Meaning, road = meaning === 'exact'): CurveLook => wider(plainLook(meaning, road))
+function plainLook(meaning: Meaning, road: boolean): CurveLook {
   if (road) return { line: token('line-exact'), word: token('word-exact'), dash: [], width: 4 }
   if (meaning === 'measured') return { line: token('ink'), word: token('ink'), dash: [], width: 1.5 }
   if (meaning === 'model') return { line: token('text3'), word: token('text3'), dash: [6, 4], width: 1.5 }

@@ -20,5 +20,6 @@ export const icons = {
   copy: 'M5.5 5.5h8v8h-8z M3 10.5h-.5v-8h8V3',
   fold: 'M6 3.5 10.5 8 6 12.5',
   check: 'M3.5 8.5 6.5 11.5 12.5 5',
+  projector: 'M2 3h12 M3 3v7.5h10V3 M8 10.5v3 M5.5 13.5h5',
   close: 'M4 4l8 8 M12 4l-8 8',
 }

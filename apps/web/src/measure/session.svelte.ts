@@ -5,6 +5,7 @@ import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
+import { isHidden } from '../teach/hidden'
 import { compareOptions, fieldOptions, fitOptions, inspectOptions, optionNames, type ReadAs } from './questions'
 import { besideField, ofFile, type Refusal, type Said } from '../words/said'
 import { told, words } from '../words/words.svelte'
@@ -59,6 +60,8 @@ class Session {
   frame: { from: number; to: number } | null = $state.raw(null)
 
   runs = $derived(this.inspection ? runsOf(this.inspection) : 1)
+  /// Of a class whose students work by hand: nothing is fitted.
+  hidden = $derived(isHidden(this.file))
   series = $derived(this.inspection ? seriesOf(this.inspection, page.measure.run) : null)
 }
 
@@ -185,6 +188,10 @@ async function refit(): Promise<void> {
   session.busy = 'first'
   session.simulated = []
   if (!(await describe(mine, file, state))) return
+  if (session.hidden) {
+    session.constant = null
+    return settle(mine, null)
+  }
   const runs = session.runs
   const fitOf = async (law: string, lane: number): Promise<Tried> => {
     const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file, lane)
@@ -284,6 +291,7 @@ $effect.root(() => {
   $effect(() => {
     void JSON.stringify(page.measure)
     void session.file
+    void session.hidden
     clearTimeout(timer)
     if (session.file) timer = window.setTimeout(refit, 160)
   })

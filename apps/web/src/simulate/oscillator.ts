@@ -12,6 +12,7 @@ export interface Shown {
   cursor: number // [s]
   shares: boolean // the plot's axis is the position
   scale: number // [m] that fill half the height where it does not
+  disc?: boolean // below the mass, in place of the damper
 }
 
 const spring = { turns: 11, width: 8 }
@@ -55,8 +56,9 @@ export function oscillator(shown: Shown, room: number, small: boolean): Decorati
     const top = y - box.height / 2
 
     drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
-    drawSpring(pen, middle - 17, ceiling, top, ink)
-    drawDamper(pen, middle + 17, ceiling, top, ink)
+    drawSpring(pen, shown.disc ? middle : middle - 17, ceiling, top, ink)
+    if (shown.disc) drawDisc(pen, middle, y + box.height / 2, ink)
+    else drawDamper(pen, middle + 17, ceiling, top, ink)
     if (shown.shares) drawLink(pen, frame, shown.cursor, middle + box.width / 2, y)
     pen.box(middle - box.width / 2, top, box.width, box.height, token('sunk'), ink, 4)
     pen.text(middle, y, '*m*', { colour: ink, size: 13, align: 'center' })
@@ -83,6 +85,12 @@ function drawSpring(pen: Pen, x: number, from: number, to: number, ink: string):
   for (let i = 0; i < 2 * spring.turns; ++i) points.push(x + (i % 2 ? -spring.width : spring.width), from + ends + (i + 0.5) * step)
   points.push(x, to - ends, x, to)
   pen.line(points, { colour: ink, width: 1.2 })
+}
+
+/** Seen from its edge. */
+function drawDisc(pen: Pen, x: number, from: number, ink: string): void {
+  pen.line([x, from, x, from + 7], { colour: ink, width: 1.3 })
+  pen.line([x - 34, from + 9, x + 34, from + 9], { colour: ink, width: 4, round: false })
 }
 
 /** A cup that moves with the mass, a plunger that hangs from the ceiling. */

@@ -32,7 +32,9 @@ export const looks = $state({
   language: languageAtFirst(),
   theme: (darkAtFirst() ? 'dark' : 'light') as Theme,
   plain: matchMedia('(prefers-reduced-motion: reduce)').matches,
+  /// [px] of the page, which is the window's over `zoom`.
   width: innerWidth,
+  zoom: 1,
 })
 
 function show(): void {
@@ -51,11 +53,29 @@ export function setLanguage(language: Language): void {
   keep('cromer-language', language)
   show()
 }
+/// Everything larger, for a wall; kept where it was chosen on the page itself.
+export function setProjector(on: boolean, chosen = true): void {
+  if (chosen) keep('cromer-projector', String(on))
+  projecting = on
+  measureWidth()
+}
+export const wantsProjector = (): boolean => kept('cromer-projector') === 'true'
+let projecting = false
+function measureWidth(): void {
+  const on = projecting && innerWidth >= 1000
+  looks.zoom = !on ? 1 : innerWidth >= 1700 ? 1.6 : 1.4
+  looks.width = innerWidth / looks.zoom
+  const { style, dataset } = document.documentElement
+  style.setProperty('--zoom', String(looks.zoom))
+  if (on) dataset.projector = 'on'
+  else delete dataset.projector
+}
+
 export const isPhone = (): boolean => looks.width < 700
 
 export function watchLooks(): void {
   show()
-  addEventListener('resize', () => (looks.width = innerWidth))
+  addEventListener('resize', measureWidth)
   matchMedia('(prefers-reduced-motion: reduce)').addEventListener('change', (event) => (looks.plain = event.matches))
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', (event) => {
     if (chosenTheme() === null) looks.theme = event.matches ? 'dark' : 'light'

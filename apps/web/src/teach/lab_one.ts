@@ -7,6 +7,7 @@ type Settings = Pick<TeachState, 'position' | 'damping' | 'driveAmplitude' | 'dr
 
 export interface StepOne {
   set: Settings
+  happens?: number // which answer of its prediction
   control: Control | 'implicit' | 'table'
   reached: (state: TeachState) => boolean
   until: number // [s]
@@ -26,6 +27,7 @@ const near = (value: number, wanted: number, by: number) => Math.abs(value - wan
 export const labOne: StepOne[] = [
   {
     set: { ...rest, driveAmplitude: 0 },
+    happens: 1,
     control: 'position',
     reached: (state) => near(state.position, 1, 0.005),
     until: 25,
@@ -33,6 +35,7 @@ export const labOne: StepOne[] = [
   },
   {
     set: { ...rest, driveFrequency: 1 },
+    happens: 1,
     control: 'driveFrequency',
     reached: (state) => near(state.driveFrequency, 3, 0.005),
     until: 50,
@@ -40,6 +43,7 @@ export const labOne: StepOne[] = [
   },
   {
     set: rest,
+    happens: 1,
     control: 'damping',
     reached: (state) => near(state.damping, 0.2, 0.001),
     until: 50,
@@ -49,6 +53,7 @@ export const labOne: StepOne[] = [
   },
   {
     set: { ...rest, damping: 0.2 },
+    happens: 2,
     control: 'driveFrequency',
     reached: (state) => near(state.driveFrequency, 2, 0.005),
     until: 50,
@@ -57,6 +62,7 @@ export const labOne: StepOne[] = [
   },
   {
     set: { ...rest, damping: 0.2, step: 0.025 },
+    happens: 1,
     control: 'implicit',
     reached: (state) => state.methods.includes('implicit-euler'),
     until: 50,
@@ -65,6 +71,7 @@ export const labOne: StepOne[] = [
   },
   {
     set: { ...rest, damping: 0.2, step: 0.025, methods: ['exact', 'forward-euler'] },
+    happens: 0,
     control: 'step',
     reached: (state) => state.methods.includes('forward-euler') && state.step < 0.2 / stiffness,
     until: 50,

@@ -1,9 +1,14 @@
-// The hand-ins that a teacher has opened, and the answer key of a class.
+// The teacher's side: the class that is being made, the hand-ins that were opened, and the answer key.
 import { askAside as ask } from '../core/ask'
-import { keyFor, mark, readHandIn, whoIs, type Marked } from './hand_in'
-import type { Key } from './key'
+import { page } from '../state/page.svelte'
+import { commonOptions, keyFor, mark, readHandIn, whoIs, type HandIn, type Marked } from './hand_in'
+import { optionsOf, stateOf, type ClassOptions } from './options'
+import type { Key } from './questions'
+import { oneForm, seedOf } from './seed'
 
 class Marking {
+  /// A class is being made.
+  making = $state(false)
   rows: Marked[] = $state.raw([])
   /// Names of files that are no hand-ins.
   refused: string[] = $state.raw([])
@@ -12,40 +17,51 @@ class Marking {
   toKey = $state(0)
   left = $derived(this.toMark + this.toKey)
   keys: { student: string; key: Key }[] = $state.raw([])
+  /// What the keys are of.
+  keyOptions: ClassOptions | null = $state.raw(null)
   open = $derived(this.rows.length + this.refused.length + this.left + this.keys.length > 0)
 }
 export const marking = new Marking()
 
 let [markTurn, keyTurn] = [0, 0]
+/// By who handed them in; more may be opened while these are being marked.
+const handIns = new Map<string, HandIn>()
 
 /// Marks them one after another, the oldest file first: what a student handed in later takes the earlier one's place.
 export async function markFiles(files: ArrayLike<globalThis.File>): Promise<void> {
   const mine = ++markTurn
   const inTime = Array.from(files).sort((a, b) => a.lastModified - b.lastModified)
   const texts = await Promise.all(inTime.map((file) => file.text().catch(() => '')))
-  if (mine !== markTurn) return
   const read = texts.map((text, i) => ({ name: inTime[i]!.name, handIn: readHandIn(text) }))
+  for (const { handIn } of read) if (handIn) handIns.set(whoIs(handIn), handIn)
+  if (mine !== markTurn) return
   marking.refused = read.filter(({ handIn }) => !handIn).map(({ name }) => name)
-  const handIns = read.flatMap(({ handIn }) => (handIn ? [handIn] : []))
-  marking.toMark = handIns.length
-  for (const handIn of handIns) {
-    const marked = await mark(handIn, ask)
+  const all = [...handIns.values()].sort((a, b) => a.student.localeCompare(b.student, undefined, { numeric: true }))
+  const done: Marked[] = []
+  marking.toMark = all.length
+  for (const handIn of all) {
+    done.push(await mark(handIn, ask, optionsFor(handIn.course, all)))
     if (mine !== markTurn) return
-    const others = marking.rows.filter((row) => whoIs(row.handIn) !== whoIs(handIn))
-    marking.rows = [...others, marked].sort((a, b) => a.handIn.student.localeCompare(b.handIn.student, undefined, { numeric: true }))
-    marking.toMark -= 1
+    marking.rows = [...done]
+    marking.toMark = all.length - done.length
   }
 }
 
+/// Of the class whose link is open here; else what most of its hand-ins say.
+function optionsFor(course: string, all: HandIn[]) {
+  if (oneForm(course) === oneForm(page.teach.course)) return stateOf(optionsOf(page.teach))
+  return commonOptions(all.filter((handIn) => oneForm(handIn.course) === oneForm(course)))
+}
+
 /// The key of students 1 to `count` of a class.
-export async function makeKeys(course: string, count: number): Promise<void> {
+export async function makeKeys(course: string, count: number, options: ClassOptions): Promise<void> {
   const mine = ++keyTurn
-  marking.keys = []
-  marking.toKey = count
+  Object.assign(marking, { keys: [], keyOptions: options, toKey: count })
   for (let number = 1; number <= count; ++number) {
-    const key = await keyFor(course, String(number), ask)
+    const student = String(number)
+    const key = await keyFor(seedOf(course, student), options, ask)
     if (mine !== keyTurn) return
-    if (key) marking.keys = [...marking.keys, { student: String(number), key }]
+    if (key) marking.keys = [...marking.keys, { student, key }]
     marking.toKey -= 1
   }
 }
@@ -53,5 +69,6 @@ export async function makeKeys(course: string, count: number): Promise<void> {
 export function closeMarking(): void {
   ++markTurn
   ++keyTurn
-  Object.assign(marking, { rows: [], refused: [], toMark: 0, toKey: 0, keys: [] })
+  handIns.clear()
+  Object.assign(marking, { rows: [], refused: [], toMark: 0, toKey: 0, keys: [], keyOptions: null })
 }

@@ -1,12 +1,16 @@
-// The recording that belongs to the student, the key to it, and what became of the answers.
+// What belongs to the student: a recording and an oscillator, the key to them, and what became of the answers.
 import { askAside as ask } from '../core/ask'
 import { openSynthetic } from '../measure/examples'
 import type { MeasureState } from '../measure/state'
 import { page } from '../state/page.svelte'
 import { change, settle } from '../state/undo.svelte'
-import { answerOf, check, type Checked } from './check'
-import { keyOf, questions, units, type Key } from './key'
+import { answerOf, type Checked } from './check'
+import { checkGiven, keyFor, type Given } from './hand_in'
+import { idsOf, optionsOf, questionsIn, taskId } from './options'
+import { oscillatorOf } from './own_oscillator'
+import { questionsOf, units, type Lab, type Question } from './questions'
 import { nameOf, seedOf } from './seed'
+import { recordingName } from './hidden'
 import { recordingOptions, truthOf } from './truth'
 
 const practice = seedOf('practice', '1')
@@ -17,66 +21,91 @@ class Own {
   /// A class whose student has not said who they are: there is no recording for them yet.
   unknown = $derived(page.teach.course.trim() !== '' && page.teach.student.trim() === '')
   name = $derived(this.personal ? nameOf(page.teach.course, page.teach.student) : '')
-  truth = $derived(truthOf(this.personal ? seedOf(page.teach.course, page.teach.student) : practice))
+  seed = $derived(this.personal ? seedOf(page.teach.course, page.teach.student) : practice)
+  truth = $derived(truthOf(this.seed))
+  oscillator = $derived(oscillatorOf(this.seed))
+  options = $derived(optionsOf(page.teach))
+  /// Of a class; without one both are open to everybody.
+  labs = $derived<Lab[]>(page.teach.course.trim() === '' ? ['one', 'two'] : this.options.labs)
+  /// The law of the class's recordings is hidden.
+  byHand = $derived(page.teach.course.trim() !== '' && this.options.hideLaw)
+  /// What is asked beside the lab that is shown.
+  asked = $derived<Question[]>(questionsIn(page.teach.lab as Lab, { hideLaw: this.byHand }))
+  ids = $derived([...this.asked, ...this.options.tasks.map((_, i) => taskId(i))])
   /// Of the last check, each with the answer that it was of.
-  results: (Checked & { of: string })[] = $state([])
+  results: Record<string, Checked & { of: string }> = $state({})
   checking = $state(false)
   failed = $state(false)
-  right = $derived(questions.filter((_, i) => judged(i)?.verdict === 'right').length)
+  /// Of what is asked here and can be checked.
+  checkable = $derived(this.ids.filter((id) => (judged(id)?.verdict ?? '') !== 'given' && !this.isRead(id)))
+  right = $derived(this.checkable.filter((id) => judged(id)?.verdict === 'right').length)
+  private isRead = (id: string) => this.options.tasks.some((task, i) => taskId(i) === id && task.answer.trim() === '')
 }
 
 export const own = new Own()
 
-let known: { seed: number; key: Key } | null = null
-
 export async function checkAnswers(): Promise<void> {
-  const { truth } = own
+  const { seed, options, ids } = own
   own.checking = true
   own.failed = false
-  const key = known?.seed === truth.seed ? known.key : await keyOf(truth, ask).catch(() => null)
+  const labs: Lab[] = [page.teach.lab as Lab]
+  const key = await keyFor(seed, { ...options, labs }, ask).catch(() => null)
   own.checking = false
-  if (truth.seed !== own.truth.seed) return
+  if (seed !== own.seed) return
   if (!key) {
     own.failed = true
     return
   }
-  known = { seed: truth.seed, key }
-  own.results = questions.map((question, i) => ({
-    of: typedAt(i),
-    ...check(answerAt('values', i), answerAt('uncertainties', i), key[question])
-  }))
+  for (const id of ids) own.results[id] = { of: typedAt(id), ...checkGiven(answerAt(id), key[id]) }
 }
 
-const typedAt = (i: number): string => `${answerAt('values', i)};${answerAt('uncertainties', i)}`
+const typedAt = (id: string): string => `${answerAt(id).value};${answerAt(id).uncertainty}`
 
 /// What the last check said of an answer, unless it has been changed since.
-export function judged(i: number): Checked | undefined {
-  const result = own.results[i]
-  return result?.of === typedAt(i) ? result : undefined
+export function judged(id: string): Checked | undefined {
+  const result = own.results[id]
+  return result?.of === typedAt(id) ? result : undefined
 }
 
-export const answerAt = (of: 'values' | 'uncertainties', i: number): string => page.teach[of].split(';')[i] ?? ''
+type Field = 'values' | 'uncertainties' | 'valuesOne' | 'valuesTasks'
+/// Where the address has an answer.
+function placeOf(id: string): { at: number; values: Field; uncertainties?: Field } {
+  const [one, two] = [questionsOf.one, questionsOf.two].map((each) => (each as readonly string[]).indexOf(id)) as [number, number]
+  if (two >= 0) return { at: two, values: 'values', uncertainties: 'uncertainties' }
+  return one >= 0 ? { at: one, values: 'valuesOne' } : { at: Number(id.split(' ')[1]) - 1, values: 'valuesTasks' }
+}
+
+export function answerAt(id: string): Given {
+  const { at, values, uncertainties } = placeOf(id)
+  const text = (field: Field | undefined) => (field ? (page.teach[field].split(';')[at] ?? '') : '')
+  return { value: text(values), uncertainty: text(uncertainties) }
+}
 
 /// An answer typed with its ± fills both fields.
-export function setAnswer(of: 'values' | 'uncertainties', i: number, text: string): void {
-  if (text === answerAt(of, i)) return
-  const read = answerOf(text, units[questions[i]!])
-  const both = of === 'values' && read.uncertainty !== null
-  change(`answer ${i} ${of}`, (state) => {
-    const put = (where: 'values' | 'uncertainties', what: string) => {
-      const all = questions.map((_, j) => state.teach[where].split(';')[j] ?? '')
-      all[i] = what.replaceAll(';', '').trim()
-      state.teach[where] = all.every((each) => each === '') ? '' : all.join(';')
+export function setAnswer(of: keyof Given, id: string, text: string): void {
+  if (text === answerAt(id)[of]) return
+  const { at, values, uncertainties } = placeOf(id)
+  const read = answerOf(text, units[id as Question] ?? '')
+  const both = of === 'value' && uncertainties && read.uncertainty !== null
+  change(`answer ${id} ${of}`, (state) => {
+    const put = (field: Field, what: string) => {
+      const all = state.teach[field].split(';')
+      while (all.length <= at) all.push('')
+      all[at] = what.replaceAll(';', ',').trim()
+      state.teach[field] = all.every((each) => each === '') ? '' : all.join(';')
     }
-    put(of, both ? read.value : text)
-    if (both) put('uncertainties', read.uncertainty!)
+    if (of === 'uncertainty') put(uncertainties!, text)
+    else put(values, both ? read.value : text)
+    if (both) put(uncertainties, read.uncertainty!)
   })
 }
 
+/// Of all that the class asks.
+export const allAnswers = (): Record<string, Given> => Object.fromEntries(idsOf(own.options).map((id) => [id, answerAt(id)]))
+
 /// Makes the student's recording anew and opens it; `settings` say which part of it and which law.
 export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boolean> {
-  const name = `${own.name || 'practice'}.csv`.replace(/[^\w.-]+/g, '_')
-  const opened = await openSynthetic(name, recordingOptions(own.truth), settings)
+  const opened = await openSynthetic(recordingName(own.name), recordingOptions(own.truth), settings)
   if (opened) settle((state) => (state.teach.taken = true))
   return opened
 }
@@ -85,4 +114,18 @@ export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boo
 export async function openAgain(): Promise<void> {
   const { mass, disc, from, to, law, drive } = page.measure
   if (page.teach.taken && !own.unknown) await openOwn({ mass, disc, from, to, law, drive })
+}
+
+/// The student's own oscillator in Simulate, at rest and pushed at its own rhythm.
+export function openOscillator(): void {
+  const { mass, stiffness, damping, force, step } = own.oscillator
+  const natural = Math.sqrt(stiffness / mass)
+  change('oscillator', (state) => {
+    state.tab = 'simulate'
+    Object.assign(state.simulate, {
+      mass, stiffness, damping, drag: 0, friction: 0, cubic: 0, quadratic: 0, oddQuadratic: 0, quintic: 0, vanDerPol: 0, pendulum: 0,
+      driveAmplitude: force, driveFrequency: 0.5, position: 0, velocity: 0, step, until: Math.ceil((30 * 2 * Math.PI) / natural), quantity: 'position',
+      methods: ['exact', 'forward-euler', 'euler-cromer', 'implicit-euler'],
+    })
+  })
 }

@@ -2,8 +2,8 @@
 import { areMethods, countTo, notNegative, oneOf, positive, type Rules } from '../state/rules'
 import { labOne } from './lab_one'
 import { labTwo } from './lab_two'
-
-export type Lab = 'one' | 'two'
+import { isTolerance, optionsDefaults, unpacked } from './options'
+import { isPrediction } from './predictions'
 
 export const teachDefaults = {
   lab: 'one',
@@ -12,15 +12,22 @@ export const teachDefaults = {
   two: 1,
   doneOne: [] as string[],
   doneTwo: [] as string[],
-  /// What was expected of a step of lab one, before it was seen: "3:1" is the second answer of step 3.
+  /// What was expected of the steps, before they were seen: see predictions.ts.
   expected: [] as string[],
+  expectedTwo: [] as string[],
   course: '',
   student: '',
+  ...optionsDefaults,
   /// The recording of lab two is the student's own, which is made anew when the page is opened again.
   taken: false,
-  /// Answer and ± of each question in the order of key.ts, joined by ; for a comma may be a decimal one.
+  /// Answer and ± of lab two's questions in their order, joined by ; for a comma may be a decimal one; and the answers
+  /// of lab one and of the class's own tasks.
   values: '',
   uncertainties: '',
+  valuesOne: '',
+  valuesTasks: '',
+  /// Everything larger.
+  projector: false,
   // What the steps of lab one set.
   position: 0,
   damping: 0,
@@ -32,10 +39,13 @@ export const teachDefaults = {
 export type TeachState = typeof teachDefaults
 
 const steps = (count: number) => (names: string[]): boolean => names.every((name) => countTo(count)(Number(name)))
+const arePredictions = (all: string[]): boolean => all.every(isPrediction)
 export const teachRules: Rules<TeachState> = {
   lab: oneOf('one', 'two'),
   one: countTo(labOne.length), two: countTo(labTwo.length), doneOne: steps(labOne.length), doneTwo: steps(labTwo.length),
-  expected: (all) => all.every((each) => /^[1-9]:[0-2]$/.test(each)),
+  expected: arePredictions, expectedTwo: arePredictions,
+  labs: (labs) => new Set(labs).size === labs.length && labs.every(oneOf('one', 'two')),
+  tolerance: isTolerance, tasks: (tasks) => unpacked(tasks) !== null,
   damping: notNegative, driveAmplitude: notNegative, driveFrequency: positive, methods: areMethods,
   step: (step) => step >= 1e-4 // the longest step of lab one runs for 50 s
 }

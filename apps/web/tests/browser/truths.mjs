@@ -253,7 +253,7 @@ for (const colorScheme of ['light', 'dark']) {
       const steps = page.locator('nav ol button')
       for (let i = 0; i < (await steps.count()); ++i) {
         await steps.nth(i).click()
-        if (await page.locator('.predict button').count()) await page.locator('.predict button').first().click()
+        while (await page.locator('.predict button').count()) await page.locator('.predict button').first().click()
         if (lab === 'two') await page.waitForFunction(() => !document.querySelector('[aria-busy=true]'), null, { timeout: 60000 })
         await page.waitForTimeout(700)
         assert.ok((await page.locator('[role=img] canvas').count()) > 0)

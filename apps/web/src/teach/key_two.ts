@@ -1,35 +1,8 @@
-// The answers that a recording has, found by the core on the same motion recorded almost without noise; and what it
+// The answers of lab two: those that a recording has, found by the core on the same motion recorded almost without noise; and what it
 // finds in the recording itself, which is right too.
-import type { Answer, Comparisons, Fit, Fits, Options, Task } from '../core/types'
+import type { Comparisons, Fit, Fits, Options } from '../core/types'
+import { questionsOf, slipsOf, units, type AskCore, type Expected, type QuestionTwo } from './questions'
 import { massText, discText, recordingOptions, type Truth } from './truth'
-
-export const questions = ['frequency', 'stiffness', 'rate', 'reynolds', 'off'] as const
-export type Question = (typeof questions)[number]
-/// What each is asked for in.
-export const units: Record<Question, string> = { frequency: 'Hz', stiffness: 'N/m', rate: '1/s', reynolds: '', off: '%' }
-
-/// What is right, in the unit asked for, and what a common slip gives in its place.
-export interface Expected {
-  value: number
-  unit: string
-  /// Its sign is not asked for.
-  unsigned?: boolean
-  /// The uncertainty that a careful evaluation cannot do without, which is the page's own; and the largest that still
-  /// says something.
-  least: number
-  most: number
-  /// So far off is right whatever the ±: twice the least one, and at least as far as the page's own value.
-  within: number
-  slips: { name: string; value: number }[]
-}
-
-export type Key = Record<Question, Expected>
-
-export type AskCore = <T extends Task>(
-  task: T,
-  options: Options,
-  asking?: { file?: Uint8Array; fileName?: string }
-) => Promise<Answer<T> | null>
 
 const quiet = 1e-5 // [m] noise: a thirtieth of the students' own
 
@@ -62,7 +35,7 @@ const found = (of: { value: number | null; standard_error: number | null } | und
   ({ value: of?.value ?? NaN, error: of?.standard_error ?? NaN })
 
 /// What the page says where it is used as lab two asks for.
-async function answersIn({ fit, compare }: Recorded, truth: Truth): Promise<(Record<Question, Found> & { whole: Fit }) | null> {
+async function answersIn({ fit, compare }: Recorded, truth: Truth): Promise<(Record<QuestionTwo, Found> & { whole: Fit }) | null> {
   const whole = await fit([['law', 'viscous+drag'], ['mass', massText(truth)], ['disc-diameter', discText(truth)]])
   const middle = await fit([['law', 'viscous'], ['from', '30'], ['to', '60']])
   const constant = (await compare([['law', 'viscous+drag']]))?.[0]
@@ -78,18 +51,18 @@ async function answersIn({ fit, compare }: Recorded, truth: Truth): Promise<(Rec
 }
 
 /// Null where the core could not be asked.
-export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
+export async function keyOfTwo(truth: Truth, ask: AskCore): Promise<Record<QuestionTwo, Expected> | null> {
   const [still, own] = [await recorded(truth, ask, quiet), await recorded(truth, ask)]
   if (!still || !own) return null
   const [right, said] = [await answersIn(still, truth), await answersIn(own, truth)]
   const early = await still.fit([['law', 'viscous'], ['from', '0'], ['to', '30']])
   const all = await still.fit([['law', 'viscous']])
   if (!right || !said || !early || !all) return null
-  if (!questions.every((each) => Number.isFinite(right[each].value + said[each].value + said[each].error))) return null
-  const expected = (question: Question, value: number, most: number, slips: [name: string, value: number][]): Expected => {
+  if (!questionsOf.two.every((each) => Number.isFinite(right[each].value + said[each].value + said[each].error))) return null
+  const expected = (question: QuestionTwo, value: number, most: number, slips: [name: string, value: number][]): Expected => {
     const { value: seen, error: least } = said[question]
     const within = Math.max(2 * least, Math.abs(seen - value) + least)
-    return { value, unit: units[question], least, most, within, slips: slips.map(([name, value]) => ({ name, value })) }
+    return { value, unit: units[question], enough: 0, uncertainty: { least, most, within }, slips: slipsOf(slips) }
   }
   const { stiffness } = truth
   const [frequency, rate, reynolds, off] = [right.frequency.value, right.rate.value, right.reynolds.value, right.off.value]
