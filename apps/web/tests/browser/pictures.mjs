@@ -109,11 +109,17 @@ const states = {
       await page.locator('[data-live=frequency]').waitFor({ timeout: 60000 })
     },
   }),
-  'teach-one': (page) => go(page, '#teach?lab=one'),
+  'teach-asks': (page) => go(page, '#teach?lab=one'),
+  'teach-one': (page) => go(page, '#teach?lab=one&one=3&expected=1:1,2:1,3:1&driveAmplitude=1&driveFrequency=3&damping=0.2'),
+  'teach-wall': (page) => go(page, '#teach?lab=one&one=6&expected=1:1,2:1,3:1,4:2,5:1,6:0&driveAmplitude=1&driveFrequency=3&damping=0.2&step=0.025&methods=exact,forward-euler&projector=true'),
   'teach-two': async (page) => {
     await go(page, '#teach?lab=two')
     await page.locator('.control button').first().click()
     await page.locator('.read').waitFor()
+  },
+  'teach-making': async (page) => {
+    await go(page, '#teach?lab=two')
+    await page.locator('.teachers button').first().click()
   },
   'teach-class': (page) => go(page, '#teach?lab=two&course=7F3A'),
 }
