@@ -15,7 +15,7 @@ export interface Shown {
   disc?: boolean // below the mass, in place of the damper
 }
 
-const spring = { turns: 11, width: 8 }
+const spring = { width: 8, turns: (high: number) => (high < 160 ? 5 : 11) }
 
 /** Where the mass is on the plot [px], and which position a height there stands for. */
 export interface Place {
@@ -56,7 +56,7 @@ export function oscillator(shown: Shown, room: number, small: boolean): Decorati
     const top = y - box.height / 2
 
     drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
-    drawSpring(pen, shown.disc ? middle : middle - 17, ceiling, top, ink)
+    drawSpring(pen, shown.disc ? middle : middle - 17, ceiling, top, spring.turns(frame.bottom - frame.top), ink)
     if (shown.disc) drawDisc(pen, middle, y + box.height / 2, ink)
     else drawDamper(pen, middle + 17, ceiling, top, ink)
     if (shown.shares) drawLink(pen, frame, shown.cursor, middle + box.width / 2, y)
@@ -78,11 +78,11 @@ function drawCeiling(pen: Pen, x: number, y: number, half: number, ink: string):
   for (let at = x - half + 6; at <= x + half; at += 9) pen.line([at - 6, y, at, y - 6], { colour: ink, width: 1 })
 }
 
-function drawSpring(pen: Pen, x: number, from: number, to: number, ink: string): void {
+function drawSpring(pen: Pen, x: number, from: number, to: number, turns: number, ink: string): void {
   const ends = Math.min(8, (to - from) / 4)
   const points = [x, from, x, from + ends]
-  const step = (to - from - 2 * ends) / (2 * spring.turns)
-  for (let i = 0; i < 2 * spring.turns; ++i) points.push(x + (i % 2 ? -spring.width : spring.width), from + ends + (i + 0.5) * step)
+  const step = (to - from - 2 * ends) / (2 * turns)
+  for (let i = 0; i < 2 * turns; ++i) points.push(x + (i % 2 ? -spring.width : spring.width), from + ends + (i + 0.5) * step)
   points.push(x, to - ends, x, to)
   pen.line(points, { colour: ink, width: 1.2 })
 }
