@@ -7,8 +7,8 @@ export async function takeFiles(files: ArrayLike<globalThis.File> | null | undef
   const file = files?.[0]
   if (!file) return false
   const w = words().measure.drop
-  const refuse = (name: string, message: string): false => {
-    session.refused = { file: null, name, why: { ...nothing, message } }
+  const refuse = (name: string, message: string, code = ''): false => {
+    session.refused = { file: null, name, why: { ...nothing, message, code } }
     return false
   }
   if (file.size > longest) return refuse(file.name, w.tooLarge(`${Math.round(file.size / 1e6)}\u00a0MB`))
@@ -19,6 +19,6 @@ export async function takeFiles(files: ArrayLike<globalThis.File> | null | undef
     return refuse(file.name, w.noFile)
   }
   if (!(await openFile({ name: file.name, bytes, origin: 'file' }))) return false
-  if (files.length > 1) refuse(Array.from(files, (each) => each.name).slice(1).join(', '), w.oneOnly(file.name))
+  if (files.length > 1) refuse(Array.from(files, (each) => each.name).slice(1).join(', '), w.oneOnly(file.name), 'one_at_a_time')
   return true
 }
