@@ -24,8 +24,8 @@ TEST(Forces, SumToMassTimesAcceleration) {
     const HarmonicDrive<double> drive{.amplitude = 1.5, .frequency = 3, .phase = 0.2};
     const double t = any(random);
     const State<double> y{any(random), any(random)};
-    const Forces forces =
-        forces_on(law, HarmonicForce<double>{drive.amplitude, drive.frequency, drive.phase}(t), y);
+    const Forces forces = forces_on(
+        law, law_of(law), HarmonicForce<double>{drive.amplitude, drive.frequency, drive.phase}(t), y);
     const AnyTerms system(divided_by_mass(law), force_of(drive, law.mass));
     const double a = system.sliding(std::copysign(law.friction / law.mass, y.v)).acceleration(t, y.x, y.v);
     EXPECT_NEAR(forces.sum(), law.mass * a, 1e-12 * (1 + std::abs(forces.spring)));
@@ -34,7 +34,7 @@ TEST(Forces, SumToMassTimesAcceleration) {
 
 TEST(Forces, ActAgainstTheMotion) {
   const Oscillator<double> law{.stiffness = 4, .damping = 0.5, .drag = 2, .friction = 0.3};
-  const Forces forces = forces_on(law, 0.7, {.x = 0.25, .v = -2});
+  const Forces forces = forces_on(law, law_of(law), 0.7, {.x = 0.25, .v = -2});
   EXPECT_DOUBLE_EQ(forces.spring, -1);
   EXPECT_DOUBLE_EQ(forces.resistance.of<Viscous>(), 1);
   EXPECT_DOUBLE_EQ(forces.resistance.of<Drag>(), 8);
@@ -45,13 +45,14 @@ TEST(Forces, ActAgainstTheMotion) {
 TEST(Forces, OfFrictionAtRestBalanceAsFarAsTheyCan) {
   const Oscillator<double> law{.stiffness = 4, .friction = 0.3, .static_friction = 0.5};
   const auto friction = [&](double x) {
-    return forces_on(law, 0.1, {.x = x, .v = 0}).resistance.of<Friction>();
+    return forces_on(law, law_of(law), 0.1, {.x = x, .v = 0}).resistance.of<Friction>();
   };
   EXPECT_DOUBLE_EQ(friction(0.1), 0.3);     // a pull of -0.3 N is held
   EXPECT_DOUBLE_EQ(friction(0.145), 0.48);  // and one of -0.48 N
   EXPECT_DOUBLE_EQ(friction(1), 0.3);       // one of -3.9 N is not
   EXPECT_DOUBLE_EQ(friction(-1), -0.3);
-  EXPECT_DOUBLE_EQ(forces_on({.stiffness = 4}, 0.1, {.x = 1, .v = 0}).resistance.of<Friction>(), 0);
+  EXPECT_DOUBLE_EQ(
+      forces_on({.stiffness = 4}, law_with<Spring>, 0.1, {.x = 1, .v = 0}).resistance.of<Friction>(), 0);
 }
 
 }  // namespace

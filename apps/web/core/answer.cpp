@@ -155,7 +155,7 @@ Json forces(const SimulatedRun& run) {
   if (driven) column("drive");
   double* to = room_for(count * columns);
   for (std::size_t i = 0; i < count; ++i) {
-    const Forces now = forces_on(run.oscillator, driven ? drive(t[i]) : 0, {x[i], v[i]});
+    const Forces now = forces_on(run.oscillator, law, driven ? drive(t[i]) : 0, {x[i], v[i]});
     double* at = to + i;
     *at = now.spring;
     for_each_resistance([&]<class T>() {
