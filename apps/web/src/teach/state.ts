@@ -34,7 +34,8 @@ export const teachDefaults = {
   driveAmplitude: 0,
   driveFrequency: 1,
   step: 0.01,
-  methods: ['euler-cromer'] as string[]
+  methods: ['euler-cromer'] as string[],
+  forces: false // shown on the mass
 }
 export type TeachState = typeof teachDefaults
 

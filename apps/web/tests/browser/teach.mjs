@@ -142,6 +142,13 @@ const pair = (text) => {
     await page.mouse.up()
     assert.ok(parseFloat(await page.locator('[data-option=position]').getAttribute('aria-valuetext')) > 0.4)
     await page.getByRole('button', { name: 'Pause', exact: true }).click()
+    // what acts on it is shown when asked for, and pulls back to the middle
+    assert.equal(await page.locator('[data-force]').count(), 0)
+    await page.getByRole('button', { name: 'Show the forces on the mass' }).click()
+    const spring = await page.locator('[data-force=spring] b').innerText()
+    assert.match(spring, /^−?\d+\.\d+\u00a0N$/)
+    assert.equal(spring, await page.locator('[data-force=sum] b').innerText()) // nothing damps, nothing drives
+    await page.getByRole('button', { name: 'Show the forces on the mass' }).click()
   })
   await check('the place is kept in the address', async () => {
     await page.waitForTimeout(500)
