@@ -135,7 +135,7 @@ class _Again:
 def call(verb: str, request: Mapping[str, Any], arrays: Mapping[str, Any],
          progress: Optional[Progress] = None) -> Answer:
     """Makes one call; raises InputError for what cannot be used, KeyboardInterrupt after Ctrl-C."""
-    text = json.dumps(request, allow_nan=True)
+    text = json.dumps(request)
     kept = {name: _numbers(name, values) for name, values in arrays.items() if values is not None}
     answer = Answer(_called(verb, text, kept, progress))
     answer._again = _Again(verb, text, kept)
@@ -183,9 +183,26 @@ def _called(verb: str, request: str, arrays: Dict[str, Numbers], progress: Optio
 
 
 def _numbers(name: str, values: Any) -> Numbers:
+    """One-dimensional doubles: a masked or missing value is NaN, times of the calendar are seconds from the first."""
+    if hasattr(values, "tz_convert"):  # a time zone of pandas
+        values = values.tz_convert(None)
     try:
-        numbers = np.ascontiguousarray(values, dtype=np.float64)
+        if isinstance(values, np.ma.MaskedArray):
+            values = np.ma.filled(values.astype(np.float64), np.nan)  # type: ignore[no-untyped-call]
+        elif hasattr(values, "isna") and getattr(values.dtype, "kind", "O") in "fiu":  # pandas, with its own NA
+            values = values.to_numpy(dtype=np.float64, na_value=np.nan)
+        given = np.asarray(values)
+        if given.dtype.kind in "mM":
+            if name != "t":
+                raise InputError(f"{name} must be numbers, not times", name, "no_numbers")
+            since = given - given[:1] if given.dtype.kind == "M" else given
+            given = since / np.timedelta64(1, "s")
+        elif given.dtype.kind == "c":
+            raise InputError(f"{name} must be real numbers, not complex ones", name, "no_numbers")
+        numbers = np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
         raise InputError(f"{name} must be a sequence of numbers: {error}", name, "no_numbers") from None
     if numbers.ndim != 1:
         raise InputError(f"{name} must have one dimension, not {numbers.ndim}", name, "not_one_dimension")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Dict, Sequence, Tuple, TypedDict, Union
 
-from ._arguments import Grid, Uncertain, Value
+from ._types import Grid, Uncertain, Value
 
 
 class ReadOptions(TypedDict, total=False):

@@ -3,7 +3,7 @@ method has its family's hue, measured is ink."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
 
 import numpy as np
 
@@ -42,11 +42,14 @@ def _axes(ax: Any, size: Tuple[float, float] = (7.6, 4.4)) -> Any:
     return plt.subplots(figsize=size, layout="constrained")[1]
 
 
-def _name(ax: Any, curves: Sequence[Tuple[str, str]]) -> None:
-    """The curves' names, each in its colour, in the right margin."""
-    legend = ax.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, handlelength=1.2)
-    for text, (_, colour) in zip(legend.get_texts(), curves):
-        text.set_color(colour if colour != "#8A93A0" else "#5B6573")
+def _name(ax: Any, own: bool) -> None:
+    """The curves' names, each in its colour: in the right margin of a figure of our own, else inside the axes."""
+    lines, labels = ax.get_legend_handles_labels()
+    place: Dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if own else {"loc": "best"}
+    legend = ax.legend(lines, labels, frameon=False, handlelength=1.2, **place)
+    for text, line in zip(legend.get_texts(), lines):
+        colour = line.get_color()
+        text.set_color(colour if colour != LINES["exact"][0] else "#5B6573")
         text.set_fontweight("bold")
 
 
@@ -60,12 +63,10 @@ def fit(law: "LawFit", ax: Any = None) -> Any:
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7.6, 5.4), sharex=True, layout="constrained",
                                            gridspec_kw={"height_ratios": [3, 1]})
     ax.plot(law.t, law.measured, ".", color=INK, markersize=2.6, label="measured")
-    names: List[Tuple[str, str]] = [("measured", INK)]
     if law.residuals.size:
         ax.plot(law.t, law.measured - law.residuals, color=LAW, linewidth=1.3, label=law.law)
-        names.append((law.law, LAW))
     _styled(ax, "" if below is not None else "time t (s)", quantity + unit)
-    _name(ax, names)
+    _name(ax, below is not None)
     if below is not None:
         below.plot(law.t, law.residuals, ".", color=INK, markersize=2)
         _styled(below, "time t (s)", "residual" + unit)
@@ -79,14 +80,13 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
     if of not in axes:
         raise ValueError(f"of={of!r}: it is one of {', '.join(axes)}")
     across, up, across_name, up_name = axes[of]
+    own = ax is None
     ax = _axes(ax, (4.8, 4.4) if of == "phase" else (7.6, 4.4))
-    names = []
     for run in sorted(each_run, key=lambda each: each.method != "exact"):  # the road lies under the others
         colour, dashes, width = LINES.get(run.method, (SOFT, "-", 1.3))
         ax.plot(getattr(run, across), getattr(run, up), color=colour, linestyle=dashes, linewidth=width, label=run.label)
-        names.append((run.label, colour))
     _styled(ax, across_name, up_name)
-    _name(ax, names)
+    _name(ax, own)
     return ax
 
 
@@ -100,17 +100,16 @@ def spectrum(found: "Spectrum", of: str, ax: Any = None) -> Any:
     names = {"psa": "pseudo-acceleration PSA (m/s²)", "psv": "pseudo-velocity PSV (m/s)", "sd": "displacement SD (m)"}
     if of not in names:
         raise ValueError(f"of={of!r}: it is one of {', '.join(names)}")
+    own = ax is None
     ax = _axes(ax)
     hues = ["#00304D", "#005A8C", "#0072B2", "#2E86BE", "#5596C2"]
     rows = np.atleast_2d(getattr(found, of))
-    drawn = []
     for i, (ratio, row) in enumerate(zip(found.damping_ratio, rows)):
         colour = hues[min(i, len(hues) - 1)] if len(rows) > 1 else hues[2]
         ax.plot(found.period, row, color=colour, linewidth=1.5, label=f"ζ = {ratio:g}")
-        drawn.append((f"ζ = {ratio:g}", colour))
     _logarithmic(ax, found.period)
     _styled(ax, "period T (s)", names[of])
-    _name(ax, drawn)
+    _name(ax, own)
     return ax
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import html
 import json
 import shlex
@@ -140,6 +141,11 @@ def told(result: Result, answer: Answer, strict: bool, message: str = "") -> Non
         warnings.warn(FitWarning(text, getattr(result, "status", "")), stacklevel=3)
 
 
+def _unknown(name: object, known: Sequence[str], what: str) -> str:
+    near = difflib.get_close_matches(str(name), known, 1)
+    return f"{name!r}: {what} has {', '.join(known) or 'none'}" + (f"; did you mean {near[0]!r}?" if near else "")
+
+
 def _frame(columns: Mapping[str, Any], index: Optional[str] = None) -> Any:
     import pandas
     frame = pandas.DataFrame({name: np.array(values) for name, values in columns.items()})
@@ -203,8 +209,12 @@ class LawFit(Result):
         left = has("residual") or {}
         self.residual = Residual(_number(left.get("rms")), _number(left.get("normality")),
                                  _number(left.get("autocorrelation")), bool(left.get("white", False)))
+        self.covariance.flags.writeable = False
         self.candidates: List[Dict[str, Any]] = has("candidates") or []
-        self.segments: List[Dict[str, Any]] = has("segments") or []
+        #: with `segment`: {"from", "to", "rate", "standard_error"} [s, 1/s] of each stretch
+        self.segments: List[Dict[str, Any]] = has("decay_segments") or []
+        #: with a disc: the largest Reynolds number {"max", "standard_error", "t"}, and its course in "windows"
+        self.reynolds: Dict[str, Any] = has("reynolds") or {}
 
     def _array(self, name: str) -> Numbers:
         return self._answer.arrays.get(f"{self.run}.{name}", np.empty(0))
@@ -233,21 +243,22 @@ class LawFit(Result):
     def succeeded(self) -> bool:
         return self.status == "converged"
 
+    def keys(self) -> List[str]:
+        return [*self.parameters, *self.derived]
+
     def __getitem__(self, name: str) -> Estimate:
         for known in (self.parameters, self.derived):
             if name in known:
                 return known[name]
-        for single in ("decay_rate_mean", "reynolds_max", "keulegan_carpenter"):
-            if name == single and isinstance(self._document.get(single), dict):
-                return _estimate(name, self._document[single])
-        raise KeyError(f"{name!r}: this fit has {', '.join([*self.parameters, *self.derived])}")
+        if not self.parameters:
+            raise KeyError(f"{name!r}: this fit has no values: {self.message or self.status}")
+        raise KeyError(_unknown(name, self.keys(), "this fit"))
 
     def __contains__(self, name: object) -> bool:
         return name in self.parameters or name in self.derived
 
     def __iter__(self) -> Iterator[str]:
-        yield from self.parameters
-        yield from self.derived
+        return iter(self.keys())
 
     def at(self, t: Any) -> Trajectory:
         """The law's motion at times t [s], strictly increasing from the first used sample's on.
@@ -324,7 +335,7 @@ class Run(Result):
         self._number, self._said = number, notices
         self.method: str = document["method"]
         self.label: str = document["label"]
-        self.status: str = document["status"]
+        self.status: str = "interrupted" if document.get("interrupted") else document["status"]
         self.step = _number(document.get("step"))
         self.in_words: str = document.get("in_words") or ""
         self.energy_balance: Dict[str, float] = document.get("energy_balance") or {}
@@ -359,6 +370,14 @@ class Run(Result):
     def to_pandas(self) -> Any:
         return _frame({"t": self.t, "x": self.x, "v": self.v, "energy": self.energy}, "t")
 
+    def to_csv(self) -> str:
+        """Its states; of all runs of one call Runs.to_csv has them."""
+        head, _, rows = self._answer.written_as("csv").partition("\n")
+        return head + "\n" + "".join(row for row in rows.splitlines(True) if row.startswith(f"{self._number},"))
+
+    def __str__(self) -> str:
+        return repr(self)
+
     def plot(self, of: str = "position", ax: Any = None) -> Any:
         """`of`: "position", "velocity", "energy" or "phase" (v against x). Returns the axes."""
         from . import _plot
@@ -385,11 +404,14 @@ class Runs(Result, Sequence[Run]):
             for each in self._runs:
                 if index in (each.label, each.method):
                     return each
-            raise KeyError(f"{index!r}: there are {', '.join(each.label for each in self._runs)}")
+            raise KeyError(_unknown(index, self.keys(), "this"))
         return self._runs[index]
 
     def __len__(self) -> int:
         return len(self._runs)
+
+    def keys(self) -> List[str]:
+        return [each.label for each in self._runs]
 
     def to_pandas(self) -> Any:
         """All states, one below the other, with the run's label."""
@@ -414,6 +436,9 @@ class Curve:
         self.law: str = document["law"]
         self.method: str = document["method"]
         self.numbers = {name: value for name, value in document.items() if isinstance(value, (int, float))}
+
+    def __repr__(self) -> str:
+        return f"Curve: {self.label} by {self.method}, rms {self.numbers.get('rms', float('nan')):.3g}"
 
     def __getattr__(self, name: str) -> float:
         numbers: Dict[str, float] = self.__dict__.get("numbers", {})
@@ -454,7 +479,7 @@ class Methods(Result, Sequence[Dict[str, Any]]):
             for each in rows:
                 if each["name"] == index:
                     return each
-            raise KeyError(f"{index!r}: there are {', '.join(self.names)}")
+            raise KeyError(_unknown(index, self.names, "the table"))
         return rows[index]
 
     def __len__(self) -> int:
@@ -478,7 +503,8 @@ class Spectrum(Result):
 
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
-        self.period = answer.arrays.get("period", np.empty(0))
+        found = answer.arrays.get("displacement", answer.arrays.get("1.displacement", np.empty(0)))
+        self.period = answer.arrays.get("period", np.empty(0))[:found.size]  # fewer where it was interrupted
         self.status = "interrupted" if answer.status == NO_SUCCESS else "done"
 
     def _of(self, name: str) -> Numbers:
@@ -539,7 +565,7 @@ class Sweep(Result):
             self.columns[name] = values
             self.units[name] = unit[:-1]
         self.statuses: List[str] = self._document.get("statuses", [])
-        self.status = "interrupted" if answer.status == NO_SUCCESS and not all(self.statuses) else "done"
+        self.status = "interrupted" if self._document.get("interrupted") else "done"
 
     def __getitem__(self, name: str) -> Numbers:
         return self.columns[name]
@@ -548,7 +574,7 @@ class Sweep(Result):
         columns: Dict[str, Numbers] = self.__dict__.get("columns", {})
         if name in columns:
             return columns[name]
-        raise AttributeError(f"{name!r}: this sweep has {', '.join(columns)}")
+        raise AttributeError(_unknown(name, list(columns), "this sweep"))
 
     def to_pandas(self) -> Any:
         return _frame(self.columns)
@@ -583,7 +609,7 @@ class Recording(Result):
                 names: List[str] = [about["name"], about["name"].partition(" (")[0], about["quantity"]]
                 if names[spelled].lower() == name.lower() and run in (None, about["run"]):
                     return values
-        raise KeyError(f"{key!r}: this recording has {', '.join(self.columns)}, runs {self.runs}")
+        raise KeyError(_unknown(key, self.columns, f"this recording, of runs {self.runs},"))
 
     def to_pandas(self) -> Any:
         """Its columns; where they differ in length, the shorter ones end with NaN."""

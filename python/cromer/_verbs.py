@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import warnings
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple, TypeVar, Union, overload
 
 import numpy as np
@@ -12,7 +13,7 @@ from ._arguments import request_of
 from ._core import Answer, InputError, Progress, call
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
                        SpectrumOptions, SweepOptions)
-from ._results import Comparison, Fits, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
+from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -55,7 +56,7 @@ def _shown(progress: Union[None, bool, Progress], what: str) -> Optional[Progres
     return shown
 
 
-def _motion(t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+def _motion(verb: str, t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict[str, Any]]:
     """What a recorded motion is: of a request its file, or arrays."""
     if isinstance(t, Recording):
         if y is not None:
@@ -68,7 +69,7 @@ def _motion(t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict[str, Any]]
     if y is None and hasattr(t, "index") and hasattr(t, "to_numpy"):  # a Series of pandas: its index is the time
         return {}, {"t": t.index, "y": t, "force": force}
     if y is None:
-        raise InputError("y is missing: fit(t, y), or fit(file)", "y", "array_is_missing")
+        raise InputError(f"y is missing: {verb}(t, y), or {verb} of a file, a path or a recording", "y", "array_is_missing")
     return {}, {"t": t, "y": y, "force": force}
 
 
@@ -142,30 +143,32 @@ def fit_all(t: File, *, language: Optional[str] = None, strict: bool = False,
 
 def _fits(t: Any, y: Any, force: Any, observed: Optional[str], language: Optional[str],
           progress: Union[None, bool, Progress], options: Mapping[str, Any]) -> Tuple[Fits, Answer]:
-    request, arrays = _motion(t, y, force)
-    request.update(request_of({**options, "observed": observed, "language": language}))
+    request, arrays = _motion("fit", t, y, force)
+    request.update(request_of({**options, "observed": observed, "language": language}, "fit"))
     answer = call("fit", request, arrays, _shown(progress, "fit"))
     return Fits(answer), answer
 
 
 @overload
-def simulate(*, method: str = ..., force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+def simulate(law: Optional[LawFit] = None, *, method: Optional[str] = ..., force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> Run: ...
 @overload
-def simulate(*, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+def simulate(law: Optional[LawFit] = None, *, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> Runs: ...
 @_documented
-def simulate(*, method: Union[str, List[str], Tuple[str, ...]] = "euler-cromer", force: Any = None, acceleration: Any = None,
+def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, force: Any = None, acceleration: Any = None,
              spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
              progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs]:
     """The motion of an oscillator by one method or several.
 
     Parameters
     ----------
+    law : LawFit, optional
+        A fitted law, from its first used sample on; what else is given takes the place of its own.
     method : str or list of str
-        Which methods; `methods()` lists them. "exact" is the closed form of a linear law.
+        Which methods (euler-cromer if not given, rk4 of a fitted law); `methods()` lists them. "exact" is the closed form of a linear law.
     force : array, optional
         Recorded force [N] that drives it, with `spacing`.
     acceleration : array, optional
@@ -180,12 +183,16 @@ def simulate(*, method: Union[str, List[str], Tuple[str, ...]] = "euler-cromer",
     -------
     Run of one method, Runs of a list of methods
     """
-    request = request_of({**options, "method": method, "spacing": spacing, "language": language})
+    given: Dict[str, Any] = {**(law.simulation() if law is not None else {}), **options, "spacing": spacing,
+                             "language": language}
+    if method is not None:
+        given["method"] = method
+    request = request_of(given, "simulate")
     answer = call("simulate", request, {"force": force, "acceleration": acceleration}, _shown(progress, "simulate"))
     runs = Runs(answer)
     states = ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
     told(runs, answer, strict, states)
-    return runs[0] if isinstance(method, str) else runs
+    return runs if isinstance(method, (list, tuple)) else runs[0]
 
 
 @_documented
@@ -204,8 +211,8 @@ def compare(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str]
     -------
     Comparison
     """
-    request, arrays = _motion(t, y, force)
-    request.update(request_of({**options, "observed": observed, "language": language}))
+    request, arrays = _motion("compare", t, y, force)
+    request.update(request_of({**options, "observed": observed, "language": language}, "compare"))
     answer = call("compare", request, arrays, _shown(progress, "compare"))
     made = Comparison(answer)
     told(made, answer, strict, made.status)
@@ -226,7 +233,7 @@ def methods(*, language: Optional[str] = None, **options: "Unpack[MethodsOptions
     -------
     Methods
     """
-    answer = call("methods", request_of({**options, "language": language}), {})
+    answer = call("methods", request_of({**options, "language": language}, "methods"), {})
     made = Methods(answer)
     told(made, answer, False)
     return made
@@ -269,7 +276,7 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
         given.update(periods=periods)
     elif periods is not None:
         arrays.update(periods=periods)
-    answer = call("spectrum", request_of(given), arrays, _shown(progress, "spectrum"))
+    answer = call("spectrum", request_of(given, "spectrum"), arrays, _shown(progress, "spectrum"))
     made = Spectrum(answer)
     told(made, answer, strict, "interrupted")
     return made
@@ -294,9 +301,13 @@ def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Uni
     grids = {name: value for name, value in given.items()
              if not isinstance(value, (str, tuple)) and np.ndim(value) == 1 and name != "method"}
     rest = {name: value for name, value in given.items() if name not in grids}
-    answer = call("sweep", request_of({**rest, "language": language}), grids, _shown(progress, "sweep"))
+    answer = call("sweep", request_of({**rest, "language": language}, "sweep"), grids, _shown(progress, "sweep"))
     made = Sweep(answer)
-    told(made, answer, strict, "not every point settled: see statuses")
+    unsettled = made.to_dict().get("not_settled", 0)
+    told(made, answer, strict, "not every point succeeded: see statuses")
+    if unsettled:
+        text = f"{unsettled} of {len(made.statuses)} points have no steady motion: see statuses"
+        warnings.warn(FitWarning(text, "not_settled", {"points": unsettled}), stacklevel=2)
     return made
 
 
@@ -317,8 +328,8 @@ def read(file: Union[str, "os.PathLike[str]"], *, language: Optional[str] = None
     -------
     Recording
     """
-    given = request_of(options)
-    answer = call("read", {"file": os.fspath(file), **given, **request_of({"language": language})}, {})
+    given = request_of(options, "read")
+    answer = call("read", {"file": os.fspath(file), **given, **request_of({"language": language}, "read")}, {})
     made = Recording(answer, os.fspath(file), given)
     told(made, answer, False)
     return made

@@ -74,6 +74,58 @@ def test_series_of_pandas():
     assert list(fit.to_pandas().columns) == ["measured", "x", "v", "residual"]
 
 
+def test_times_of_the_calendar_are_seconds():
+    pandas = pytest.importorskip("pandas")
+    t, x = swing(step=0.02)
+    truth = cromer.fit(t, x, law="viscous")["angular_frequency"].value
+    stamps = pandas.date_range("2024-05-01", periods=t.size, freq="20ms")
+    for index in (stamps, stamps.tz_localize("Europe/Berlin"), stamps - stamps[0]):
+        found = cromer.fit(pandas.Series(x, index=index), law="viscous")["angular_frequency"].value
+        assert found == pytest.approx(truth, rel=1e-9)
+    with pytest.raises(cromer.InputError, match="not times"):
+        cromer.fit(t, stamps)
+
+
+def test_masked_and_missing_values_are_missing():
+    t, x = swing()
+    holes = np.zeros(t.size, bool)
+    holes[::7] = True
+    nan = cromer.fit(t, np.where(holes, np.nan, x), law="viscous")["angular_frequency"]
+    assert cromer.fit(t, np.ma.array(np.where(holes, -999, x), mask=holes), law="viscous")["angular_frequency"] == nan
+    pandas = pytest.importorskip("pandas")
+    series = pandas.Series(np.where(holes, np.nan, x)).astype("Float64")
+    assert cromer.fit(t, series, law="viscous")["angular_frequency"] == nan
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), (float("nan"), 0.1), 1j, b"1 kg", object()])
+def test_a_mass_that_is_none_is_said_of_the_mass(value):
+    t, x = swing()
+    with pytest.raises(cromer.InputError, match="mass") as refused:
+        cromer.fit(t, x, mass=value)
+    assert refused.value.argument == "mass"
+
+
+def test_what_one_result_has_another_takes():
+    t, x = swing(noise=1e-6)
+    fit = cromer.fit(t, x, mass=0.2, law="viscous")
+    rows = cromer.methods(natural_frequency=fit["angular_frequency"], step=0.01)
+    assert rows["exact" if "exact" in rows.names else "rk4"]["name"]
+    again = cromer.fit(t, x, mass=fit["stiffness"], law="viscous")  # no mass, but with its uncertainty all the same
+    assert again["stiffness"].standard_error > 0
+    runs = cromer.simulate(fit, method=["rk4", "euler-cromer"], step=0.001, until=2)
+    assert runs.keys() == ["rk4", "euler-cromer"]
+    assert np.interp(1.5, runs["rk4"].t, runs["rk4"].x) == pytest.approx(fit.at([1.5]).x[0], abs=1e-6)
+
+
+def test_segments_and_reynolds_number():
+    fit = cromer.fit(str(ROOT / "data" / "recording2.csv"), disc_diameter="12 cm", segment="30 s", law="viscous+drag")
+    assert len(fit.segments) == 4 and fit.segments[0]["rate"] > fit.segments[-1]["rate"]
+    assert fit.reynolds["max"] == pytest.approx(2532, rel=0.01)
+    assert not fit.covariance.flags.writeable
+    with pytest.raises(KeyError, match="did you mean 'decay_rate'"):
+        fit["decay_rat"]
+
+
 def test_files_and_what_read_gave():
     recording = cromer.read(RECORDING)
     assert recording["position"].size == recording["Time (s)"].size

@@ -18,6 +18,18 @@ def test_one_method_and_several():
         runs["rk5"]
 
 
+def test_one_run_of_several_is_written_alone():
+    runs = cromer.simulate(stiffness=9, method=["euler-cromer", "exact"], step=0.1, until=1)
+    rows = runs["exact"].to_csv().splitlines()
+    assert len(rows) == 12 and float(rows[2].split(",")[2]) == runs["exact"].x[1]
+    assert len(runs.to_csv().splitlines()) == 23 and "exact" in str(runs["exact"])
+
+
+def test_points_without_a_steady_motion_warn():
+    with pytest.warns(cromer.FitWarning, match="3 of 3 points"):
+        cromer.sweep(stiffness=9, method="exact", drive_amplitude=1, drive_frequency=[2, 3, 4])
+
+
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0.1, 50), st.floats(0, 5), st.floats(-2, 2), st.floats(-2, 2))
 def test_euler_cromer_is_its_two_lines(stiffness, damping, x, v):
@@ -107,6 +119,11 @@ def test_pictures():
     for of in ("position", "velocity", "energy", "phase"):
         axes = runs.plot(of)
         assert [each.get_text() for each in axes.get_legend().get_texts()] == ["exact", "euler-cromer"]
+    _, ax = plt.subplots()
+    for each in runs:
+        each.plot("position", ax=ax)
+    colours = [each.get_color() for each in ax.get_legend().get_texts()]
+    assert len(set(colours)) == 2
     with pytest.raises(ValueError, match="phase"):
         runs.plot("poition")
     cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5)).plot()

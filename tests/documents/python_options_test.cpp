@@ -96,7 +96,7 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
             "with\nCROMER_WRITE_DESCRIPTIONS=1.\"\"\"\n\n"
             "from __future__ import annotations\n\n"
             "from typing import Dict, Sequence, Tuple, TypedDict, Union\n\n"
-            "from ._arguments import Grid, Uncertain, Value\n" +
+            "from ._types import Grid, Uncertain, Value\n" +
                 types +
                 "\n\n#: Of each verb's arguments the type, and in brackets the unit, what it is, and in "
                 "brackets the "

@@ -223,6 +223,11 @@ TEST(CallC, BadInputIsSaid) {
   expect_refused(call("spectrum", R"({"spacing": 0.01, "periods": 1})",
                       {{"acceleration", made.y.data(), 99}, {"periods", made.t.data() + 1, 9}}),
                  "periods", "leave one out");
+  expect_refused(call("spectrum", R"({"spacing": "10 ms", "frequencies": "1:2:3 Hz"})",
+                      {{"acceleration", made.y.data(), 99}, {"periods", made.t.data() + 1, 9}}),
+                 "frequencies", "periods and the argument frequencies");
+  expect_refused(call("spectrum", R"({"spacing": "10 m"})", {{"acceleration", made.y.data(), 99}}), "spacing",
+                 "expected a time");
   expect_refused(call("simulate", R"({"until": [1, 2]})"), "until", "one value, not a list of 2");
   expect_refused(call("fit", R"({"mass": [1, 2, 3]})", made.arrays()), "mass", "one value, not a list of 3");
   expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "neither is given");

@@ -95,15 +95,18 @@ class Call {
 
   /// Settings that are no options of the task, taken out of the request; "" where one is not there.
   Result<std::string> take_text(const char* name) { return core::take_text(request_, name); }
-  /// Likewise; NaN where it is not there.
-  Result<double> take_number(const char* name) {
+  /// Likewise, in seconds; NaN where it is not there.
+  Result<double> take_seconds(const char* name) {
     const auto at = request_.find(name);
     if (at == request_.end()) return std::nan("");
-    if (!at->is_number() && !at->is_null())
-      return Error{Notice{"must_be_number", {{"argument", name}}}, name};
-    const double number = at->is_null() ? std::nan("") : at->get<double>();
+    const Request value = *at;
     request_.erase(at);
-    return number;
+    if (value.is_null()) return std::nan("");
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_string()) return Error{Notice{"must_be_number", {{"argument", name}}}, name};
+    const auto quantity = parse_quantity(value.get<std::string>(), "s");
+    if (!quantity) return Error{quantity.error().notice, name};
+    return quantity->value;
   }
 
   /// An array by name, marked as used; empty where it is not given.
@@ -312,7 +315,7 @@ Result<void> take_record(Call& call, SimulateOptions& options, double spacing) {
 
 Result<void> simulate_verb(Call& call, cromer_result& result) {
   SimulateOptions options;
-  const auto spacing = call.take_number("spacing");
+  const auto spacing = call.take_seconds("spacing");
   if (!spacing) return spacing.error();
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
   if (auto good = take_record(call, options, *spacing); !good) return good;
@@ -363,7 +366,7 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   SpectrumOptions options;
   const auto file = call.take_text("file");
   if (!file) return file.error();
-  const auto spacing = call.take_number("spacing");
+  const auto spacing = call.take_seconds("spacing");
   if (!spacing) return spacing.error();
   if (call.has_array("acceleration")) {
     if (!file->empty()) return Error{Notice{"file_and_arrays"}, "file"};
@@ -371,8 +374,9 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   }
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
   const auto periods = call.take_array("periods");
-  if (!periods.empty() && call.asks("periods"))
-    return Error{Notice{"array_and_argument", {{"array", "periods"}}}, "periods"};
+  for (const char* argument : {"periods", "frequencies"})
+    if (!periods.empty() && call.asks(argument))
+      return Error{Notice{"array_and_argument", {{"array", "periods"}, {"argument", argument}}}, argument};
   if (auto good = check_samples(periods, "periods", 0); !good) return good;
   options.these_periods.assign(periods.begin(), periods.end());
   options.memory = memory_for_results;
@@ -404,7 +408,8 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
     if (std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == option; }))
       return Error{Notice{"not_an_array_of", {{"array", array->name}, {"verb", call.verb()}}}, array->name};
     if (call.asks(array->name))
-      return Error{Notice{"array_and_argument", {{"array", array->name}}}, array->name};
+      return Error{Notice{"array_and_argument", {{"array", array->name}, {"argument", array->name}}},
+                   array->name};
     grids.emplace_back(option, list_of({array->values, array->length}));
   }
   if (auto good = assign(grids, table, call.verb()); !good) return good;
