@@ -184,7 +184,7 @@ def _called(verb: str, request: str, arrays: Dict[str, Numbers], progress: Optio
 
 def _numbers(name: str, values: Any) -> Numbers:
     """One-dimensional doubles: a masked or missing value is NaN, times of the calendar are seconds from the first."""
-    if hasattr(values, "tz_convert"):  # a time zone of pandas
+    if getattr(values, "tz", None) is not None:  # a DatetimeIndex of pandas with a time zone
         values = values.tz_convert(None)
     try:
         if isinstance(values, np.ma.MaskedArray):
