@@ -308,6 +308,11 @@ export const teach: typeof en = {
       reynolds: ['Größte Reynolds-Zahl', '', ''],
       off: ['Wie weit liegt eine feste Rate am Ende daneben?', '', '']
     },
+    short: {
+      resonance: 'Resonanz ω', amplitude: 'Amplitude A', forwardLimit: 'Grenze von Euler vorwärts', cromerLimit: 'Grenze von Euler-Cromer',
+      growth: 'Wachsen von Euler vorwärts', simulatedRate: 'Rate von Euler implizit', frequency: 'Frequenz f', stiffness: 'Feder k',
+      rate: 'Abklingrate, 30 bis 60 s', reynolds: 'Größtes Re', off: 'Feste Rate am Ende'
+    },
     value: (question) => `${question}, Wert`,
     uncertainty: (question) => `${question}, Unsicherheit`,
     verdicts: {

@@ -321,6 +321,12 @@ export const teach = {
       reynolds: ['Largest Reynolds number', '', ''],
       off: ['How far is one constant rate off at the end?', '', '']
     },
+    /// Headings of the teacher's tables.
+    short: {
+      resonance: 'Resonance ω', amplitude: 'Amplitude A', forwardLimit: 'Limit of forward Euler', cromerLimit: 'Limit of Euler-Cromer',
+      growth: 'Growth of forward Euler', simulatedRate: 'Rate of implicit Euler', frequency: 'Frequency f', stiffness: 'Spring k',
+      rate: 'Decay rate, 30 to 60 s', reynolds: 'Largest Re', off: 'One rate off at the end'
+    } as Record<string, string>,
     value: (question: string) => `${question}, value`,
     uncertainty: (question: string) => `${question}, uncertainty`,
     verdicts: {
