@@ -37,12 +37,12 @@ struct Entry {
   std::string_view german;
 };
 
-/// All entries; those of each folder stand in the file of its name.
+/// All entries; those of each folder stand in the file of its name. In the page, those of the tasks it has.
 std::span<const std::span<const Entry>> catalogue();
 
 extern const std::span<const Entry> words_of_base, words_of_read, words_of_live, words_of_identify,
     words_of_fit, words_of_simulate, words_of_sweep, words_of_spectrum, words_of_options, words_of_files,
-    words_of_study, words_of_door, words_of_program;
+    words_of_study, words_of_door, words_of_program, words_of_page;
 
 /// The entry of a code; nullptr where there is none.
 const Entry* find_entry(std::string_view code);

@@ -109,19 +109,6 @@ constexpr Entry entries[] = {
      "{--address} „{address}“ ist keine IP-Adresse; 0.0.0.0 steht für alle dieses Rechners"},
     {"cannot_serve", error, "cannot serve at {address} port {port}: {reason}",
      "unter {address}, Port {port}, lässt sich nichts anbieten: {reason}"},
-
-    // apps/web/core
-    {"page_setting", error, "\"{line}\" is not option=value", "„{line}“ ist nicht Option=Wert"},
-    {"nothing_drives_it", error, "{--drive-amplitude}: nothing drives it",
-     "{--drive-amplitude}: nichts treibt den Schwinger an"},
-    {"page_drives_by_sine", error,
-     "{--drive} {drive}: the page drives by a sine; run the others with the program",
-     "{--drive} {drive}: die Seite treibt mit einem Sinus an; alles andere rechnet das Programm"},
-    {"page_has_no_recorded_drive", error, "the page drives by a sine; run recorded drives with the program",
-     "die Seite treibt mit einem Sinus an; aufgenommene Antriebe rechnet das Programm"},
-    {"program_only", error, "{option:option}: run it with the program",
-     "{option:option}: das rechnet das Programm"},
-    {"page_task", error, "there is no task \"{task}\"", "die Aufgabe „{task}“ gibt es nicht"},
 };
 
 }  // namespace

@@ -12,19 +12,17 @@ const MotionFunctions free_motions = FreeUnit::functions();
 Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h) {
   Rest rest;
   int direction = 0;
-  FreeUnit::gradients(fitted, parameters, {}, record.t, h,
-                  [&](std::size_t i, const auto& sample, const auto& gradient) {
-                    const int now = sample.direction();
-                    if (now != 0) {
-                      rest.half_swings += now != direction;
-                      rest.first = i + 1;
-                    } else if (rest.first == i) {
-                      const auto x = sample.x();
-                      rest.position = x.value;
-                      rest.derivative = gradient(x);
-                    }
-                    direction = now;
-                  });
+  FreeUnit::gradients(fitted, parameters, {}, record.t, 0, h,
+                      [&](std::size_t i, int now, double x, const Parameters& gradient) {
+                        if (now != 0) {
+                          rest.half_swings += now != direction;
+                          rest.first = i + 1;
+                        } else if (rest.first == i) {
+                          rest.position = x;
+                          rest.derivative = gradient;
+                        }
+                        direction = now;
+                      });
   return rest;
 }
 
@@ -36,11 +34,10 @@ VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion&
     return result;
   }
   const double times[] = {0, duration};
-  FreeUnit::gradients(fitted, fitted.pack(motion), {}, times, h,
-                  [&](std::size_t, const auto& sample, const auto& gradient) {
-                    const auto v = sample.v();
-                    result = {v.value, gradient(v)};
-                  });
+  FreeUnit::gradients(fitted, fitted.pack(motion), {}, times, 1, h,
+                      [&](std::size_t, int, double v, const Parameters& gradient) {
+                        result = {v, gradient};
+                      });
   return result;
 }
 

@@ -222,32 +222,37 @@ template <const auto& laws, class DriveColumns>
 struct MotionUnit {
   static constexpr MotionFunctions functions() { return {states, observed, equations, jacobian}; }
 
-  template <class Visit>
-  static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
-                     Visit visit) {
+  /// Visits every time with the state, and the acceleration where it is asked for.
+  using VisitValues = FunctionRef<void(std::size_t i, const State<double>& y, double acceleration)>;
+
+  static void values(const Motion& motion, const Drive& drive, std::span<const double> t, bool acceleration,
+                     double h, VisitValues visit) {
     with_law_among<laws>(motion.law, [&]<Law law>() {
-      integrate_through<law, DriveColumns, false>(motion, drive, t, h, visit);
+      integrate_through<law, DriveColumns, false>(
+          motion, drive, t, h, [&](std::size_t i, const auto& sample) {
+            visit(i, {sample.x().value, sample.v().value}, acceleration ? sample.a().value : 0);
+          });
     });
   }
 
   static Trajectory states(const Motion& motion, const Drive& drive, std::span<const double> t, double h) {
     Trajectory trajectory;
-    values(motion, drive, t, h, [&](std::size_t i, const auto& sample) {
+    values(motion, drive, t, false, h, [&](std::size_t i, const State<double>& y, double) {
       trajectory.t.push_back(t[i]);
-      trajectory.x.push_back(sample.x().value);
-      trajectory.v.push_back(sample.v().value);
+      trajectory.x.push_back(y.x);
+      trajectory.v.push_back(y.v);
     });
     return trajectory;
   }
 
   static std::vector<double> observed(const Motion& motion, const Drive& drive, std::span<const double> t,
                                       int derivative, double h) {
-    std::vector<double> y;
-    y.reserve(t.size());
-    values(motion, drive, t, h, [&](std::size_t, const auto& sample) {
-      y.push_back(motion.equilibrium + sample.observed(derivative).value);
+    std::vector<double> observed;
+    observed.reserve(t.size());
+    values(motion, drive, t, derivative == 2, h, [&](std::size_t, const State<double>& y, double a) {
+      observed.push_back(motion.equilibrium + (derivative == 0 ? y.x : derivative == 1 ? y.v : a));
     });
-    return y;
+    return observed;
   }
 
   static NormalEquations equations(const FittedParameters& fitted, const Parameters& parameters,
@@ -296,9 +301,9 @@ struct MotionUnit {
     const int equilibrium = fitted.place_of("equilibrium");
     std::vector<double> rows;
     rows.reserve(record.t.size() * static_cast<std::size_t>(fitted.count));
-    gradients(fitted, parameters, drive, record.t, h,
-              [&](std::size_t, const auto& sample, const auto& gradient) {
-                Parameters row = gradient(sample.observed(record.derivative));
+    gradients(fitted, parameters, drive, record.t, record.derivative, h,
+              [&](std::size_t, int, double, const Parameters& gradient) {
+                Parameters row = gradient;
                 if (equilibrium >= 0) row[equilibrium] = 1;
                 rows.insert(rows.end(), row.begin(), row.begin() + fitted.count);
               });
@@ -306,24 +311,26 @@ struct MotionUnit {
     return rows;
   }
 
-  /// Calls visit(i, sample, gradient): gradient(number) is its derivatives by the fitted parameters.
-  template <class Visit>
+  /// Visits every time with the direction of the motion, a derivative of the displacement (0, 1 or 2), and
+  /// its own derivatives by the fitted parameters.
+  using VisitGradients =
+      FunctionRef<void(std::size_t i, int direction, double value, const Parameters& gradient)>;
+
   static void gradients(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                        std::span<const double> t, double h, Visit visit) {
+                        std::span<const double> t, int derivative, double h, VisitGradients visit) {
     const Motion motion = fitted.unpack(parameters);
     with_law_among<laws>(motion.law, [&]<Law law>() {
       using Code = MotionCode<law, DriveColumns, true>;
       ColumnOf at[max_parameters];
       for (int i = 0; i < fitted.count; ++i) at[i] = column_of<Code>(fitted.of[i], parameters[i]);
-      const auto gradient = [&](const typename Code::Number& number) {
-        Parameters row{};
-        for (int i = 0; i < fitted.count; ++i)
-          row[i] =
-              at[i].column < 0 ? 0 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
-        return row;
-      };
-      integrate_through<law, DriveColumns, true>(
-          motion, drive, t, h, [&](std::size_t i, const auto& sample) { visit(i, sample, gradient); });
+      integrate_through<law, DriveColumns, true>(motion, drive, t, h, [&](std::size_t i, const auto& sample) {
+        const auto number = sample.observed(derivative);
+        Parameters gradient{};
+        for (int j = 0; j < fitted.count; ++j)
+          if (const auto [column, factor] = at[j]; column >= 0)
+            gradient[j] = factor * number.derivative[static_cast<std::size_t>(column)];
+        visit(i, sample.direction(), number.value, gradient);
+      });
     });
   }
 };
