@@ -3,12 +3,20 @@ import { decompressFile } from 'js-lzma'
 
 /// The bytes that xz --format=lzma packed. Throws where they are damaged.
 export function unlzma(file: Uint8Array): Uint8Array {
-  const plain: number[] = []
-  let at = 0
+  let plain = new Uint8Array(4 * file.length)
+  let [at, size] = [0, 0]
   const readByte = () => {
     if (at === file.length) throw new RangeError('the compressed data end early')
     return file[at++]!
   }
-  decompressFile({ readByte }, { writeByte: (byte) => plain.push(byte) })
-  return Uint8Array.from(plain)
+  const writeByte = (byte: number) => {
+    if (size === plain.length) {
+      const longer = new Uint8Array(2 * size)
+      longer.set(plain)
+      plain = longer
+    }
+    plain[size++] = byte
+  }
+  decompressFile({ readByte }, { writeByte })
+  return plain.subarray(0, size)
 }
