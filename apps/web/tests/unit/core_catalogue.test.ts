@@ -23,7 +23,9 @@ it('has every sentence that it can say', () => {
 
   const folders = [...new Set([...build.matchAll(/\$\{cromer\}\/([\w/]+)\/\*\.cpp/g)].map(([, folder]) => `src/cromer/${folder}`))]
   expect(folders).toContain('src/cromer/tasks')
-  const compiled = [...folders.flatMap(filesIn), ...filesIn('src/cromer/documents/json'), ...filesIn('apps/web/core')]
+  const files = [...build.matchAll(/\$\{cromer\}\/([\w/]+\.cpp)/g)].map(([, file]) => `src/cromer/${file}`)
+  expect(files).toContain('src/cromer/documents/json.cpp')
+  const compiled = [...folders.flatMap(filesIn), ...files, ...filesIn('src/cromer/documents/json'), ...filesIn('apps/web/core')]
     .filter((path) => !isLeftOut(path))
     .map(textOf)
     .join('\n')
