@@ -44,7 +44,7 @@ const Unfit unfit[] = {
      "cut off"},
     {"NoReturn", "auto", 1000,
      [](double t, double normal) { return 0.06 * std::exp(-t) - 0.01 * std::exp(-6 * t) + 1e-5 * normal; },
-     "overdamped", "without oscillating"},
+     "overdamped", "without an oscillation"},
     {"Rest", "auto", 500, [](double, double) { return 0.2; }, "no_oscillation", "nothing moves"},
 };
 

@@ -133,15 +133,26 @@ TEST(DoubtsLimits, AnAmplitudeThatHardlyFalls) {
 }
 
 TEST(DoubtsLimits, ASwingThatKeepsItself) {
+  LawFit fed = fit_with(-0.1);
+  fed.law = fed.motion.law = law_of("viscous+van-der-pol");
   EXPECT_THAT(
-      said_of(swing(steady(5)), fit_with(-0.1)),
+      said_of(swing(steady(5)), fed),
       ElementsAre("the swing sustains itself over 20 periods: negative damping feeds it as much as the "
                   "rest takes. A steady drive looks much the same: then " +
                   then));
-  EXPECT_THAT(said_of(swing({1, 1, 0.92, 1, 1}), fit_with(-0.1)), ElementsAre(HasSubstr("sustains itself")));
-  EXPECT_THAT(said_of(swing({1, 1, 0.9, 1, 1}), fit_with(-0.1)), IsEmpty());
+  EXPECT_THAT(said_of(swing({1, 1, 0.92, 1, 1}), fed), ElementsAre(HasSubstr("sustains itself")));
+  EXPECT_THAT(said_of(swing({1, 1, 0.9, 1, 1}), fed), IsEmpty());
   // What is fed may rise.
-  EXPECT_THAT(said_of(swing({0.5, 1, 1, 1, 1}), fit_with(-0.1)), IsEmpty());
+  EXPECT_THAT(said_of(swing({0.5, 1, 1, 1, 1}), fed), IsEmpty());
+}
+
+TEST(DoubtsLimits, ASwingThatGrows) {
+  const std::string grows =
+      "the swing grows by itself, at 0.1000000 ± 0.0000010 1/s: negative damping feeds it. "
+      "A drive in step with it may look the same: then " +
+      then;
+  EXPECT_THAT(said_of(swing({0.905, 1, 1}), fit_with(-0.1)), ElementsAre(grows));
+  EXPECT_THAT(said_of(swing({0.915, 1, 1}), fit_with(-0.1)), IsEmpty());
 }
 
 TEST(DoubtsLimits, FourLevels) {

@@ -1,5 +1,6 @@
 #include "cromer/identify/law_fit.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -9,6 +10,8 @@
 
 namespace cromer::core {
 namespace {
+
+bool covers(const Estimate& e, double value) { return e.low <= value && value <= e.high; }
 
 LawFit fit_viscous(const SyntheticRecord& record) { return fit_law(record.record(), {}); }
 
@@ -96,7 +99,6 @@ TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
   constexpr int trials = 400;
   double scatter_g = 0, scatter_w = 0, stated = 0;
   int covered_g = 0, covered_w = 0, covered_x = 0, covered_E = 0;
-  const auto covers = [](const Estimate& e, double value) { return e.low <= value && value <= e.high; };
   for (unsigned seed = 0; seed < trials; ++seed) {
     const LawFit fit = fit_viscous(viscous_record(truth, even_times(2000, h), noise, 0, seed));
     ASSERT_EQ(fit.status, FitStatus::converged);
@@ -149,6 +151,52 @@ TEST(LawFit, IntervalsHoldForQuantisedValues) {
     covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
   }
   EXPECT_GE(covered, 90);
+}
+
+// It dies down within a period: hardly one cycle is seen.
+TEST(LawFit, IntervalsHoldForStrongDamping) {
+  int refused = 0, covered_w = 0, covered_g = 0;
+  constexpr int trials = 200;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    std::mt19937_64 engine(1000 + seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    const double w0 = 6, ratio = 0.7 + 0.2 * share(engine), duration = (1 + 3 * share(engine)) * 1.047,
+                 noise = 0.05 * 0.002 * std::pow(10, share(engine));
+    const ViscousTruth truth{.w0 = w0, .g = ratio * w0, .position = 0.05, .velocity = 0};
+    const LawFit fit = fit_viscous(viscous_record(truth, even_times(300, duration / 299), noise, 0, seed));
+    if (fit.status != FitStatus::converged) {
+      ++refused;
+      EXPECT_THAT(in_words(fit.message), testing::AnyOf(testing::HasSubstr("nearly so"),
+                                                        testing::HasSubstr("the frequency is known only to")))
+          << ratio << ' ' << duration << ' ' << noise;
+      continue;
+    }
+    covered_w += covers(fit.angular_frequency(), truth.w0);
+    covered_g += covers(fit.decay_rate(), truth.g);
+  }
+  EXPECT_LT(refused, 0.25 * trials);
+  EXPECT_GT(covered_w, 0.91 * (trials - refused));
+  EXPECT_GT(covered_g, 0.91 * (trials - refused));
+}
+
+// Even samples do not tell a frequency from its mirror at half the rate: the lower one is taken.
+TEST(LawFit, FewSamplesGiveNoMirroredFrequency) {
+  int found = 0, all = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937_64 engine(seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    const std::size_t n = 8 + seed % 4;
+    const double duration = static_cast<double>(n - 1),
+                 periods = 1.6 + share(engine) * (0.4 * duration - 1.6),
+                 w0 = 2 * std::numbers::pi * periods / duration;
+    const LawFit fit = fit_viscous(viscous_record({.w0 = w0, .g = 0.02, .position = 0.05, .velocity = 0.01},
+                                                  even_times(n, 1), 2e-4, 0, seed));
+    if (fit.status != FitStatus::converged) continue;
+    ++all;
+    found += std::abs(fit.angular_frequency().value - w0) < 0.1 * w0;
+  }
+  EXPECT_GT(all, 100);
+  EXPECT_EQ(found, all);
 }
 
 TEST(LawFit, UndampedMotionIsFittedUnderTheBound) {

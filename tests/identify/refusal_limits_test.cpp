@@ -23,7 +23,8 @@ struct Seen {
   double damping_ratio = 0.01;  ///< as fitted
   double explained = 0.99;
   double independent_samples = 1000;
-  double falls = 0;  ///< damping ratio of the record itself
+  double falls = 0;     ///< damping ratio of the record itself
+  double error = 1e-4;  ///< of frequency and decay rate, independent of each other
 };
 
 constexpr double duration = 10;
@@ -41,6 +42,8 @@ LawFit fit_of(const Seen& seen) {
   fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
   for (const double value : {w0, seen.damping_ratio * w0, 0.0, 1.0, 0.0})
     fit.estimates.push_back({value, 1e-4, value - 2e-4, value + 2e-4});
+  fit.covariance.assign(25, 0);
+  for (std::size_t i = 0; i < 5; ++i) fit.covariance[6 * i] = seen.error * seen.error;
   fit.explained = seen.explained;
   fit.independent_samples = seen.independent_samples;
   return fit;
@@ -65,18 +68,30 @@ TEST(RefusalLimits, OneAndAHalfPeriods) {
 
 TEST(RefusalLimits, AMotionThatDoesNotOscillate) {
   const char* at_rest =
-      "overdamped: the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back";
+      "overdamped: the motion comes to rest without an oscillation that can be seen: it is overdamped or "
+      "nearly so, or nothing pulls it back";
   const char* ended =
       "too_short: the record ends before an oscillation can be seen, if there is one: a fit needs at least "
       "1.5 periods";
   EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.94, .falls = 0.9}), "");
-  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0.9}), at_rest);
-  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0}), ended);
+  // w0 = 4.49, g = 4.31, and w = 1.26 is known to 0.31 or to 0.32 rad/s.
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0.9, .error = 0.063}), "");
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0.9, .error = 0.064}), at_rest);
+  EXPECT_EQ(told({.periods = 0.4, .damping_ratio = 0.96, .falls = 0.96, .error = 0.1}), at_rest);
+  EXPECT_EQ(told({.periods = 0.13, .damping_ratio = 0.96, .falls = 0}), ended);
   // Within a period and a half less damping will do: g > 0.7 w.
-  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.56, .falls = 0.5}),
+  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.56, .falls = 0.5, .error = 0.3}),
               StartsWith("too_short: the record holds"));
-  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.58, .falls = 0.6}), at_rest);
+  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.58, .falls = 0.6, .error = 0.3}), at_rest);
   EXPECT_EQ(told({.periods = 0.5, .damping_ratio = 0.58, .falls = 0.05}), ended);
+}
+
+// What dies down within a period never shows one and a half.
+TEST(RefusalLimits, AMotionThatDiesDownWithinAPeriod) {
+  EXPECT_EQ(told({.periods = 0.8, .damping_ratio = 0.7, .falls = 0.7}), "");
+  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.45, .falls = 0.45}), "");  // g > 0.5 w
+  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.44, .falls = 0.44}),
+              StartsWith("too_short: the record holds"));
 }
 
 // Of long motions half the variance will do, or 300 times the noise; short ones are wandering noise sooner.

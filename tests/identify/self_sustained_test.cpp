@@ -93,6 +93,87 @@ TEST(SelfSustained, MayRise) {
     EXPECT_THAT(sentence, testing::Not(testing::HasSubstr("rises")));
 }
 
+// A motion of negative damping without a bound, from 2 cm; grown by e^(growth) in all.
+Swung growing(Motion motion, double growth, double noise, unsigned seed) {
+  motion.position = 0.02;
+  motion.set_angular_frequency(6);
+  motion.set_decay_rate(-growth / 40);
+  Swung swung{even_times(2000, 0.02), {}};
+  swung.y = observed_motion(motion, {}, swung.t, 0, 0.002);
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, noise);
+  for (double& each : swung.y) each += normal(engine);
+  return swung;
+}
+
+TEST(Growing, IsFoundAsNegativeViscousDamping) {
+  for (const double growth : {0.1, 0.8, 4.0, 12.0})
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      SCOPED_TRACE(testing::Message() << growth << ", seed " << seed);
+      const Swung swung = growing({.law = law_of("viscous")}, growth, 2e-4, seed);
+      const LawChoice choice = choose_law({swung.t, swung.y}, {});
+      for (const LawFit& fit : {choice.chosen, fit_law({swung.t, swung.y}, {})}) {
+        ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+        EXPECT_EQ(to_text(fit.law), "viscous");
+        EXPECT_LT(fit.residual.rms, 2.1e-4);
+        const Estimate g = fit.decay_rate();
+        EXPECT_NEAR(g.value, -growth / 40, 4 * g.standard_error);
+        EXPECT_LT(g.high, 0);
+        EXPECT_LT(g.standard_error, 2e-4);
+        EXPECT_NEAR(fit.angular_frequency().value, 6, 4 * fit.angular_frequency().standard_error);
+      }
+    }
+}
+
+TEST(Growing, OnABentSpring) {
+  for (const char* spring : {"viscous+cubic", "viscous+pendulum"}) {
+    SCOPED_TRACE(spring);
+    Motion motion{.law = law_of(spring)};
+    const double rad = 20;  // of a pendulum: from 0.4 to 0.9 rad
+    if (motion.law.has<Cubic>()) motion.per_mass.cubic = 2e4;
+    Swung swung = growing(motion, 0.8, 2e-5, 4);
+    if (motion.law.has<Pendulum>()) {
+      motion.position = 0.02 * rad;
+      motion.set_angular_frequency(6);
+      motion.set_decay_rate(-0.02);
+      swung.y = noisy(observed_motion(motion, {}, swung.t, 0, 0.002), 4e-4);
+    }
+    const LawChoice choice = choose_law({swung.t, swung.y}, {.angle = motion.law.has<Pendulum>()});
+    EXPECT_EQ(to_text(choice.chosen.law), spring);
+    const Estimate g = choice.chosen.decay_rate();
+    EXPECT_NEAR(g.value, -0.02, 4 * g.standard_error);
+    EXPECT_LT(g.high, 0);
+  }
+}
+
+TEST(Growing, IsSaidWithItsRate) {
+  const Swung swung = growing({.law = law_of("viscous")}, 0.8, 2e-4, 5);
+  const std::vector<std::string> said =
+      in_words(doubts({swung.t, swung.y}, fit_law({swung.t, swung.y}, {}), false, "m"));
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_THAT(said[0], testing::HasSubstr("grows by itself, at 0.0200"));
+}
+
+// What does not grow exponentially is no negative damping: the first half of a beat.
+TEST(Growing, OfAnotherShapeIsStillDoubted) {
+  Swung swung{even_times(2000, 0.02), {}};
+  for (const double t : swung.t)
+    swung.y.push_back(0.02 * std::sin(0.5 * 3.1 * (t + 2) / 42) * std::cos(6 * t));
+  swung.y = noisy(swung.y, 1e-4);
+  const LawFit fit = fit_law({swung.t, swung.y}, {});
+  const std::vector<std::string> said = in_words(doubts({swung.t, swung.y}, fit, false, "m"));
+  EXPECT_THAT(said, testing::Contains(testing::HasSubstr("something drives or pushes it")));
+  EXPECT_THAT(said, testing::Not(testing::Contains(testing::HasSubstr("by itself"))));
+}
+
+// Noise alone makes an undamped swing seem to grow in every second record.
+TEST(Growing, NeedsToBeSeen) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const SyntheticRecord record = viscous_record({.g = 0}, even_times(2000, 0.02), 1e-3, 0, seed);
+    EXPECT_GE(fit_law(record.record(), {}).decay_rate().value, 0) << seed;
+  }
+}
+
 TEST(SelfSustained, NeedsItsBound) {
   const Swung swung = swung_from(0.03, 6);
   const LawFit fit = fit_law({swung.t, swung.y}, {.law = law_of("viscous+drag")});

@@ -95,8 +95,7 @@ std::string options_of(std::span<const CoefficientInfo> coefficients) {
   for (const CoefficientInfo& each : coefficients) {
     text.append(text.empty() ? "`--" : "; `--").append(each.option).append("` ").append(each.symbol);
     text += " [" + unit_of(each) + "]";
-    if (each.sign != Sign::any) text += " at least 0";
-    if (each.sign == Sign::not_negative_unless_bounded) text += " without `--van-der-pol`";
+    if (each.sign == Sign::not_negative) text += " at least 0";
   }
   return text;
 }

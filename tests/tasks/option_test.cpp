@@ -134,7 +134,6 @@ TEST(Range, IsKeptToTheLastValue) {
       {Range::any, {-1e300, 0, 1e300}, {}, ""},
       {Range::positive, {tiny, 1e300}, {0, -tiny, -1}, "be positive"},
       {Range::not_negative, {0, tiny}, {-tiny, -1}, "not be negative"},
-      {Range::not_negative_unless_bounded, {-1, 0, 1}, {}, "not be negative without --van-der-pol"},
       {Range::at_least_one, {1, 1e300}, {below(1), 0}, "be at least 1"},
       {Range::fraction, {0, 1}, {-tiny, above(1)}, "lie between 0 and 1"},
       {Range::tolerance, {1e-15, 1e-2}, {below(1e-15), above(1e-2), 0}, "lie between 1e-15 and 1e-2"},

@@ -115,6 +115,12 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
   return list;
 }
 
+// Whether the noise makes a difference to the estimates, and the record is not too long to follow it.
+bool is_filtered(const DescribedMinimum& minimum, const Inverse& inverse, const Noise& noise) {
+  return minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
+         noise.correlation.coefficients.size() <= highest_order;
+}
+
 EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum,
                        const Inverse& inverse, const Noise& noise) {
   const FittedParameters& fitted = minimum.fitted;
@@ -122,9 +128,7 @@ EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedM
   const double k = fitted.count;
   EstimateNoise known;
   std::vector<double> jacobian;
-  if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
-      noise.correlation.coefficients.size() <= highest_order)
-    jacobian = minimum.jacobian();
+  if (is_filtered(minimum, inverse, noise)) jacobian = minimum.jacobian();
   if (!jacobian.empty()) {
     known = estimate_noise(jacobian, fitted.count, noise, record.resolution);
   } else {
@@ -267,6 +271,10 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
     fit.message = Notice{"law_undetermined", {{"what", ratio}}};
   }
   say_bounds(fit, fitted, record);
+  if (!noise.scale.empty() && is_filtered(minimum, inverse, noise)) {
+    const auto [low, high] = std::minmax_element(noise.scale.begin(), noise.scale.end());
+    fit.notices.push_back(Notice{"noise_is_uneven", {{"times", *high / *low}}});
+  }
 }
 
 }  // namespace cromer::core

@@ -223,8 +223,8 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     return found;
   }
   if (steps.recorded()) settings.error_tolerance = 1e-3;
-  // What feeds itself swings in bursts, of which a formula for sinusoids knows nothing.
-  const bool in_bursts = options.law.has<VanDerPol>();
+  // What feeds itself swings in bursts, of which a formula for sinusoids knows nothing, or grows.
+  const bool in_bursts = options.law.has<VanDerPol>() || options.may_grow;
   found.h = steps.fine(summary, coarse.residuals, found.h, false);
   Parameters from = summary.parameters;
   for (int round = 0; round < 4; ++round) {
@@ -497,7 +497,9 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
   if (held.force_offset && known.motion.force_offset != 0) known.motion = without_offset(known.motion);
   Motion values = known.motion;
   values.per_mass.hysteresis_exponent = options.hysteresis_exponent;
-  const FittedParameters fitted = fitted_parameters(options.law, options.drive.kind, held, values);
+  FittedParameters fitted = fitted_parameters(options.law, options.drive.kind, held, values);
+  if (const int at = fitted.place_of(Viscous::coefficients[0].parameter); options.may_grow && at >= 0)
+    fitted.of[at].may_be_negative = true;
   const Problem problem(record, options, fitted, watch);
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
@@ -571,6 +573,10 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
                   const Watch& watch, bool roughly) {
   const HeldParameters held = held_parameters(record, options.law, options.drive.kind);
   LawFit fit = fit_holding(held, record, options, known, watch, roughly);
+  if (options.drive.kind == DriveKind::none && !watch.interrupted())
+    fit = or_growing(std::move(fit), options, [&](const LawFitOptions& growing) {
+      return fit_holding(held, record, growing, known, watch, roughly);
+    });
   const bool by_convention = held.equilibrium && record.derivative == 0 && options.law.shares(springs);
   if (!by_convention || !tells_its_origin(options.law) || watch.interrupted()) return fit;
   // The zero may lie amid the motion by chance: the record tells.

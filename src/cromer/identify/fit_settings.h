@@ -68,4 +68,24 @@ Minimum minimise_both(const Model& model, const Parameters& start, const LeastSq
   return minimum;
 }
 
+/// Whether a swing of this law grows without a bound where its viscous damping is negative. Beside another
+/// damping, a negative one would only stand in for a shape that neither has.
+constexpr bool may_grow(Law law) {
+  return Law{law.terms & dampings.terms} == law_with<Viscous> && !law.shares(bounding_terms) &&
+         !law.has<Hysteresis>();
+}
+
+/// The fit or, where it ends at no damping at all and a negative one clearly does better, that of the swing
+/// that grows: `fit_again(options)`, which takes a negative decay rate.
+template <class FitAgain>
+LawFit or_growing(LawFit fit, LawFitOptions options, const FitAgain& fit_again) {
+  const Estimate* found = fit.find(Viscous::coefficients[0].parameter);
+  if (options.may_grow || !may_grow(fit.law) || !found || found->value > 0) return fit;
+  options.may_grow = true;
+  LawFit growing = fit_again(options);
+  constexpr double surely = 3;  // standard errors
+  const Estimate g = growing.decay_rate();
+  return growing.status == FitStatus::converged && g.value < -surely * g.standard_error ? growing : fit;
+}
+
 }  // namespace cromer::core

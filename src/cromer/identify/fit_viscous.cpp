@@ -20,6 +20,8 @@ namespace {
 Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions& options,
                    const Watch& watch) {
   Minimum minimum;
+  double& decay_rate = start.phasor[DampedPhasor::decay_rate];
+  if (!options.may_grow) decay_rate = std::max(0.0, decay_rate);
   int iterations = 0;
   for (;;) {
     if (start.samples < record.t.size()) start = grown(record, start);
@@ -30,6 +32,8 @@ Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions&
     if (!options.may_grow) settings.lower[DampedPhasor::decay_rate] = 0;
     const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
+    // Near critical damping the sum of squares is a long valley.
+    if (2 * decay_rate > start.phasor[DampedPhasor::angular_frequency]) settings.iteration_limit *= 4;
     if (whole || watch.interrupted()) {
       minimum = minimise_both(model, start.phasor, settings);
       break;
@@ -88,16 +92,13 @@ SquareMatrix jacobian_of(const Parameters& p, int derivative) {
 
 }  // namespace
 
-LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Watch& watch) {
+namespace {
+
+LawFit fit_from(const StartValues& start, const Record& record, const LawFitOptions& options,
+                const Watch& watch) {
   LawFit fit;
   fit.law = law_of("viscous");
-  const std::optional<StartValues> start = find_start_values(record);
-  if (!start) {
-    fit.status = FitStatus::no_oscillation;
-    fit.message = Notice{"no_line"};
-    return fit;
-  }
-  const Minimum minimum = fit_phasor(record, *start, options, watch);
+  const Minimum minimum = fit_phasor(record, start, options, watch);
   if (watch.interrupted()) return interrupted_fit(options, watch);
   fit.iterations = minimum.bounded.iterations;
   const Parameters& p = minimum.bounded.parameters;
@@ -141,11 +142,26 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   set_status(fit, minimum.bounded.reason);
   // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.
   constexpr double as_good = 12;
-  if (start->rival > 0 && start->rival_excess * fit.independent_samples < as_good)
+  if (start.rival > 0 && start.rival_excess * fit.independent_samples < as_good)
     fit.notices.push_back(Notice{"periods_in_gaps_unsure",
-                                 {{"rival", start->rival}, {"frequency", motion.angular_frequency()}}});
+                                 {{"rival", start.rival}, {"frequency", motion.angular_frequency()}}});
   if (const auto refusal = refuse_fit(record, fit)) refuse(fit, *refusal);
   return fit;
+}
+
+}  // namespace
+
+LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  const std::optional<StartValues> start = find_start_values(record);
+  if (!start) {
+    LawFit fit;
+    fit.law = law_of("viscous");
+    fit.status = FitStatus::no_oscillation;
+    fit.message = Notice{"no_line"};
+    return fit;
+  }
+  return or_growing(fit_from(*start, record, options, watch), options,
+                    [&](const LawFitOptions& growing) { return fit_from(*start, record, growing, watch); });
 }
 
 std::optional<FirstPeriods> fit_first_periods(const Record& record, double angular_frequency,

@@ -280,20 +280,23 @@ constexpr Entry entries[] = {
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
      "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte {|für fit {--drive-frequency} "
      "angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien Teil wählen"},
-    {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}, decay rate {decay_rate:n})",
-     "{frequency:n} (Amplitude {amplitude:.3g}, Abklingrate {decay_rate:n})"},
+    {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}{unit: }, decay rate {decay_rate:n})",
+     "{frequency:n} (Amplitude {amplitude:.3g}{unit: }, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,
      "two oscillations hardly decay, at {one} and {other}: a drive on a swing without damping, two drives, "
-     "or two modes, as of coupled pendulums, look the same; the numbers here assume the first of these",
+     "or two modes, as of coupled pendulums, look the same",
      "zwei Schwingungen klingen kaum ab, mit {one} und {other}: ein Antrieb auf eine Schwingung ohne "
-     "Dämpfung, zwei Antriebe und gekoppelte Pendel sehen gleich aus; die Zahlen hier gelten für das erste"},
+     "Dämpfung, zwei Antriebe und gekoppelte Pendel sehen gleich aus"},
     {"line_beside_the_drive", wrong_if_ignored,
      "beside the drive something oscillates at {line} and does not decay: another drive and an undamped body "
-     "look the same; the numbers here assume the undamped body",
+     "look the same",
      "neben dem Antrieb schwingt etwas mit {line} und klingt nicht ab: ein anderer Antrieb und ein Körper "
-     "ohne Dämpfung sehen so aus; die Zahlen hier gelten für den Körper"},
-    {"two_readings", error, "the record has two readings: {readings}",
-     "die Aufnahme lässt sich auf zwei Arten lesen: {readings}"},
+     "ohne Dämpfung sehen so aus"},
+    {"two_readings", error,
+     "the record has two readings: {readings}. The numbers here are those of a body of {own:n} without "
+     "damping, driven at {drive:n}",
+     "die Aufnahme lässt sich auf zwei Arten lesen: {readings}. Die Zahlen hier sind die eines Körpers von "
+     "{own:n} ohne Dämpfung, angetrieben mit {drive:n}"},
     {"two_modes", clause,
      "two modes swing here, and both decay, like those of coupled pendulums: {one} and {other}; they beat "
      "every {beat:.3g} s",

@@ -43,8 +43,10 @@ constexpr Entry entries[] = {
     {"nothing_moves", error, "all values are the same: nothing moves",
      "alle Werte sind gleich: nichts bewegt sich"},
     {"overdamped", error,
-     "the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back",
-     "die Bewegung kommt zur Ruhe, ohne zu schwingen: sie ist überdämpft, oder nichts zieht sie zurück"},
+     "the motion comes to rest without an oscillation that can be seen: it is overdamped or nearly so, or "
+     "nothing pulls it back",
+     "die Bewegung kommt zur Ruhe, ohne dass ein Schwingen zu sehen ist: sie ist überdämpft oder beinahe, "
+     "oder nichts zieht sie zurück"},
     {"ends_before_an_oscillation", error,
      "the record ends before an oscillation can be seen, if there is one: a fit needs at least 1.5 periods",
      "die Aufnahme endet, bevor eine Schwingung zu sehen ist, falls es eine gibt: eine Anpassung braucht "
@@ -159,6 +161,11 @@ constexpr Entry entries[] = {
     {"residuals_correlated_apart", clause,
      "the residuals are correlated ({correlation:.3f} at a lag of {samples} samples)",
      "die Reste hängen zusammen ({correlation:.3f} im Abstand von {samples} Messwerten)"},
+    {"noise_is_uneven", detail,
+     "the noise is uneven, up to {times:.2g} times as large at one time as at another: the uncertainties are "
+     "those of such noise",
+     "das Rauschen ist ungleich, bis zu {times:.2g}-mal so groß zu einer Zeit wie zu einer anderen: die "
+     "Unsicherheiten sind die von solchem Rauschen"},
     {"uncertainties_hardly_widened", detail,
      "{correlated}, but not at the swing's frequency: the uncertainties of frequency and decay are hardly "
      "widened",
@@ -233,6 +240,12 @@ constexpr Entry entries[] = {
      "die Schwingung hält sich über {periods:.0f} Perioden selbst: eine negative Dämpfung gibt ihr, was der "
      "Rest nimmt. Ein gleichmäßiger Antrieb sähe fast genauso aus: dann sind Frequenz und Federkonstante "
      "nicht die der Feder"},
+    {"swing_grows", wrong_if_ignored,
+     "the swing grows by itself, at {rate:n}: negative damping feeds it. A drive in step with it may look "
+     "the "
+     "same: then the frequency is the drive's, and the stiffness that follows from it is not the spring's",
+     "die Schwingung wächst von selbst, mit {rate:n}: eine negative Dämpfung nährt sie. Ein Antrieb im Takt "
+     "kann genauso aussehen: dann sind Frequenz und Federkonstante nicht die der Feder"},
     {"amplitude_hardly_falls", wrong_if_ignored,
      "the amplitude falls by only {percent:.2g} % over {periods:.0f} periods (quality factor "
      "{quality_factor:.2g}): a drive that is not quite steady looks the same. If something drives it, the "
@@ -274,6 +287,11 @@ constexpr Entry entries[] = {
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
      "} auf weniger als ein Zehntel davon, wie von einer Hand gehalten: bitte mit "
      "{|{--to}|den Griffen} vorher enden"},
+    {"law_over_a_stop", wrong_if_ignored,
+     "the law {law} is fitted to the swing and to what follows the stop, and leaves {rms:.3g}{unit: } (rms): "
+     "its uncertainties cannot be trusted",
+     "das Gesetz {law} ist an die Schwingung und an das angepasst, was nach ihrem Ende kommt, und lässt "
+     "{rms:.3g}{unit: } (Effektivwert) übrig: seinen Unsicherheiten ist nicht zu trauen"},
     {"few_samples_in_a_period", wrong_if_ignored,
      "only {samples:.2g} samples in a period: sampled at {rate:.4g} Hz, a swing of {slower:.5g} or "
      "{faster:.5g} Hz would look the same as this one of {frequency:.5g} Hz; sample faster if it may be one "

@@ -26,8 +26,6 @@ constexpr Entry entries[] = {
     {"be_finite", clause, "be a finite number", "muss eine endliche Zahl sein"},
     {"be_positive", clause, "be positive", "muss größer als 0 sein"},
     {"not_be_negative", clause, "not be negative", "darf nicht negativ sein"},
-    {"not_be_negative_unless_bounded", clause, "not be negative without {--van-der-pol}",
-     "darf ohne {--van-der-pol} nicht negativ sein"},
     {"be_at_least_one", clause, "be at least 1", "muss mindestens 1 sein"},
     {"be_a_fraction", clause, "lie between 0 and 1", "muss zwischen 0 und 1 liegen"},
     {"be_a_tolerance", clause, "lie between 1e-15 and 1e-2", "muss zwischen 1e-15 und 1e-2 liegen"},

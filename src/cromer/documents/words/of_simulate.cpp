@@ -31,7 +31,6 @@ constexpr Entry entries[] = {
      "{--natural-frequency}: with this mass the stiffness or the damping is beyond the largest number",
      "{--natural-frequency}: mit dieser Masse übersteigt die Federkonstante oder die Dämpfung die größte "
      "Zahl"},
-    {"damping_is_wrong", error, "{--damping}: {what}", "{--damping}: {what}"},
     {"start_energy_too_large", error,
      "{option:option}: the energy at the start (x = {x} m, v = {v} m/s) is beyond the largest number",
      "{option:option}: die Energie am Anfang (x = {x} m, v = {v} m/s) übersteigt die größte Zahl"},

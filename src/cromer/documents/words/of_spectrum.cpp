@@ -105,10 +105,6 @@ constexpr Entry entries[] = {
      "von einer Periode von {period:.4g} s an kommen manche Spitzen nach dem Ende der Aufnahme; der Boden "
      "gilt dann als mit seiner letzten Geschwindigkeit weiterbewegt; {--peaks} samples sieht nicht weiter "
      "als die Aufnahme"},
-    {"intensity_too_large", worth_knowing,
-     "{file}: its Arias intensity, about 10^{decades:.0f} m/s, is above any number that a computer holds",
-     "{file}: die Arias-Intensität, etwa 10^{decades:.0f} m/s, ist größer als jede Zahl, die ein Rechner "
-     "hält"},
     {"intensity_too_small", worth_knowing,
      "{file}: its Arias intensity, about 10^{decades:.0f} m/s, is below any number that a computer holds",
      "{file}: die Arias-Intensität, etwa 10^{decades:.0f} m/s, ist kleiner als jede Zahl, die ein Rechner "

@@ -6,8 +6,10 @@
 
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
+#include "cromer/base/quantity.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/diagnose/second_mode.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/record.h"
 
@@ -234,13 +236,20 @@ bool stays_within(double range, const Record& record, double period) {
   return largest > 0 && largest < range * lowest;
 }
 
+// What grows by negative damping, and is bounded by no term.
+Notice growth(const Record& record, const LawFit& fit, double period) {
+  if (!may_grow(fit.law) || stays_within(1.1, record, period)) return {};
+  const Estimate g = fit.decay_rate();
+  return Notice{"swing_grows", {{"rate", format_quantity({-g.value, g.standard_error}, "1/s")}}};
+}
+
 // What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
 // swings in air have a quality factor in the thousands.
 Notice steadiness(const Record& record, const LawFit& fit, double period) {
   constexpr double fewest = 20;  // periods
   const double duration = record.t.back() - record.t.front(), periods = duration / period;
   if (periods < fewest) return {};
-  if (is_fed(fit)) {
+  if (is_fed(fit) && !may_grow(fit.law)) {
     if (!stays_within(1.1, record, period)) return {};
     return Notice{"swing_keeps_itself", {{"periods", periods}}};
   }
@@ -303,22 +312,26 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
   const double period = two_pi / fit.swing_frequency().value;
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
-  const Notice rises = is_fed(fit) ? Notice{} : rise(record, period, noise);
+  const bool described = residuals.size() != record.t.size() ||
+                         !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value);
+  const Notice rises = is_fed(fit) && described ? growth(record, fit, period) : rise(record, period, noise);
   say(rises);
   if (rises.empty()) say(steadiness(record, fit, period));
   say(few_samples(record, fit.swing_frequency().value));
   say(coarseness(record, fit, unit));
-  const bool described = residuals.size() != record.t.size() ||
-                         !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value);
   const Notice stop = rises.empty() ? sudden_stop(record, period, unit, described) : Notice{};
   say(stop);
   if (described) return found;
+  if (!stop.empty()) {
+    // Whether a law describes the swing is seen only without the stop.
+    say(Notice{"law_over_a_stop", {{"law", to_text(fit.law)}, {"rms", fit.residual.rms}, {"unit", unit}}});
+    return found;
+  }
   const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
-  const Notice zero = stop.empty() ? wandering_zero(record, residuals, unit) : Notice{};
+  const Notice zero = wandering_zero(record, residuals, unit);
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
-  const bool named = !stop.empty() || !zero.empty();
-  if (line || (!named && fit.explained < most)) say(not_described(fit, noise, only_law));
+  if (line || (zero.empty() && fit.explained < most)) say(not_described(fit, noise, only_law));
   return found;
 }
 

@@ -64,6 +64,16 @@ bool comes_to_rest(const Record& record) {
   return range(record.y.last(std::max<std::size_t>(1, record.y.size() / 3))) < 0.05 * range(record.y);
 }
 
+// Whether the frequency of the damped swing, sqrt(w0² - g²), is surely not 0.
+bool swings_through(const LawFit& fit, double w) {
+  constexpr double surely = 4;  // standard errors
+  const double g = fit.decay_rate().value, w0 = fit.angular_frequency().value;
+  const double variance = w0 * w0 * fit.covariance_of("angular_frequency", "angular_frequency") +
+                          g * g * fit.covariance_of("decay_rate", "decay_rate") -
+                          2 * w0 * g * fit.covariance_of("angular_frequency", "decay_rate");
+  return w * w > surely * std::sqrt(std::max(0.0, variance));
+}
+
 }  // namespace
 
 LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
@@ -116,11 +126,14 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
                                                : against_noise > (fit.explained > 0.9 ? 60 : 500);
   const bool smooth = fit.explained > 0.9;
-  if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))) {
-    if (comes_to_rest(record)) return Refusal{FitStatus::overdamped, Notice{"overdamped"}};
+  // A motion that dies down within a period shows no more of them, however long it is recorded.
+  const bool rests = comes_to_rest(record) || g * duration > 3;
+  const bool whole = rests && g > 0.5 * w && swings_through(fit, w);
+  if (smooth && !whole && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))) {
+    if (rests) return Refusal{FitStatus::overdamped, Notice{"overdamped"}};
     return Refusal{FitStatus::too_short, Notice{"ends_before_an_oscillation"}};
   }
-  if (smooth && periods < 1.5)
+  if (smooth && !whole && periods < 1.5)
     return Refusal{FitStatus::too_short,
                    Notice{"too_few_periods", {{"periods", periods}, {"period", 2 * pi / w}}}};
   if (!stands_out) {

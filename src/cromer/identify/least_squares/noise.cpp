@@ -171,6 +171,31 @@ SquareMatrix normal_matrix(std::span<const double> jacobian, int size) {
   return matrix;
 }
 
+// Degrees of freedom of variances that are sums over stretches, each of as many as it has samples
+// (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946)).
+std::vector<double> degrees_along(std::span<const double> jacobian, int size, const Noise& noise,
+                                  const SquareMatrix& inverse_matrix) {
+  std::vector<double> degrees;
+  const auto each = static_cast<double>(noise.stretch);
+  for (int a = 0; a < size; ++a) {
+    double all = 0, squares = 0;
+    for (std::size_t i = 0; i < noise.samples;) {
+      double part = 0;
+      for (const std::size_t end = std::min(noise.samples, i + noise.stretch); i < end; ++i) {
+        double effect = 0;
+        for (int b = 0; b < size; ++b)
+          effect += inverse_matrix[a][b] *
+                    jacobian[i * static_cast<std::size_t>(size) + static_cast<std::size_t>(b)];
+        part += effect * effect * noise.scale[i] * noise.scale[i];
+      }
+      all += part;
+      squares += part * part;
+    }
+    degrees.push_back(each * all * all / squares);
+  }
+  return degrees;
+}
+
 // The degrees of freedom cost twice what the covariance does.
 EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& noise, double resolution,
                        bool with_degrees) {
@@ -189,6 +214,9 @@ EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& 
     for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
   const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
                                    resolution * resolution / 12);
+  const std::vector<double> along = with_degrees && noise.stretch > 0
+                                        ? degrees_along(jacobian, size, noise, inverse_matrix)
+                                        : std::vector<double>{};
   Parameters widening{};  // beyond that of the sums
   for (int a = 0; a < size; ++a) {
     const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
@@ -197,7 +225,8 @@ EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& 
     std::vector<double> slope;
     for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
     const double known = 2 / noise.correlation.log_variance(slope, n);
-    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - size / n);
+    result.degrees[a] = std::min({n / wide, known, along.empty() ? n : along[static_cast<std::size_t>(a)]}) *
+                        std::max(0.0, 1 - size / n);
   }
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b)
@@ -351,6 +380,51 @@ std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> 
   return variance;
 }
 
+std::vector<double> scale_along(const SampleGrid& grid, std::span<const double> r,
+                                const std::vector<double>& rho) {
+  const std::size_t length = stretch_of(r.size()), stretches = r.size() / length;
+  if (stretches < 4) return {};
+  const auto n = static_cast<double>(r.size());
+  // The last stretch takes what is left over.
+  const auto stretch_at = [&](std::size_t i) { return std::min(i / length, stretches - 1); };
+  std::vector<double> square(stretches), count(stretches);
+  double fourths = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const double each = r[i] * r[i];
+    square[stretch_at(i)] += each;
+    ++count[stretch_at(i)];
+    fourths += each * each / n;
+  }
+  double mean = 0, squared = 0;
+  const auto shortest = static_cast<double>(length);
+  for (std::size_t k = 0; k < stretches; ++k) {
+    mean += square[k] / n;
+    square[k] /= count[k];
+    squared += count[k] / n * square[k] * square[k];
+  }
+  // The variance of a square over the mean square's square, 2 of normal noise: `squared` is too large by that
+  // over the stretch's length.
+  const double ratio = fourths / squared, spread = (ratio - 1) / (1 - ratio / shortest);
+  if (!(mean > 0) || !(spread > 0) || !(ratio < shortest)) return {};
+  double memory = 1;
+  for (std::size_t l = 1; l < rho.size(); ++l) memory += 2 * rho[l] * rho[l];
+  double q = 0;
+  for (std::size_t k = 0; k < stretches; ++k)
+    q += (square[k] / mean - 1) * (square[k] / mean - 1) * count[k] / (spread * memory);
+  constexpr double one_in_a_thousand = 3.090232;  // standard deviations
+  const double degrees = static_cast<double>(stretches - 1);
+  if (q <= chi_squared(degrees, one_in_a_thousand)) return {};
+
+  std::vector<double> scale(r.size()), standardised(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    scale[i] = std::sqrt(square[stretch_at(i)] / mean);
+    if (!(scale[i] > 0)) return {};
+    standardised[i] = r[i] / scale[i];
+  }
+  const auto lags = autocorrelations(standardised, grid, first_lags(r.size()));
+  return describe_residual(standardised, lags, grid).white ? scale : std::vector<double>{};
+}
+
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution) {
   return estimate(jacobian, size, noise, resolution, true);
@@ -362,15 +436,25 @@ Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<co
   noise.grid = grid;
   noise.samples = r.size();
   for (double each : r) noise.sum_of_squares += each * each;
-  noise.scale = noise_scale(grid, r, motion);
-  if (noise.scale.empty()) {
-    noise.correlation = correlation_of(r, rho, grid);
-  } else {
-    std::vector<double> standardised(r.begin(), r.end());
-    for (std::size_t i = 0; i < standardised.size(); ++i) standardised[i] /= noise.scale[i];
-    noise.correlation =
-        correlation_of(standardised, autocorrelations(standardised, grid, first_lags(r.size())), grid);
+  std::vector<double> left(r.begin(), r.end()), lags = rho;
+  const auto take = [&](const std::vector<double>& scale) {
+    if (scale.empty()) return false;
+    if (noise.scale.empty()) noise.scale.assign(r.size(), 1);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      noise.scale[i] *= scale[i];
+      left[i] /= scale[i];
+    }
+    lags = autocorrelations(left, grid, first_lags(r.size()));
+    return true;
+  };
+  take(noise_scale(grid, r, motion));
+  if (take(scale_along(grid, left, lags))) {
+    noise.stretch = stretch_of(r.size());
+    double square = 0;
+    for (const double each : noise.scale) square += each * each / static_cast<double>(r.size());
+    for (double& each : noise.scale) each /= std::sqrt(square);
   }
+  noise.correlation = correlation_of(left, lags, grid);
   return noise;
 }
 

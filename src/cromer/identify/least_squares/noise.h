@@ -6,7 +6,8 @@
 // H. White, Econometrica 48, 817 (1980)). Here C_ij = s_i s_j rho(i, j): rho that of an autoregression over
 // the steps of the record's grid, so that Jᵀ C J is the sum of squares of the Jacobian's columns, each times
 // s, filtered as the noise is; gaps are zeros of the columns. This is right whatever frequencies an estimate
-// lives at.
+// lives at. s_i follows the motion (a sensor's gain, timing that is off) or, where the noise is larger at one
+// time than at another, the residuals of the samples around.
 #pragma once
 
 #include <span>
@@ -21,6 +22,7 @@ namespace cromer::core {
 
 struct Noise {
   std::vector<double> scale;  ///< standard deviation of each sample over the mean one (rms); empty: all alike
+  std::size_t stretch = 0;    ///< of so many samples each is known; 0: of all, by the motion
   Autoregression correlation;  ///< of the residuals over their scale
   SampleGrid grid;
   double sum_of_squares = 0;  ///< of the residuals
@@ -36,6 +38,13 @@ struct Noise {
 /// a hundred.
 std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
                                 std::span<const double> motion);
+
+/// The same from the residuals alone, of noise that is larger at one time than at another: the rms of
+/// stretches of stretch_of() samples. Empty unless even noise, whose squares correlate as those of normal
+/// noise with the autocorrelations `rho`, would differ so from stretch to stretch in only one record of a
+/// thousand, and where the residuals over it are not white: what a wrong law leaves is uneven too.
+std::vector<double> scale_along(const SampleGrid& grid, std::span<const double> r,
+                                const std::vector<double>& rho);
 
 /// Of residuals and the motion that was fitted, each of the same length, given the grid of their times and
 /// autocorrelations(r, grid, first_lags(r.size())).

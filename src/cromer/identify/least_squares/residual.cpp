@@ -194,7 +194,7 @@ namespace {
 /// samples meet large ones: the mean fourth power of the size along the record over the square of its mean
 /// square, by the mean squares of stretches (whose squares are too large by 2 in their length).
 double unevenness(const std::vector<double>& r) {
-  const std::size_t length = std::max<std::size_t>(16, r.size() / 50), stretches = r.size() / length;
+  const std::size_t length = stretch_of(r.size()), stretches = r.size() / length;
   if (stretches < 4) return 1;
   double squares = 0, fourths = 0;
   for (std::size_t k = 0; k < stretches; ++k) {
@@ -208,6 +208,13 @@ double unevenness(const std::vector<double>& r) {
 }
 
 }  // namespace
+
+std::size_t stretch_of(std::size_t samples) { return std::max<std::size_t>(16, samples / 50); }
+
+double chi_squared(double degrees, double deviations) {
+  const double root = 1 - 2 / (9 * degrees) + deviations * std::sqrt(2 / (9 * degrees));
+  return degrees * root * root * root;
+}
 
 std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, samples / 2); }
 
@@ -265,10 +272,8 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
   }
   result.white = true;
   if (k == 0) return result;
-  // 99 % quantile of chi-squared, Wilson & Hilferty, PNAS 17, 684 (1931); at 20 degrees of freedom 37.57
-  // (tables: 37.566).
-  const double root = 1 - 2 / (9 * k) + 2.326348 * std::sqrt(2 / (9 * k));
-  result.white = q <= k * root * root * root;
+  constexpr double one_in_a_hundred = 2.326348;  // at 20 degrees of freedom 37.57 (tables: 37.566)
+  result.white = q <= chi_squared(k, one_in_a_hundred);
   return result;
 }
 

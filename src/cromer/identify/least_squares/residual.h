@@ -73,6 +73,13 @@ double correlation_factor(std::span<const double> r, double phase_step);
 /// The same, given autocorrelations(r, first_lags(r.size())).
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step);
 
+/// How many samples a stretch has in which the noise is taken to be alike: a fiftieth, at least 16.
+std::size_t stretch_of(std::size_t samples);
+
+/// The value that chi-squared exceeds as seldom as a normal variable exceeds `deviations` standard deviations
+/// (Wilson & Hilferty, PNAS 17, 684 (1931)).
+double chi_squared(double degrees, double deviations);
+
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);
 

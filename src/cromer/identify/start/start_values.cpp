@@ -91,9 +91,13 @@ struct GridPoint {
   }
 
   // The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within
-  // a radian (most_damping 1) or less. The minimum is narrower than three to the next.
+  // a radian (most_damping 1) or less. The minimum is narrower than three to the next. Where none is best,
+  // the swing may grow.
   void try_decays(const DampedPhasor& model, double w, double duration, double most_damping) {
-    for (double g = 0; g <= most_damping * w; g = g > 0 ? 3 * g : 0.1 / duration) try_at(model, w, g);
+    const double before = sum_of_squares, least = 0.1 / duration;
+    for (double g = 0; g <= most_damping * w; g = g > 0 ? 3 * g : least) try_at(model, w, g);
+    if (phasor[DampedPhasor::decay_rate] > 0 || !(sum_of_squares < before)) return;
+    for (double g = least; g <= std::min(most_damping * w, 30 / duration); g *= 3) try_at(model, w, -g);
   }
 };
 
@@ -106,7 +110,7 @@ LineFit refined(const Record& samples, const DampedPhasor& model, const GridPoin
   settings.scale = std::sqrt(n * variation(samples));
   settings.residuals = static_cast<int>(samples.t.size());
   settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration_of(samples);
-  settings.lower[DampedPhasor::decay_rate] = 0;
+  if (point.phasor[DampedPhasor::decay_rate] >= 0) settings.lower[DampedPhasor::decay_rate] = 0;
   const LeastSquaresSummary minimum = minimise(model, point.phasor, settings);
   return {minimum.parameters, minimum.equations.sum_of_squares / n,
           frequency_error(minimum, samples.t.size())};
@@ -122,13 +126,24 @@ LineFit fit_line(const Record& part, double w) {
   return refined(samples, model, best);
 }
 
-// The best fit of a few periods: a window over them would blur every line.
+bool is_even(std::span<const double> t) {
+  const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  int off = 0;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    off += std::abs(t[i] - t[0] - static_cast<double>(i) * mean) > 0.5 * mean;
+  return off == 0;
+}
+
+// The best fit of a few periods: a window over them would blur every line. Of even samples no frequency above
+// half their rate is tried: a lower one looks the same.
 LineFit search_few_periods(const Record& part) {
   const double T = duration_of(part);
   const Samples means = group_means(part, 256), thin = thinned(part, 7 * two_pi / T);
   const DampedPhasor coarse(means.record());
   GridPoint best;
-  for (double periods = 0.6; periods < 7; periods += 0.16)
+  const double half_rate = 0.5 * static_cast<double>(part.t.size() - 1);
+  const double most = is_even(part.t) ? std::min(7.0, half_rate) : 7;
+  for (double periods = 0.6; periods < most; periods += 0.16)
     best.try_decays(coarse, periods * two_pi / T, T, 10);
   return refined(thin.record(), DampedPhasor(thin.record()), best);
 }
@@ -138,14 +153,6 @@ double smaller_step(std::span<const double> t) {
   std::vector<double> steps(t.size() - 1);
   for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
   return quantile(steps, 0.1);
-}
-
-bool is_even(std::span<const double> t) {
-  const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-  int off = 0;
-  for (std::size_t i = 0; i < t.size(); ++i)
-    off += std::abs(t[i] - t[0] - static_cast<double>(i) * mean) > 0.5 * mean;
-  return off == 0;
 }
 
 // The spectrum's lines, highest first. Gaps make several of one sinusoid, any of which may be the true one.
@@ -221,8 +228,13 @@ std::optional<StartValues> find_start_values(const Record& record) {
   const Record part = record.part(start.first, start.samples);
   const bool whole = start.samples == record.t.size();
   std::optional<LineFit> best = search_lines(part), few;
-  // The line may be noise on a motion of which the part shows few periods, which then accounts for more.
-  if (!best || (!whole && best->mean_square > 0.5 * variation(part))) few = search_few_periods(part);
+  // The line may be noise on a motion of which the part shows few periods, which then accounts for more, or
+  // is none at all where it dies down within a period.
+  const auto is_line = [&](const LineFit& fit) {
+    const double w = fit.phasor[DampedPhasor::angular_frequency], g = fit.phasor[DampedPhasor::decay_rate];
+    return fit.mean_square <= 0.5 * variation(part) && w * duration_of(part) > two_pi && 3 * w > g;
+  };
+  if (!best || !is_line(*best)) few = search_few_periods(part);
   if (best && few && few->mean_square < best->mean_square) best = std::nullopt;
   if (best || whole) {
     set_line(start, best ? *best : *few);

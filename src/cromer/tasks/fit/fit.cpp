@@ -193,6 +193,12 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
+  // What was stopped has not come to rest by friction, after whatever number of half swings.
+  const auto is = [](std::string_view code) {
+    return [code](const Notice& each) { return each.code == code; };
+  };
+  if (std::any_of(result.notices.begin(), result.notices.end(), is("law_over_a_stop")))
+    std::erase_if(result.notices, is("half_swings_before_rest_unsure"));
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;

@@ -7,6 +7,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/fit_settings.h"
+#include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
@@ -46,34 +47,39 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
          driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
-Notice mode_notice(const Mode& mode) {
-  const Estimate &w = mode.angular_frequency, &g = mode.decay_rate;
+std::string in_hertz(const Estimate& w) {
+  return format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz");
+}
+
+Notice mode_notice(const Mode& mode, std::string_view unit) {
+  const Estimate& g = mode.decay_rate;
   return Notice{"mode",
-                {{"frequency", format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz")},
+                {{"frequency", in_hertz(mode.angular_frequency)},
                  {"amplitude", mode.amplitude},
+                 {"unit", unit},
                  {"decay_rate", format_quantity({g.value, g.standard_error}, "1/s")}}};
 }
 
 // Neither of two lines decays. The first is for a drive that was searched for, the second for one that was
 // given.
-Notice either_reading(const TwoModes& modes) {
+Notice either_reading(const TwoModes& modes, std::string_view unit) {
   return Notice{"two_steady_lines",
-                {{"one", mode_notice(modes.modes[0])}, {"other", mode_notice(modes.modes[1])}}};
+                {{"one", mode_notice(modes.modes[0], unit)}, {"other", mode_notice(modes.modes[1], unit)}}};
 }
 
-Notice either_reading(const TwoModes& modes, double drive) {
+Notice either_reading(const TwoModes& modes, std::string_view unit, double drive) {
   const auto& [one, other] = modes.modes;
   const bool other_is_drive =
       std::abs(other.angular_frequency.value - drive) < std::abs(one.angular_frequency.value - drive);
-  return Notice{"line_beside_the_drive", {{"line", mode_notice(other_is_drive ? one : other)}}};
+  return Notice{"line_beside_the_drive", {{"line", mode_notice(other_is_drive ? one : other, unit)}}};
 }
 
-Notice of_two_modes(const TwoModes& found) {
+Notice of_two_modes(const TwoModes& found, std::string_view unit) {
   const double apart =
       std::abs(found.modes[0].angular_frequency.value - found.modes[1].angular_frequency.value);
   return Notice{"two_modes",
-                {{"one", mode_notice(found.modes[0])},
-                 {"other", mode_notice(found.modes[1])},
+                {{"one", mode_notice(found.modes[0], unit)},
+                 {"other", mode_notice(found.modes[1], unit)},
                  {"beat", two_pi / apart}}};
 }
 
@@ -81,19 +87,23 @@ Notice of_two_modes(const TwoModes& found) {
 void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice readings) {
   result.modes.assign(found.modes.begin(), found.modes.end());
   result.fit.status = FitStatus::undetermined;
-  result.fit.message = Notice{"two_readings", {{"readings", readings}}};
+  result.fit.message = Notice{"two_readings",
+                              {{"readings", readings},
+                               {"own", in_hertz(result.fit.angular_frequency())},
+                               {"drive", in_hertz(result.fit["drive_frequency"])}}};
   result.notices.push_back(std::move(readings));
 }
 
 void name_two_modes(FittedRecording& result, const TwoModes& found) {
   result.modes.assign(found.modes.begin(), found.modes.end());
+  const Notice modes = of_two_modes(found, si_unit_of(result.series.quantity));
   if (result.parameters.empty()) {
-    result.fit.message = Notice{"no_single_swing", {{"modes", of_two_modes(found)}}};
+    result.fit.message = Notice{"no_single_swing", {{"modes", modes}}};
     return;
   }
-  result.notices.push_back(Notice{
-      "modes_beside_the_law",
-      {{"modes", of_two_modes(found)}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
+  result.notices.push_back(
+      Notice{"modes_beside_the_law",
+             {{"modes", modes}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
 // A refused fit in which one line explains some of the variance, and the rest is no noise.
@@ -144,7 +154,8 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
   if (undecided) {
-    leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes));
+    leave_undetermined(*driven, *judgement.modes,
+                       either_reading(*judgement.modes, si_unit_of(driven->series.quantity)));
   } else {
     driven->notices.push_back(Notice{"motion_is_driven",
                                      {{"frequency", driven->fit.motion.drive_frequency / two_pi},
@@ -170,9 +181,10 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes) {
-    leave_undetermined(
-        driven, *judgement.modes,
-        searched ? either_reading(*judgement.modes) : either_reading(*judgement.modes, **drive_of(options)));
+    const std::string_view unit = si_unit_of(driven.series.quantity);
+    leave_undetermined(driven, *judgement.modes,
+                       searched ? either_reading(*judgement.modes, unit)
+                                : either_reading(*judgement.modes, unit, **drive_of(options)));
     return driven;
   }
   if (judgement.kind == MotionKind::two_modes) {

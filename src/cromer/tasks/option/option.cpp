@@ -18,7 +18,6 @@ bool in_range(Range range, double value) {
   if (!std::isfinite(value)) return false;
   switch (range) {
     case Range::any:
-    case Range::not_negative_unless_bounded:
       return true;
     case Range::positive:
       return value > 0;
@@ -44,7 +43,7 @@ bool in_range(Range range, double value) {
 
 Result<void> check_value(const Option& option, double value) {
   if (in_range(option.range, value)) return {};
-  const bool any = option.range == Range::any || option.range == Range::not_negative_unless_bounded;
+  const bool any = option.range == Range::any;
   return wrong_option(option, Notice{"must_keep_to",
                                      {{"rule", any ? Notice{"be_finite"} : constraint(option.range)},
                                       {"value", value},
@@ -191,8 +190,6 @@ Notice constraint(Range range) {
       return Notice{"be_positive"};
     case Range::not_negative:
       return Notice{"not_be_negative"};
-    case Range::not_negative_unless_bounded:
-      return Notice{"not_be_negative_unless_bounded"};
     case Range::at_least_one:
       return Notice{"be_at_least_one"};
     case Range::fraction:

@@ -29,7 +29,6 @@ enum class Range {
   any,
   positive,
   not_negative,
-  not_negative_unless_bounded,  ///< checked with the law: each value by itself is in range
   at_least_one,
   fraction,
   tolerance,

@@ -24,10 +24,7 @@ std::string law_in_words() {
   return sum + rates;
 }
 
-Range range_of(Sign sign) {
-  if (sign == Sign::any) return Range::any;
-  return sign == Sign::not_negative ? Range::not_negative : Range::not_negative_unless_bounded;
-}
+Range range_of(Sign sign) { return sign == Sign::not_negative ? Range::not_negative : Range::any; }
 
 /// The coefficients of the law's terms, each an option.
 std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {

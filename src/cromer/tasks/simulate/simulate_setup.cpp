@@ -201,12 +201,6 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   oscillator.stiffness = k;
   oscillator.damping = c;
   oscillator.static_friction = o.static_friction.value_or(0);
-  if (c < 0 && !law_of(oscillator).shares(bounding_terms))
-    return Error{"damping_is_wrong",
-                 {{"what", Notice{"must_keep_to",
-                                  {{"rule", constraint(Range::not_negative_unless_bounded)},
-                                   {"value", c},
-                                   {"unit", "kg/s"}}}}}};
   return oscillator;
 }
 

@@ -191,9 +191,8 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   }
   for (const Component& component : result.components)
     if (std::isnan(component.intensity.arias))
-      result.notices.push_back(
-          Notice{component.intensity.decades > 0 ? "intensity_too_large" : "intensity_too_small",
-                 {{"file", component.file}, {"decades", component.intensity.decades}}});
+      result.notices.push_back(Notice{"intensity_too_small",
+                                      {{"file", component.file}, {"decades", component.intensity.decades}}});
   const std::size_t all = result.periods.size();
   const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
   const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);
