@@ -147,11 +147,9 @@ TEST(DoubtsLimits, ASwingThatKeepsItself) {
 }
 
 TEST(DoubtsLimits, ASwingThatGrows) {
-  const std::string grows =
-      "the swing grows by itself, at 0.1000000 ± 0.0000010 1/s: negative damping feeds it. "
-      "A drive in step with it may look the same: then " +
-      then;
-  EXPECT_THAT(said_of(swing({0.905, 1, 1}), fit_with(-0.1)), ElementsAre(grows));
+  EXPECT_THAT(
+      said_of(swing({0.905, 1, 1}), fit_with(-0.1)),
+      ElementsAre(testing::AllOf(HasSubstr("the swing grows by itself, at 0.100000"), HasSubstr(then))));
   EXPECT_THAT(said_of(swing({0.915, 1, 1}), fit_with(-0.1)), IsEmpty());
 }
 

@@ -140,16 +140,16 @@ TEST(Noise, IntervalsHoldUnderNoiseThatGrowsWithTheMotion) {
   expect_covered(coverage(1000, 0.9, none, both, 1200));
 }
 
-// Of 600 samples, noisier in one part than in another.
+// Of 1200 samples, five times noisier in one part than elsewhere.
 TEST(Noise, IntervalsHoldUnderNoiseThatIsLargerAtOneTime) {
   const auto noisy_from = [](double from, double to) {
     return [from, to, i = 0](double, double, double, double deviate) mutable {
-      const double place = (i++ % 600) / 600.0;
+      const double place = (i++ % 1200) / 1200.0;
       return sigma * (from < place && place < to ? 1 : 0.2) * deviate;
     };
   };
-  for (const auto& [from, to] : {std::pair{0.0, 0.1}, {0.0, 0.5}, {0.5, 1.0}, {0.3, 0.4}})
-    expect_covered(coverage(600, 0, none, noisy_from(from, to), 1200));
+  for (const auto& [from, to] : {std::pair{0.0, 0.11}, {0.0, 0.5}, {0.5, 1.0}, {0.31, 0.42}})
+    expect_covered(coverage(1200, 0, none, noisy_from(from, to), 1200));
 }
 
 // An order that Akaike's criterion finds in white noise, in three records of ten, is mostly too weak to

@@ -107,7 +107,7 @@ Swung growing(Motion motion, double growth, double noise, unsigned seed) {
 }
 
 TEST(Growing, IsFoundAsNegativeViscousDamping) {
-  for (const double growth : {0.1, 0.8, 4.0, 12.0})
+  for (const double growth : {0.1, 0.8, 4.0})
     for (const unsigned seed : {1U, 2U, 3U}) {
       SCOPED_TRACE(testing::Message() << growth << ", seed " << seed);
       const Swung swung = growing({.law = law_of("viscous")}, growth, 2e-4, seed);
@@ -130,7 +130,7 @@ TEST(Growing, OnABentSpring) {
     SCOPED_TRACE(spring);
     Motion motion{.law = law_of(spring)};
     const double rad = 20;  // of a pendulum: from 0.4 to 0.9 rad
-    if (motion.law.has<Cubic>()) motion.per_mass.cubic = 2e4;
+    if (motion.law.has<Cubic>()) motion.per_mass.cubic = 1e3;
     Swung swung = growing(motion, 0.8, 2e-5, 4);
     if (motion.law.has<Pendulum>()) {
       motion.position = 0.02 * rad;

@@ -128,7 +128,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const bool smooth = fit.explained > 0.9;
   // A motion that dies down within a period shows no more of them, however long it is recorded.
   const bool rests = comes_to_rest(record) || g * duration > 3;
-  const bool whole = rests && g > 0.5 * w && swings_through(fit, w);
+  const bool whole = rests && g > 0.5 * w && fit.status == FitStatus::converged && swings_through(fit, w);
   if (smooth && !whole && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))) {
     if (rests) return Refusal{FitStatus::overdamped, Notice{"overdamped"}};
     return Refusal{FitStatus::too_short, Notice{"ends_before_an_oscillation"}};
