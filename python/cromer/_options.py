@@ -236,7 +236,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
     "simulate": {
         "mass": ("Value", "[kg] mass m; must be positive [1 kg]"),
         "stiffness": ("Value", "[N/m] spring constant k; negative with a cubic is a double well [1 N/m]"),
-        "damping": ("Value", "[kg/s] viscous damping c; must not be negative without van_der_pol [0]"),
+        "damping": ("Value", "[kg/s] viscous damping c [0]"),
         "drag": ("Value", "[kg/m] quadratic drag d; must not be negative [0]"),
         "friction": ("Value", "[N] dry friction f while it slides; must not be negative [0]"),
         "static_friction": ("Value", "[N] largest force that dry friction holds at rest, at least friction; must not be negative [as friction]"),
@@ -326,7 +326,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
     "sweep": {
         "mass": ("Grid", "[kg] mass m; must be positive [1 kg]"),
         "stiffness": ("Grid", "[N/m] spring constant k; negative with a cubic is a double well [1 N/m]"),
-        "damping": ("Grid", "[kg/s] viscous damping c; must not be negative without van_der_pol [0]"),
+        "damping": ("Grid", "[kg/s] viscous damping c [0]"),
         "drag": ("Grid", "[kg/m] quadratic drag d; must not be negative [0]"),
         "friction": ("Grid", "[N] dry friction f while it slides; must not be negative [0]"),
         "static_friction": ("Grid", "[N] largest force that dry friction holds at rest, at least friction; must not be negative [as friction]"),

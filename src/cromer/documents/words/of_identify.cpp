@@ -240,7 +240,7 @@ constexpr Entry entries[] = {
      "die Schwingung hält sich über {periods:.0f} Perioden selbst: eine negative Dämpfung gibt ihr, was der "
      "Rest nimmt. Ein gleichmäßiger Antrieb sähe fast genauso aus: dann sind Frequenz und Federkonstante "
      "nicht die der Feder"},
-    {"swing_grows", wrong_if_ignored,
+    {"swing_grows_by_itself", wrong_if_ignored,
      "the swing grows by itself, at {rate:n}: negative damping feeds it. A drive in step with it may look "
      "the "
      "same: then the frequency is the drive's, and the stiffness that follows from it is not the spring's",

@@ -240,7 +240,7 @@ bool stays_within(double range, const Record& record, double period) {
 Notice growth(const Record& record, const LawFit& fit, double period) {
   if (!may_grow(fit.law) || stays_within(1.1, record, period)) return {};
   const Estimate g = fit.decay_rate();
-  return Notice{"swing_grows", {{"rate", format_quantity({-g.value, g.standard_error}, "1/s")}}};
+  return Notice{"swing_grows_by_itself", {{"rate", format_quantity({-g.value, g.standard_error}, "1/s")}}};
 }
 
 // What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
