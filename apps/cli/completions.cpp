@@ -19,7 +19,7 @@ struct Shell {
 };
 
 constexpr Shell shells[] = {
-    {"bash", R"(# Put this into ~/.bashrc:  source <(cromer completions bash)
+    {"bash", R"shell(# Put this into ~/.bashrc:  source <(cromer completions bash)
 _cromer() {
   local word=${COMP_WORDS[COMP_CWORD]} list=commands
   ((COMP_CWORD > 1)) && list=${COMP_WORDS[1]}
@@ -29,8 +29,8 @@ _cromer() {
   fi
 }
 complete -o default -o bashdefault -F _cromer cromer
-)"},
-    {"zsh", R"(# Put this into ~/.zshrc, after compinit:  source <(cromer completions zsh)
+)shell"},
+    {"zsh", R"shell(# Put this into ~/.zshrc, after compinit:  source <(cromer completions zsh)
 _cromer() {
   local list=commands
   ((CURRENT > 2)) && list=$words[2]
@@ -43,12 +43,12 @@ _cromer() {
   fi
 }
 compdef _cromer cromer
-)"},
-    {"fish", R"(# Put this into a file:  cromer completions fish > ~/.config/fish/completions/cromer.fish
+)shell"},
+    {"fish", R"shell(# Put this into a file:  cromer completions fish > ~/.config/fish/completions/cromer.fish
 complete -c cromer -f -n __fish_use_subcommand -a '(cromer completions commands 2>/dev/null)'
 complete -c cromer -n 'string match -q -- "-*" (commandline -ct)' \
   -a '(cromer completions (commandline -opc)[2] 2>/dev/null)'
-)"},
+)shell"},
 };
 
 }  // namespace
