@@ -46,6 +46,28 @@ void append_wrapped(std::string& out, std::string_view text) {
   }
 }
 
+/// As much of the option's first clause as a line of the terminal holds.
+std::string_view in_short(std::string_view help) {
+  help = help.substr(0, help.find_first_of(";:("));
+  while (help.ends_with(' ')) help.remove_suffix(1);
+  return help;
+}
+
+std::string usage(const Syntax& syntax) {
+  return fmt::format("Usage: cromer {}{}{} [OPTIONS]\n", syntax.command, syntax.files.empty() ? "" : " ",
+                     syntax.files);
+}
+
+/// Calls for each group's heading, and for each option.
+template <class Heading, class Line>
+void for_each_option(const Syntax& syntax, const Heading& heading, const Line& line) {
+  std::string_view group;
+  for (const Option& option : syntax.options) {
+    if (option.group != group) heading(group = option.group);
+    line(option);
+  }
+}
+
 void append_option(std::string& out, const Option& option) {
   const std::string text = option_text(option);
   const std::string left = left_side(option);
@@ -59,16 +81,10 @@ void append_option(std::string& out, const Option& option) {
 }  // namespace
 
 std::string help(const Syntax& syntax) {
-  std::string out = fmt::format("Usage: cromer {}{}{} [OPTIONS]\n\n{}\n", syntax.command,
-                                syntax.files.empty() ? "" : " ", syntax.files, syntax.description);
-  std::string_view group;
-  for (const auto& option : syntax.options) {
-    if (option.group != group) {
-      group = option.group;
-      out += fmt::format("\n{}:\n", group);
-    }
-    append_option(out, option);
-  }
+  std::string out = usage(syntax) + fmt::format("\n{}\n", syntax.description);
+  for_each_option(
+      syntax, [&](std::string_view group) { out += fmt::format("\n{}:\n", group); },
+      [&](const Option& option) { append_option(out, option); });
   out += "  --help" + std::string(help_column - 8, ' ') + "this text\n";
   out +=
       "\nValues are SI numbers or texts with a unit, such as \"217.6 g\", \"12 cm\", \"3 Hz\". A frequency "
@@ -76,6 +92,23 @@ std::string help(const Syntax& syntax) {
       "cycles and is multiplied by 2 pi. In brackets: the default.\n";
   out += fmt::format("\nExample:\n{}\n", syntax.example);
   return out;
+}
+
+std::string short_help(const Syntax& syntax) {
+  std::string out = usage(syntax);
+  for_each_option(
+      syntax, [&](std::string_view group) { out += fmt::format("\n{}:\n", group); },
+      [&](const Option& option) {
+        out += fmt::format("{:<{}}{}\n", left_side(option) + "  ", help_column, in_short(option.help));
+      });
+  return out + fmt::format("\ncromer {} --help says more, with an example.\n", syntax.command);
+}
+
+std::string option_list(const Syntax& syntax) {
+  std::string out;
+  for (const Option& option : syntax.options)
+    out += fmt::format("--{}\t{}\n", option.name, in_short(option.help));
+  return out + "--help\tall of it\n";
 }
 
 }  // namespace cromer::core::cli

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "completions.h"
 #include "cromer/base/nearest.h"
 #include "cromer/version.h"
 #include "message.h"
@@ -35,7 +36,9 @@ std::string overview() {
       "motion.\n\nCommands:\n";
   for (const auto& command : commands) text += fmt::format("  {:<10}{}\n", command.name, command.description);
   text +=
-      "\ncromer COMMAND --help explains a command; cromer --version says which version this is.\n"
+      "\ncromer COMMAND --help explains a command, -h in short; cromer --version says which version this "
+      "is;\n"
+      "cromer completions bash (zsh, fish) completes commands and options in the shell.\n"
       "\nExample:\n  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 "
       "--until 50 --plot run.svg\n";
   return text;
@@ -60,6 +63,7 @@ int run(const Arguments& arguments) {
   if (first == "--version") return print_all("cromer " CROMER_VERSION "\n");
   if (first == "help" && arguments.size() > 1) return run({arguments[1], "--help"});
   if (first == "--help" || first == "-h" || first == "help") return print_all(overview());
+  if (first == "completions") return run_completions({arguments.begin() + 1, arguments.end()}, commands);
   for (const auto& command : commands)
     if (command.name == first) return command.run(Arguments(arguments.begin() + 1, arguments.end()));
   return unknown_command(first);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "completions.h"
 #include "cromer/base/nearest.h"
 #include "cromer/tasks/option_owner.h"
 #include "message.h"
@@ -66,10 +67,12 @@ Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
 }  // namespace
 
 std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files) {
-  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end() ||
-      std::find(arguments.begin(), arguments.end(), "-h") != arguments.end()) {
-    return print_all(help(syntax));
-  }
+  const auto asked_for = [&](std::string_view word) {
+    return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
+  };
+  if (asked_for("--help")) return print_all(help(syntax));
+  if (asked_for("-h")) return print_all(short_help(syntax));
+  if (arguments.size() == 1 && asked_for(list_options)) return print_all(option_list(syntax));
 
   CLI::App app;
   app.set_help_flag();

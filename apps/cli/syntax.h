@@ -28,6 +28,12 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
 /// The text of --help.
 std::string help(const Syntax& syntax);
 
+/// The text of -h: a line for each option.
+std::string short_help(const Syntax& syntax);
+
+/// "--mass", a tab, what it is: a line for each option.
+std::string option_list(const Syntax& syntax);
+
 /// "cromer COMMAND ...", each word quoted where a shell would need it: what made a file stands in the file.
 std::string command_line(std::string_view command, const Arguments& arguments);
 

@@ -55,6 +55,15 @@ TEST(ExactFrictionBalance, ClosesWhereNothingPullsBack) {
   EXPECT_NEAR(found.taken_by<Viscous>(), 2 - path, 1e-13);
 }
 
+TEST(ExactFrictionBalance, ADamperThatFeedsTakesLessThanNothing) {
+  for (const double damping : {-0.1, -7.0}) {
+    const Oscillator<double> fed{.mass = 1, .stiffness = 9, .damping = damping, .friction = 0.01};
+    const EnergyBalance found = balance(fed, {1, 0}, 3);
+    EXPECT_LT(found.taken_by<Viscous>(), -0.1) << damping;
+    EXPECT_LT(std::abs(found.method()), 1e-12 * found.end) << damping;
+  }
+}
+
 TEST(SquareOverArc, IsTheIntegralOfTheSquareOfTheVelocity) {
   // v = -e^{-2 b t} falls from 1: the integral is (1 - e^{-4 b T})/(4 b).
   const double b = 7, from = 3, until = 3.4;
@@ -62,6 +71,11 @@ TEST(SquareOverArc, IsTheIntegralOfTheSquareOfTheVelocity) {
   const DrivenOscillator<double, Terms{.law = law_of("viscous")}> arc({1, 0, 2 * b, 0, 0, 0}, {});
   EXPECT_NEAR(square_over_arc(arc, law, State<double>{0, 1}, from, until),
               (1 - std::exp(-4 * b * 0.4)) / (4 * b), 1e-16);
+  // A damping below 0 feeds it: b = -7.
+  const LinearLaw<double> fed{.decay_rate = -b, .stiffness = 0};
+  const DrivenOscillator<double, Terms{.law = law_of("viscous")}> growing({1, 0, -2 * b, 0, 0, 0}, {});
+  EXPECT_NEAR(square_over_arc(growing, fed, State<double>{0, 1}, from, until),
+              (std::exp(4 * b * 0.4) - 1) / (4 * b), 1e-8);
   // Undamped, x = cos 3t: 9 (T/2 - sin(6 T)/12).
   const LinearLaw<double> free{.decay_rate = 0, .stiffness = 9};
   const DrivenOscillator<double, Terms{}> swing({1, 9, 0, 0, 0, 0}, {});

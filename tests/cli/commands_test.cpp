@@ -2,11 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
 #include "program.h"
 
 namespace cromer::core::test {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -35,6 +40,45 @@ TEST(Program, HelpOfSimulateStatesTheDefaults) {
 TEST(Program, HelpOfFitSaysWhatAFolderStandsFor) {
   EXPECT_THAT(Folder().run({"fit", "--help"}).out, HasSubstr("folders in it are not searched"));
   EXPECT_EQ(Folder().run({"help", "fit"}).out, Folder().run({"fit", "--help"}).out);
+}
+
+TEST(Program, HelpInShortHasALineForEachOption) {
+  const Finished end = Folder().run({"fit", "-h"});
+  ASSERT_EQ(end.status, 0);
+  EXPECT_THAT(end.out, ContainsRegex("\n  --mass <kg> +oscillating mass, for the spring constant\n"));
+  EXPECT_THAT(end.out, HasSubstr("cromer fit --help says more"));
+  EXPECT_LT(std::count(end.out.begin(), end.out.end(), '\n'), 70);
+}
+
+TEST(Completions, NameEveryCommandAndEveryOption) {
+  const std::string commands = Folder().run({"completions", "commands"}).out;
+  EXPECT_THAT(commands, HasSubstr("simulate\trun the oscillator"));
+  std::istringstream lines(commands);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string command = line.substr(0, line.find('\t'));
+    const std::string help = Folder().run({command, "--help"}).out;
+    std::istringstream options(Folder().run({"completions", command}).out);
+    int count = 0;
+    for (std::string option; std::getline(options, option); ++count)
+      EXPECT_THAT(help, HasSubstr(option.substr(0, option.find('\t')))) << command;
+    EXPECT_GT(count, 2) << command;
+  }
+}
+
+TEST(Completions, CompleteInBash) {
+  const Folder folder;
+  folder.write("try.sh",
+               "cromer() { \"" CROMER_PROGRAM "\" \"$@\"; }\n" + folder.run({"completions", "bash"}).out +
+                   "COMP_WORDS=(cromer fit --disc); COMP_CWORD=2; _cromer; echo \"${COMPREPLY[@]}\"\n"
+                   "COMP_WORDS=(cromer sw); COMP_CWORD=1; _cromer; echo \"${COMPREPLY[@]}\"\n");
+  ASSERT_EQ(std::system(("bash " + folder.path("try.sh") + " > " + folder.path("said")).c_str()), 0);
+  EXPECT_EQ(folder.read("said"), "--disc-diameter\nsweep\n");
+}
+
+TEST(Completions, AnUnknownShellIsRefused) {
+  const Finished end = Folder().run({"completions", "csh"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("bash, zsh or fish"));
 }
 
 TEST(Methods, AreListedWithTheirOrders) {

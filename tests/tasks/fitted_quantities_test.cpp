@@ -116,14 +116,17 @@ TEST(DerivedQuantities, IntervalsEndWhereTheQuantityEnds) {
   fit.covariance = {1e-6, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 1e-6};
   int seen = 0;
   for (const Parameter& each : derived_quantities(fit, "m", 0)) {
-    if (each.name == "damping_ratio") EXPECT_LT(each.estimate.low, 0);
+    if (each.name == "damping_ratio") {
+      EXPECT_LT(each.estimate.low, 0);
+    }
     if (each.name != "quality_factor" && each.name != "frequency") continue;
     ++seen;
     EXPECT_GT(each.estimate.standard_error, 0);
-    if (each.name == "quality_factor")
+    if (each.name == "quality_factor") {
       EXPECT_EQ(each.estimate.low, 0);
-    else
+    } else {
       EXPECT_GT(each.estimate.low, 0);
+    }
   }
   EXPECT_EQ(seen, 2);
 }

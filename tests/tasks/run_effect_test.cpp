@@ -37,6 +37,19 @@ TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
   EXPECT_FALSE(result.runs[3].effect) << "it chooses its own steps";
 }
 
+TEST(RunEffect, ALawThatRunsAwayIsNotSaidToCreepBackOrToSettle) {
+  const auto away = simulated({.stiffness = 1, .damping = -7, .method = {"exact"}, .step = 0.01, .until = 3});
+  EXPECT_THAT(in_words(effect_notice(away.runs[0])), HasSubstr("grows without swinging"));
+  const auto fed = simulated({.stiffness = 9,
+                              .damping = -0.1,
+                              .drive_amplitude = 1,
+                              .drive_frequency = 2,
+                              .method = {"exact", "implicit-euler"},
+                              .step = 0.01,
+                              .until = 3});
+  for (const auto& run : fed.runs) EXPECT_FALSE(run.transmission) << run.method;
+}
+
 TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
   const auto result = simulated({.stiffness = 36,
                                  .damping = 1.2,

@@ -45,6 +45,13 @@ Values with(Values values, const Values& more) {
   return values;
 }
 
+TEST(SweepStatus, ADamperThatFeedsSettlesByTheMethodsOwnDampingAlone) {
+  const Values fed = with(drive, {{"stiffness", "9"}, {"damping", "-0.02"}, {"step", "0.05"}});
+  EXPECT_THAT(words(swept(fed, "exact")), ElementsAre("unstable", "unstable"));
+  const SweepResult held = swept(fed, "implicit-euler");
+  EXPECT_EQ(held.counts.own_damping, 2u);
+}
+
 TEST(SweepStatus, ASpringThatPushesAwayIsUnstableByAnyMethod) {
   for (const char* method : {"exact", "verlet", "rk4", "euler-cromer", "dormand-prince", "newmark"})
     for (const std::optional<double> settle : {std::optional<double>(), std::optional<double>(4)}) {

@@ -94,7 +94,7 @@ double square_over_arc(const Arc& arc, const LinearLaw<double>& law, const State
   const double b = law.decay_rate, s = law.stiffness;
   constexpr double any = std::numeric_limits<double>::infinity();
   const double longest = s > b * b ? std::numbers::pi / 2 / std::sqrt(s) : any;
-  const double shortest = std::min(longest, 1 / (2 * b + std::sqrt(std::abs(s))));
+  const double shortest = std::min(longest, 1 / (2 * std::abs(b) + std::sqrt(std::abs(s))));
   const auto power = [&](double u) { return power_of(0, arc.propagate(0, u, y0)); };
   double sum = 0;
   for (double begin = 0, end = 0; begin < until - from; begin = end) {
@@ -130,7 +130,7 @@ requires(ExactSystem<SlidingSystem<S>, double>) EnergyBalance
     StepperOf stepper(arc, exact, from, y0);
     take_fixed_steps(stepper, rows, {direction, nullptr}, course, keep_none, {}, {});
     work.taken.of<Friction>() += std::abs(course.y.x - y0.x);
-    if (law.decay_rate > 0) work.taken.of<Viscous>() += square_over_arc(arc, law, y0, from, course.t);
+    if (law.decay_rate != 0) work.taken.of<Viscous>() += square_over_arc(arc, law, y0, from, course.t);
   };
   stick_and_slip(system, rows, course, slide, keep_none, {});
   return energy_balance(oscillator, start, course.y, work);

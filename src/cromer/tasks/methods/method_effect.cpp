@@ -65,8 +65,8 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
     result.stability_limit = first_unstable_step(free, [&](double step) {
       return effective_oscillator_of(method, settings, free, step).spectral_radius;
     });
-    // If every step is stable, a radius above 1 is rounding.
-    result.stable = result.stable || !result.stability_limit;
+    // If every step of a law that does not grow itself is stable, a radius above 1 is rounding.
+    result.stable = result.stable || (law.decay_rate >= 0 && !result.stability_limit);
   }
   if (std::isnan(result.effective.spectral_radius)) return std::nullopt;
   if (method == "exact") {

@@ -149,7 +149,7 @@ Notice run_notice(const SimulatedRun& run) {
 std::optional<RunTransmission> transmission_of(const SimulateOptions& options, const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
   const bool harmonic = !run.general && run.drive.amplitude > 0 && run.drive.frequency > 0;
-  if (!harmonic || !is_linear(law_of(law)) || !(law.stiffness > 0)) return std::nullopt;
+  if (!harmonic || !is_linear(law_of(law)) || !(law.stiffness > 0 && law.damping >= 0)) return std::nullopt;
   RunTransmission found;
   found.of_motion = sends_motion(options);
   found.sent = sent_amplitude(options, run);

@@ -100,7 +100,7 @@ PointResult in_closed_form(const M& method, const SweepPoint& at) {
     result.status = grows(method, point) ? PointStatus::unstable : PointStatus::not_settled;
     return result;
   }
-  if (o.damping == 0 && at.loss_factor == 0) result.status = PointStatus::own_damping;
+  if (o.damping <= 0 && at.loss_factor == 0) result.status = PointStatus::own_damping;
   const double x = steady->position.amplitude, v = steady->velocity;
   result.amplitude = result.peak = x;
   result.phase_lag = steady->position.phase_lag;
