@@ -9,7 +9,8 @@ compare, methods, spectrum and sweep.
 
 from ._core import InputError
 from ._core import version as __version__
-from ._results import (Comparison, CromerWarning, Curve, Estimate, Fits, FitWarning, LawFit, Methods, NoSuccess, Notice,
+from ._estimate import Estimate
+from ._results import (Comparison, CromerWarning, Curve, Fits, FitWarning, LawFit, Methods, NoSuccess, Notice,
                        Recording, Residual, Run, Runs, Spectrum, Sweep, Trajectory)
 from ._verbs import compare, fit, fit_all, methods, read, simulate, spectrum, sweep
 

@@ -13,6 +13,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from ._core import NO_SUCCESS, Answer, InputError, Numbers, _numbers
+from ._estimate import Estimate, with_error
 
 
 class CromerWarning(UserWarning):
@@ -37,55 +38,12 @@ class NoSuccess(RuntimeError):
 
 @dataclass(frozen=True)
 class Notice:
-    """One thing to know about a result; `severity` is "note", "warning" or "error"."""
+    """One thing to know about a result; `severity` is "wrong_if_ignored", "worth_knowing" or "detail"."""
 
     code: str
     severity: str
     text: str
     values: Dict[str, Any]
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """A number with its standard error and its 95 % interval, in SI units."""
-
-    name: str
-    value: float
-    standard_error: float
-    confidence_95: Tuple[float, float]
-    unit: str
-
-    def __float__(self) -> float:
-        return self.value
-
-    def __str__(self) -> str:
-        low, high = self.confidence_95
-        unit = "" if self.unit in ("", "1") else f" {self.unit}"
-        return f"{_with_error(self.value, self.standard_error)}{unit} (95 %: {low:.7g} to {high:.7g})"
-
-    def to_uncertainties(self) -> Any:
-        """The same as a number of the package `uncertainties`."""
-        from uncertainties import ufloat
-        return ufloat(self.value, self.standard_error, tag=self.name)
-
-    def to_pint(self, registry: Any = None) -> Any:
-        """The value as a quantity of the package `pint`, of `registry` or of pint's own."""
-        import pint
-        registry = registry or pint.get_application_registry()  # type: ignore[no-untyped-call]
-        return self.value * registry.parse_units(self.unit if self.unit not in ("", "1") else "dimensionless")
-
-
-def _with_error(value: float, error: float) -> str:
-    """17.04 ± 0.02: the error at two digits if it begins with 1 or 2, else at one, the value to the same place."""
-    if not (np.isfinite(error) and error > 0 and np.isfinite(value)):
-        return f"{value:.7g}"
-    exponent = int(np.floor(np.log10(error)))
-    digits = (1 if float(f"{error / 10.0**exponent:.0f}") < 3 and error / 10.0**exponent < 2.95 else 0) - exponent
-    if -4 <= np.floor(np.log10(max(abs(value), error))) < 7:
-        return f"{value:.{max(digits, 0)}f} ± {error:.{max(digits, 0)}f}"
-    power = int(np.floor(np.log10(max(abs(value), error))))
-    places = max(digits + power, 0)
-    return f"({value / 10.0**power:.{places}f} ± {error / 10.0**power:.{places}f})e{power:+03d}"
 
 
 def _number(value: Any) -> float:
@@ -132,7 +90,7 @@ class Result:
 def told(result: Result, answer: Answer, strict: bool, message: str = "") -> None:
     """Warns of what there is to know; raises NoSuccess if the result has to succeed and did not."""
     for notice in result.notices:
-        if notice.severity != "note":
+        if notice.severity != "detail":
             warnings.warn(CromerWarning(notice.text, notice.code, notice.values), stacklevel=3)
     if answer.status == NO_SUCCESS:
         text = message or "the computation did not succeed: see its status"
@@ -273,10 +231,14 @@ class LawFit(Result):
         command = self._document.get("simulate")
         if not command:
             raise InputError("this law cannot be simulated by itself", "fit", "fit_without_law")
-        words = shlex.split(command)[2:]
         given: Dict[str, Any] = {}
-        for option, value in zip(words[::2], words[1::2]):
-            given[option[2:].replace("-", "_")] = value if _no_number(value) else float(value)
+        name = ""
+        for word in shlex.split(command)[2:]:
+            if word.startswith("--"):
+                name = word[2:].replace("-", "_")
+                given[name] = True  # a flag, if no value follows
+            else:
+                given[name] = word if _no_number(word) else float(word)
         return given
 
     def to_pandas(self) -> Any:
@@ -293,7 +255,7 @@ class LawFit(Result):
         return "\n".join([head, *(f"  {each.name} = {each}" for each in self.parameters.values())])
 
     def _repr_html_(self) -> str:
-        rows = [[each.name.replace("_", " "), _with_error(each.value, each.standard_error),
+        rows = [[each.name.replace("_", " "), with_error(each.value, each.standard_error),
                  f"{each.confidence_95[0]:.7g} to {each.confidence_95[1]:.7g}", each.unit]
                 for each in [*self.parameters.values(), *self.derived.values()]]
         title = f"Law: {self.law} ({self.status})" if self.succeeded else f"{self.status}: {self.message}"

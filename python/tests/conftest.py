@@ -6,7 +6,10 @@ import subprocess
 
 import numpy as np
 import pytest
+from hypothesis import settings
 
+settings.register_profile("cromer", database=None, derandomize=True)
+settings.load_profile("cromer")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 

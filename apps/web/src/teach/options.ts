@@ -29,7 +29,7 @@ export interface OptionsState {
 }
 export const optionsDefaults: OptionsState = { labs: [], hide: false, tolerance: 0, tasks: '' }
 export const mostTasks = 10
-const longest = { text: 400, answer: 40, unit: 20, tolerance: 10 }
+export const longest = { text: 400, answer: 40, unit: 20, tolerance: 10 }
 const fields = ['text', 'answer', 'unit', 'tolerance'] as const
 
 /// Of tasks one text that links take, and that is not read at a glance: their answers are in it.
@@ -54,6 +54,10 @@ export function unpacked(text: string): OwnTask[] | null {
     return null
   }
 }
+
+/// A number where there is one: else it would silently be a text to be read, or the class's tolerance.
+export const isTyped = (field: keyof OwnTask, typed: string): boolean =>
+  typed.trim() === '' || field === 'text' || field === 'unit' || (field === 'answer' ? Number.isFinite(numberOf(typed)) : numberOf(typed) >= 0)
 
 export const isTolerance = (percent: number): boolean => percent === 0 || (percent >= 0.1 && percent <= 50)
 

@@ -2,6 +2,7 @@
 import { askAside as ask } from '../core/ask'
 import { openSynthetic } from '../measure/examples'
 import type { MeasureState } from '../measure/state'
+import { withoutTerms } from '../simulate/presets'
 import { page } from '../state/page.svelte'
 import { change, settle } from '../state/undo.svelte'
 import { answerOf, type Checked } from './check'
@@ -116,14 +117,14 @@ export async function openAgain(): Promise<void> {
   if (page.teach.taken && !own.unknown) await openOwn({ mass, disc, from, to, law, drive })
 }
 
-/// The student's own oscillator in Simulate, at rest and pushed at its own rhythm.
+/// The student's own oscillator in Simulate, at rest and driven far below its resonance.
 export function openOscillator(): void {
   const { mass, stiffness, damping, force, step } = own.oscillator
   const natural = Math.sqrt(stiffness / mass)
   change('oscillator', (state) => {
     state.tab = 'simulate'
     Object.assign(state.simulate, {
-      mass, stiffness, damping, drag: 0, friction: 0, cubic: 0, quadratic: 0, oddQuadratic: 0, quintic: 0, vanDerPol: 0, pendulum: 0,
+      ...withoutTerms, mass, stiffness, damping,
       driveAmplitude: force, driveFrequency: 0.5, position: 0, velocity: 0, step, until: Math.ceil((30 * 2 * Math.PI) / natural), quantity: 'position',
       methods: ['exact', 'forward-euler', 'euler-cromer', 'implicit-euler'],
     })

@@ -75,7 +75,7 @@ export const simulate: typeof en = {
   slow: 'Geschwindigkeit',
   slower: (factor) => (factor === '1,0' ? 'Echtzeit' : `${factor} ×`),
   speed: (factor) => (factor === '1,0' ? 'so schnell wie in Wirklichkeit' : `${factor}-mal so schnell wie in Wirklichkeit`),
-  energies: { title: 'Wo die Energie ist. Ein voller Balken ist das Meiste der Bewegung.', kinetic: 'Bewegung', spring: 'Feder', lost: 'verloren', gained: 'dazugekommen',
+  energies: { title: 'Wo die Energie ist. Jeder Balken sagt, was ein voller wäre.', kinetic: 'Bewegung', spring: 'Feder', lost: 'verloren', gained: 'dazugekommen',
     of: (most) => `von ${most}`,
   },
   forces: {

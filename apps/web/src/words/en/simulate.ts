@@ -73,7 +73,7 @@ export const simulate = {
   slow: 'Speed of play',
   slower: (factor: string) => (factor === '1.0' ? 'real time' : `${factor} ×`),
   speed: (factor: string) => (factor === '1.0' ? 'as fast as in reality' : `${factor} times as fast as in reality`),
-  energies: { title: 'Where the energy is. A full bar is the most of the run.', kinetic: 'kinetic', spring: 'spring', lost: 'lost', gained: 'gained',
+  energies: { title: 'Where the energy is. Each bar says what a full one would be.', kinetic: 'kinetic', spring: 'spring', lost: 'lost', gained: 'gained',
     of: (most: string) => `of ${most}`,
   },
   forces: {
