@@ -43,7 +43,7 @@ TEST(RunEffect, ALawThatRunsAwayIsNotSaidToCreepBackOrToSettle) {
   const auto fed = simulated({.stiffness = 9,
                               .damping = -0.1,
                               .drive_amplitude = 1,
-                              .drive_frequency = 2,
+                              .drive_frequency = {2},
                               .method = {"exact", "implicit-euler"},
                               .step = 0.01,
                               .until = 3});

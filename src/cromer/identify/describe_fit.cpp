@@ -271,7 +271,9 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
     fit.message = Notice{"law_undetermined", {{"what", ratio}}};
   }
   say_bounds(fit, fitted, record);
-  if (!noise.scale.empty() && is_filtered(minimum, inverse, noise)) {
+  // Of noise that is correlated as well, the intervals are known less well than the sentence says.
+  const bool is_white = noise.correlation.coefficients.empty();
+  if (!noise.scale.empty() && is_white && is_filtered(minimum, inverse, noise)) {
     const auto [low, high] = std::minmax_element(noise.scale.begin(), noise.scale.end());
     fit.notices.push_back(Notice{"noise_is_uneven", {{"times", *high / *low}}});
   }

@@ -90,9 +90,26 @@ SquareMatrix jacobian_of(const Parameters& p, int derivative) {
   return jacobian;
 }
 
-}  // namespace
-
-namespace {
+/// Of the observed motion, sample by sample, with respect to angular_frequency, decay_rate, equilibrium,
+/// position and velocity: the waveform's own derivatives, and those of the phasor by the motion.
+std::vector<double> sample_jacobian(const Motion& motion, const Record& record) {
+  constexpr int n = DampedPhasor::parameter_count;
+  using Real = Dual<double, n>;
+  const auto variable = [](double value, std::size_t i) { return Real::variable(value, i); };
+  const Real w0 = variable(motion.angular_frequency(), 0), g = variable(motion.decay_rate(), 1);
+  const Real E = variable(motion.equilibrium, 2);
+  State<Real> y{variable(motion.position, 3), variable(motion.velocity, 4)};
+  for (int i = 0; i < record.derivative; ++i) y = {y.v, -w0 * w0 * y.x - Real(2) * g * y.v};
+  const Real w = sqrt(w0 * w0 - g * g), A = y.x, B = (y.v + g * y.x) / w;
+  std::vector<double> rows;
+  rows.reserve(n * record.t.size());
+  for (const double t : record.t) {
+    const Real s(t - record.t.front());
+    const Real value = E + exp(-g * s) * (A * cos(w * s) + B * sin(w * s));
+    rows.insert(rows.end(), value.derivative.begin(), value.derivative.end());
+  }
+  return rows;
+}
 
 LawFit fit_from(const StartValues& start, const Record& record, const LawFitOptions& options,
                 const Watch& watch) {
@@ -135,9 +152,7 @@ LawFit fit_from(const StartValues& start, const Record& record, const LawFitOpti
       .matrix = inverse(inverse_matrix, n),
       .rounding_bias = bias,
       .residuals = residuals};
-  described.jacobian = [&] {
-    return jacobian_of(fitted, fitted.pack(motion), fit.drive, record, motion_step(w0, 0, 1));
-  };
+  described.jacobian = [&] { return sample_jacobian(motion, record); };
   describe_fit(fit, record, described);
   set_status(fit, minimum.bounded.reason);
   // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.

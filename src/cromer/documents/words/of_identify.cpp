@@ -242,10 +242,11 @@ constexpr Entry entries[] = {
      "nicht die der Feder"},
     {"swing_grows_by_itself", wrong_if_ignored,
      "the swing grows by itself, at {rate:n}: negative damping feeds it. A drive in step with it may look "
-     "the "
-     "same: then the frequency is the drive's, and the stiffness that follows from it is not the spring's",
+     "the same: then the frequency is the drive's, and the stiffness that follows from it is not the "
+     "spring's",
      "die Schwingung wächst von selbst, mit {rate:n}: eine negative Dämpfung nährt sie. Ein Antrieb im Takt "
-     "kann genauso aussehen: dann sind Frequenz und Federkonstante nicht die der Feder"},
+     "kann genauso aussehen: dann ist die Frequenz die des Antriebs, und die Steifigkeit, die daraus folgt, "
+     "nicht die der Feder"},
     {"amplitude_hardly_falls", wrong_if_ignored,
      "the amplitude falls by only {percent:.2g} % over {periods:.0f} periods (quality factor "
      "{quality_factor:.2g}): a drive that is not quite steady looks the same. If something drives it, the "
