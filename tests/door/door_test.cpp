@@ -385,7 +385,7 @@ TEST(DoorSimulate, ErrorsNameTheArgument) {
   };
   refused({.mass = 0}, {}, "mass");
   refused({.mass = std::nan("")}, {}, "mass");
-  refused({.damping = -1}, {}, "damping");
+  refused({.damping = std::nan("")}, {}, "damping");
   refused({}, {.method = "rk5"}, "method");
   refused({}, {.step = 0.0}, "step");
   refused({}, {.position = 1e200}, "position");

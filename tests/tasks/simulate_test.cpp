@@ -85,7 +85,7 @@ TEST(Simulate, KeepsEveryNthState) {
 TEST(Simulate, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refusal({.mass = 0}), HasSubstr("--mass"));
   EXPECT_THAT(refusal({.mass = std::nan("")}), HasSubstr("--mass"));
-  EXPECT_THAT(refusal({.damping = -1}), HasSubstr("--damping"));
+  EXPECT_THAT(refusal({.damping = std::nan("")}), HasSubstr("--damping"));
   EXPECT_THAT(refusal({.step = -0.1}), HasSubstr("--step"));
   EXPECT_THAT(refusal({.method = {"rk5"}}), HasSubstr("rk4"));
   EXPECT_THAT(refusal({.law = {.drag = 1}, .method = {"exact"}}), HasSubstr("drag (1 kg/m)"));

@@ -74,6 +74,14 @@ bool swings_through(const LawFit& fit, double w) {
   return w * w > surely * std::sqrt(std::max(0.0, variance));
 }
 
+// Whether more samples see the swing than the law has parameters: any law passes through a few that stick out
+// at the beginning of a record in which nothing moves.
+bool more_than_spikes(const Record& record, double g, int parameters) {
+  const double end = record.t.front() + 3 / std::max(g, 1e-300);
+  const auto seen = std::upper_bound(record.t.begin(), record.t.end(), end) - record.t.begin();
+  return seen > parameters;
+}
+
 }  // namespace
 
 LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
@@ -123,8 +131,9 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   // turn, looks like a period or three.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
   const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
-  const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
-                                               : against_noise > (fit.explained > 0.9 ? 60 : 500);
+  const bool stands_out = more_than_spikes(record, g, fit.fitted) &&
+                          (visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
+                                                : against_noise > (fit.explained > 0.9 ? 60 : 500));
   const bool smooth = fit.explained > 0.9;
   // A motion that dies down within a period shows no more of them, however long it is recorded.
   const bool rests = comes_to_rest(record) || g * duration > 3;
