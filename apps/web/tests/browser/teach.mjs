@@ -292,7 +292,7 @@ for (const width of [390, 820, 1280]) {
   const { page, faults, context } = await teach('?lab=two', { width, height: 844, locale: 'de-DE', colorScheme: width === 390 ? 'dark' : 'light' })
   await check(`German, ${width} wide`, async () => {
     assert.equal(await title(page), 'Aufnehmen')
-    await page.getByRole('button', { name: 'Aufnahme Übungsaufnahme nehmen' }).click()
+    await page.getByRole('button', { name: 'Die Übungsaufnahme nehmen' }).click()
     await reached(page)
     await next(page)
     await page.locator('[data-field=mass]').fill('277,2 ± 0,3 g')

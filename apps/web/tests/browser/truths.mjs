@@ -249,7 +249,7 @@ for (const colorScheme of ['light', 'dark']) {
   await check(`no slab lies on any step of both labs, ${colorScheme}`, async () => {
     for (const lab of ['one', 'two']) {
       await go(page, `#teach?lab=${lab}`)
-      if (lab === 'two') await page.getByRole('button', { name: 'Take recording practice recording' }).click()
+      if (lab === 'two') await page.getByRole('button', { name: 'Take the practice recording' }).click()
       const steps = page.locator('nav ol button')
       for (let i = 0; i < (await steps.count()); ++i) {
         await steps.nth(i).click()

@@ -212,8 +212,7 @@ export const teach: typeof en = {
       next: ''
     }
   ] as StepWords[],
-  take: (name) => `Aufnahme ${name} nehmen`,
-  practice: 'Übungsaufnahme',
+  take: (name) => (name ? `Aufnahme ${name} nehmen` : 'Die Übungsaufnahme nehmen'),
   lawHidden: 'In dieser Klasse ist das angepasste Gesetz verborgen: gearbeitet wird von Hand. Die Aufnahme hier ablesen oder als Tabelle sichern und weiterrechnen.',
   saveRecording: (name) => `${name} sichern`,
   takeOwn: 'Eigene Aufnahme nehmen',

@@ -225,8 +225,7 @@ export const teach = {
       next: ''
     }
   ] as StepWords[],
-  take: (name: string) => `Take recording ${name}`,
-  practice: 'practice recording',
+  take: (name: string) => (name ? `Take recording ${name}` : 'Take the practice recording'),
   lawHidden: 'In this class the fitted law is hidden: you work by hand. Read the recording here, or save it as a table for a spreadsheet.',
   saveRecording: (name: string) => `Save ${name}`,
   takeOwn: 'Take your recording',
