@@ -51,7 +51,7 @@ const BadOption bad_options[] = {
     {"infinite", {"simulate", "--until", "1e999"}, {"--until"}},
     {"mass_zero", {"simulate", "--mass", "0"}, {"--mass", "must be positive"}},
     {"mass_negative", {"simulate", "--mass", "-1"}, {"--mass", "must be positive", "-1"}},
-    {"damping_negative", {"simulate", "--damping", "-0.1"}, {"--damping", "must not be negative"}},
+    {"friction_negative", {"simulate", "--friction", "-0.1"}, {"--friction", "must not be negative"}},
     {"step_negative", {"simulate", "--step", "-0.01"}, {"--step", "must be positive", "-0.01"}},
     {"tolerance", {"simulate", "--tolerance", "1e-16"}, {"--tolerance", "1e-15 and 1e-2"}},
     {"every_zero", {"simulate", "--every", "0"}, {"--every", "must be positive"}},
