@@ -141,7 +141,30 @@ class Residual:
     white: bool
 
 
-class LawFit(Result):
+class _Motion(Result):
+    """A result with the states of one run."""
+
+    @property
+    def _run_number(self) -> int:
+        raise NotImplementedError
+
+    def _array(self, name: str) -> Numbers:
+        return self._answer.arrays.get(f"{self._run_number}.{name}", np.empty(0))
+
+    @property
+    def t(self) -> Numbers:
+        return self._array("t")
+
+    @property
+    def x(self) -> Numbers:
+        return self._array("x")
+
+    @property
+    def v(self) -> Numbers:
+        return self._array("v")
+
+
+class LawFit(_Motion):
     """The law of one recorded motion.
 
     Attributes: `law` ("viscous+drag"), `status` ("converged" where it succeeded), `message` (why it did not),
@@ -174,12 +197,9 @@ class LawFit(Result):
         #: with a disc: the largest Reynolds number {"max", "standard_error", "t"}, and its course in "windows"
         self.reynolds: Dict[str, Any] = has("reynolds") or {}
 
-    def _array(self, name: str) -> Numbers:
-        return self._answer.arrays.get(f"{self.run}.{name}", np.empty(0))
-
     @property
-    def t(self) -> Numbers:
-        return self._array("t")
+    def _run_number(self) -> int:
+        return self.run
 
     @property
     def measured(self) -> Numbers:
@@ -188,14 +208,6 @@ class LawFit(Result):
     @property
     def residuals(self) -> Numbers:
         return self._array("residual")
-
-    @property
-    def x(self) -> Numbers:
-        return self._array("x")
-
-    @property
-    def v(self) -> Numbers:
-        return self._array("v")
 
     @property
     def succeeded(self) -> bool:
@@ -288,13 +300,14 @@ class Fits(Result, Sequence[LawFit]):
         return len(self._fits)
 
 
-class Run(Result):
+class Run(_Motion):
     """One simulated run: `t` [s], `x` [m], `v` [m/s], `energy` [J] and, with a simulated sensor, `sensor`; `method`,
     `status` ("reached_end" where it succeeded), `in_words` (what the method makes of the law) and `document`."""
 
     def __init__(self, answer: Answer, number: int, document: Dict[str, Any], notices: List[Dict[str, Any]]) -> None:
         super().__init__(answer, document)
-        self._number, self._said = number, notices
+        self._place = number
+        self._document = {**document, "notices": notices}
         self.method: str = document["method"]
         self.label: str = document["label"]
         self.status: str = "interrupted" if document.get("interrupted") else document["status"]
@@ -303,23 +316,8 @@ class Run(Result):
         self.energy_balance: Dict[str, float] = document.get("energy_balance") or {}
 
     @property
-    def notices(self) -> List[Notice]:
-        return [Notice(each["code"], each["severity"], each["text"], each["values"]) for each in self._said]
-
-    def _array(self, name: str) -> Numbers:
-        return self._answer.arrays.get(f"{self._number}.{name}", np.empty(0))
-
-    @property
-    def t(self) -> Numbers:
-        return self._array("t")
-
-    @property
-    def x(self) -> Numbers:
-        return self._array("x")
-
-    @property
-    def v(self) -> Numbers:
-        return self._array("v")
+    def _run_number(self) -> int:
+        return self._place
 
     @property
     def energy(self) -> Numbers:
@@ -335,7 +333,7 @@ class Run(Result):
     def to_csv(self) -> str:
         """Its states; of all runs of one call Runs.to_csv has them."""
         head, _, rows = self._answer.written_as("csv").partition("\n")
-        return head + "\n" + "".join(row for row in rows.splitlines(True) if row.startswith(f"{self._number},"))
+        return head + "\n" + "".join(row for row in rows.splitlines(True) if row.startswith(f"{self._run_number},"))
 
     def __str__(self) -> str:
         return repr(self)
