@@ -1,9 +1,9 @@
 // Builds the page as one file, build/page/cromer-lab.html: script, style and core inlined, no request made.
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync } from 'node:fs'
-import { gzipSync } from 'node:zlib'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig, type Plugin } from 'vite'
+import { packed } from './src/core/pack'
 
 /** The compiled core: what CROMER_WASM names, else the one of the build directory. */
 function coreFile(): string {
@@ -13,29 +13,28 @@ function coreFile(): string {
   return found
 }
 
-/** Packed beside it by apps/web/core/build, a fifth smaller than gzip; else gzipped here. */
-function packedCore(): Buffer {
-  const file = coreFile()
-  return existsSync(`${file}.lzma`) ? readFileSync(`${file}.lzma`) : gzipSync(readFileSync(file), { level: 9 })
-}
-
-/** `import core from 'virtual:core'`: the core, packed, in base64. */
+/** `import core from 'virtual:core'`: the core, packed. The built page has it in an element of its own, at the end:
+ * amid the script it would keep gzip from finding what repeats before and after it. */
 function core(): Plugin {
+  let built = true
   return {
     name: 'cromer-core',
+    configResolved: ({ command }) => {
+      built = command === 'build'
+    },
     resolveId: (id) => (id === 'virtual:core' ? '\0core' : undefined),
-    load: (id) =>
-      id === '\0core'
-        ? `export default "${packedCore().toString('base64')}"`
-        : undefined,
+    load: (id) => {
+      if (id !== '\0core') return
+      return `export default ${built ? "document.getElementById('core').textContent" : JSON.stringify(packed(readFileSync(coreFile())))}`
+    },
   }
 }
 
 /** What the page may do, wherever it is opened: run its own script, style and workers, and ask its own origin. */
 function policyOf(html: string): string {
   const own = (tag: string) =>
-    [...html.matchAll(new RegExp(`<${tag}[^>]*>([\\s\\S]*?)</${tag}>`, 'g'))]
-      .map(([, text]) => `'sha256-${createHash('sha256').update(text!).digest('base64')}'`)
+    [...html.matchAll(new RegExp(`<${tag}( type="module")?>([\\s\\S]*?)</${tag}>`, 'g'))]
+      .map(([, , text]) => `'sha256-${createHash('sha256').update(text!).digest('base64')}'`)
       .join(' ')
   return [
     "default-src 'none'", `script-src ${own('script')} 'wasm-unsafe-eval'`, `style-src ${own('style')}`, 'worker-src blob:',
@@ -56,7 +55,8 @@ function oneFile(): Plugin {
         if (part.type === 'chunk') {
           const code = part.code.replaceAll('</script', '<\\/script')
           text = text.replace(/<script type="module"[^>]*><\/script>/, () => '')
-          text = text.replace('</body>', () => `<script type="module">${code}</script></body>`)
+          const core = `<script type="text/plain" id="core">${packed(readFileSync(coreFile()))}</script>`
+          text = text.replace('</body>', () => `<script type="module">${code}</script>${core}</body>`)
           delete bundle[file]
         } else if (file.endsWith('.css')) {
           text = text.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${part.source}</style>`)

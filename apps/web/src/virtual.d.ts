@@ -1,6 +1,6 @@
 declare module 'virtual:core' {
-  const base64: string // the core's module, gzipped
-  export default base64
+  const packed: string // the core's module, as pack.ts packs it
+  export default packed
 }
 declare module 'js-lzma' {
   /** Throws a text where the bytes are no .lzma file. */

@@ -4,7 +4,6 @@ import { connect, type Ask } from './client'
 import type { Start, Started } from './worker'
 import CoreWorker from './worker?worker&inline'
 
-const bytes = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0))
 const give = (worker: Worker, start: Start) => worker.postMessage(start)
 
 const first = new CoreWorker()
@@ -15,14 +14,14 @@ export const compiled = new Promise<WebAssembly.Module | null>((resolve) => {
   })
   for (const fault of ['messageerror', 'error']) first.addEventListener(fault, () => resolve(null))
 })
-give(first, { packed: bytes })
+give(first, { packed })
 
 export const ask: Ask = connect(first)
 
 /// A core in a worker of its own. `close` ends it in the middle of a question, which is then never answered.
 export function openCore(): { ask: Ask; close: () => void } {
   const worker = new CoreWorker()
-  void compiled.then((module) => give(worker, module ? { module } : { packed: bytes }))
+  void compiled.then((module) => give(worker, module ? { module } : { packed }))
   return { ask: connect(worker), close: () => worker.terminate() }
 }
 

@@ -1,7 +1,6 @@
 // The core in its WebAssembly module: bytes in, documents out. In the page it runs in a worker, in the tests
 // under node.
 import { withBlocks } from './blocks'
-import { unlzma } from './lzma'
 import type { Answer, Options, Task } from './types'
 
 interface Exports {
@@ -39,12 +38,6 @@ export const refusal = (message: string): Written => ({
   numbers: new Float64Array(),
 })
 
-/// The core's module from its bytes, as they are, gzipped or as .lzma.
-export async function compile(bytes: Uint8Array): Promise<WebAssembly.Module> {
-  const plain = bytes[0] === 0x1f ? await unzip(bytes) : bytes[0] === 0 ? bytes : unlzma(bytes)
-  return WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
-}
-
 export async function start(module: WebAssembly.Module): Promise<Core> {
   // The module asks a system for little (arguments, an output for its last words), and gets none of it.
   const imports: Record<string, Record<string, () => number>> = {}
@@ -67,13 +60,6 @@ function begin(instance: WebAssembly.Instance): Exports {
   const exports = instance.exports as unknown as Exports
   exports._initialize()
   return exports
-}
-
-async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
-  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>])
-    .stream()
-    .pipeThrough(new DecompressionStream('gzip'))
-  return new Uint8Array(await new Response(stream).arrayBuffer())
 }
 
 function message(error: unknown): string {

@@ -1,11 +1,14 @@
 // A worker that a core runs in, so that the page never waits for it. The first message brings the module, or its
 // bytes; each one after it is a question.
-import { compile, refusal, start, type Core, type Written } from './core'
+import { refusal, start, type Core, type Written } from './core'
+import { unlzma } from './lzma'
+import { moduleOf } from './streams'
+import { bytesOf } from './text'
 import type { Options, Task } from './types'
 import { unpack } from './unpack'
 
-/// `packed`: the module's bytes, for the worker to compile them and to hand back the module.
-export type Start = { module: WebAssembly.Module } | { packed: Uint8Array }
+/// `packed`: the module as pack.ts packs it, for the worker to compile it and to hand it back.
+export type Start = { module: WebAssembly.Module } | { packed: string }
 
 /// null: it cannot be handed on here.
 export type Started = { module: WebAssembly.Module | null }
@@ -22,6 +25,8 @@ export interface Reply extends Written {
   id: number
   took: number // [ms] of the core
 }
+
+const compile = async (packed: string) => WebAssembly.compile(moduleOf(unlzma(bytesOf(packed))))
 
 let begin: (core: Promise<Core>) => void
 const core = new Promise<Core>((resolve) => (begin = resolve))

@@ -1,10 +1,8 @@
 // The page's core under node: options in, document out, with its blocks of numbers in their places.
 import { readFileSync } from 'node:fs'
-import { gunzipSync } from 'node:zlib'
 
 export function openCore(path) {
-  const bytes = readFileSync(path)
-  const module = new WebAssembly.Module(path.endsWith('.gz') ? gunzipSync(bytes) : bytes)
+  const module = new WebAssembly.Module(readFileSync(path))
   const imports = {}
   for (const each of WebAssembly.Module.imports(module)) (imports[each.module] ??= {})[each.name] = () => 0
   const core = new WebAssembly.Instance(module, imports).exports

@@ -1,17 +1,17 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
-import { compile, read, start } from '../../src/core/core'
+import { read, start } from '../../src/core/core'
 import type { Options } from '../../src/core/types'
 import { valueAtX } from '../../src/plot/decimate'
 import { betweenOptions, coreOptions } from '../../src/simulate/options'
 import { simulateDefaults, type SimulateState } from '../../src/simulate/state'
 import { english } from '../../src/words/said'
 
-const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
+const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.meta.url))
 
 describe.skipIf(!existsSync(built))('between the steps', async () => {
-  const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
+  const core = existsSync(built) ? await start(await WebAssembly.compile(readFileSync(built))) : undefined!
   const run = (options: Options) => {
     const answer = read<'motion'>(core.answer('motion', options))
     if (answer.status === 2) throw new Error(english(answer.document.message))

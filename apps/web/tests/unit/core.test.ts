@@ -3,10 +3,10 @@ import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
 import { withBlocks } from '../../src/core/blocks'
-import { compile, read, start } from '../../src/core/core'
+import { read, start } from '../../src/core/core'
 import type { Options, Task } from '../../src/core/types'
 
-const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
+const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.meta.url))
 
 describe('blocks', () => {
   it('come back into their places', () => {
@@ -25,7 +25,7 @@ describe('blocks', () => {
 
 // ./dev page builds the core.
 describe.skipIf(!existsSync(built))('core', async () => {
-  const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
+  const core = existsSync(built) ? await start(await WebAssembly.compile(readFileSync(built))) : undefined!
   const ask = <T extends Task>(task: T, options: Options, file?: Uint8Array) => read<T>(core.answer(task, options, file))
 
   it('simulates', () => {

@@ -2,13 +2,13 @@ import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
-import { compile, read, start } from '../../src/core/core'
+import { read, start } from '../../src/core/core'
 import type { Motion, Options } from '../../src/core/types'
 import { forceLooks, forcesAt, largestOf } from '../../src/simulate/forces'
 import { askForces, betweenOptions, coreOptions } from '../../src/simulate/options'
 import { simulateDefaults, type SimulateState } from '../../src/simulate/state'
 
-const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
+const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.meta.url))
 
 describe('the forces at a time', () => {
   const times = Float64Array.of(0, 1, 2, 3)
@@ -26,7 +26,7 @@ describe('the forces at a time', () => {
 
 // ./dev page builds the core.
 describe.skipIf(!existsSync(built))('the forces on the mass', async () => {
-  const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
+  const core = existsSync(built) ? await start(await WebAssembly.compile(readFileSync(built))) : undefined!
   const motionOf = (options: Options): Motion => {
     const answer = read<'motion'>(core.answer('motion', options))
     if (answer.status === 2) throw new Error(JSON.stringify(answer.document))

@@ -2,14 +2,14 @@ import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
-import { compile, read, start } from '../../src/core/core'
+import { read, start } from '../../src/core/core'
 import type { Options, ResonanceCurve, Task } from '../../src/core/types'
 import { english } from '../../src/words/said'
 
-const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
+const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.meta.url))
 
 describe.skipIf(!existsSync(built))('the resonance curve', async () => {
-  const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
+  const core = existsSync(built) ? await start(await WebAssembly.compile(readFileSync(built))) : undefined!
   const ask = <T extends Task>(task: T, options: Options) => read<T>(core.answer(task, options))
 
   const law: Options = [

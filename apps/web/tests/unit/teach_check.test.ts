@@ -1,6 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { compile, read, start } from '../../src/core/core'
+import { read, start } from '../../src/core/core'
 import type { Comparisons, Fits } from '../../src/core/types'
 import { percent } from '../../src/look/numbers'
 import { withUncertainty } from '../../src/measure/uncertain'
@@ -135,7 +135,7 @@ function withPencil({ mass, stiffness, damping, force, step }: ReturnType<typeof
 
 describe.skipIf(!core)('the key of lab one (skipped where the core is not built)', () => {
   it('is what a pencil finds, and names its slips, of 200 students', async () => {
-    const opened = await start(await compile(new Uint8Array(readFileSync(core))))
+    const opened = await start(await WebAssembly.compile(readFileSync(core)))
     const ask: AskCore = async (task, options, asking) => read(opened.answer(task, options, asking?.file))
     const seen = new Set<string>()
     for (let number = 1; number <= 200; ++number) {
@@ -162,7 +162,7 @@ describe.skipIf(!core)('the key of lab one (skipped where the core is not built)
 
 describe.skipIf(!core)('the key of a recording (skipped where the core is not built)', () => {
   it('is what a careful student finds, and refuses a careless one', { timeout: 60_000 }, async () => {
-    const opened = await start(await compile(new Uint8Array(readFileSync(core))))
+    const opened = await start(await WebAssembly.compile(readFileSync(core)))
     const ask: AskCore = async (task, options, asking) =>
       read(opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file))
     const truth = truthOf(seedOf('7F3A', '19'))
@@ -189,7 +189,7 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
   })
 
   it.each(recordings)('calls right what the page itself says of recording %s-%s, and a careful hand', { timeout: 240_000 }, async (course, student) => {
-    const opened = await start(await compile(new Uint8Array(readFileSync(core))))
+    const opened = await start(await WebAssembly.compile(readFileSync(core)))
     const ask: AskCore = async (task, options, asking) =>
       read(opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file))
     const truth = truthOf(seedOf(course, student))
