@@ -30,7 +30,8 @@ _cromer() {
 }
 complete -o default -o bashdefault -F _cromer cromer
 )shell"},
-    {"zsh", R"shell(# Put this into ~/.zshrc, after compinit:  source <(cromer completions zsh)
+    {"zsh", R"shell(#compdef cromer
+# Put this into ~/.zshrc, after compinit:  source <(cromer completions zsh)
 _cromer() {
   local list=commands
   ((CURRENT > 2)) && list=$words[2]
@@ -42,7 +43,7 @@ _cromer() {
     _files
   fi
 }
-compdef _cromer cromer
+if [[ $funcstack[1] == _cromer ]]; then _cromer "$@"; else compdef _cromer cromer; fi
 )shell"},
     {"fish", R"shell(# Put this into a file:  cromer completions fish > ~/.config/fish/completions/cromer.fish
 complete -c cromer -f -n __fish_use_subcommand -a '(cromer completions commands 2>/dev/null)'

@@ -19,12 +19,8 @@ std::string kind_of_text(std::string_view option) {
 }
 
 std::string left_side(const Option& option) {
-  std::string text = option.name == "output" ? "  -o, --output" : fmt::format("  --{}", option.name);
-  if (option.is_flag()) return text;
-  if (option.name == "output" || option.name == "plot") return text + " FILE";
-  if (option.is_text()) return text + " " + kind_of_text(option.name);
-  if (option.unit.empty() || option.unit == "1") return text + " NUMBER";
-  return text + fmt::format(" <{}>", option.unit);
+  const std::string value = value_of(option);
+  return "  " + names_of(option) + (value.empty() ? "" : " " + value);
 }
 
 /// Words of `text` from help_column on, in lines of at most last_column.
@@ -53,21 +49,6 @@ std::string_view in_short(std::string_view help) {
   return help;
 }
 
-std::string usage(const Syntax& syntax) {
-  return fmt::format("Usage: cromer {}{}{} [OPTIONS]\n", syntax.command, syntax.files.empty() ? "" : " ",
-                     syntax.files);
-}
-
-/// Calls for each group's heading, and for each option.
-template <class Heading, class Line>
-void for_each_option(const Syntax& syntax, const Heading& heading, const Line& line) {
-  std::string_view group;
-  for (const Option& option : syntax.options) {
-    if (option.group != group) heading(group = option.group);
-    line(option);
-  }
-}
-
 void append_option(std::string& out, const Option& option) {
   const std::string text = option_text(option);
   const std::string left = left_side(option);
@@ -80,8 +61,25 @@ void append_option(std::string& out, const Option& option) {
 
 }  // namespace
 
+std::string names_of(const Option& option) {
+  return option.name == "output" ? "-o, --output" : fmt::format("--{}", option.name);
+}
+
+std::string value_of(const Option& option) {
+  if (option.is_flag()) return "";
+  if (option.name == "output" || option.name == "plot") return "FILE";
+  if (option.is_text()) return kind_of_text(option.name);
+  if (option.unit.empty() || option.unit == "1") return "NUMBER";
+  return fmt::format("<{}>", option.unit);
+}
+
+std::string usage(const Syntax& syntax) {
+  return fmt::format("cromer {}{}{} [OPTIONS]", syntax.command, syntax.files.empty() ? "" : " ",
+                     syntax.files);
+}
+
 std::string help(const Syntax& syntax) {
-  std::string out = usage(syntax) + fmt::format("\n{}\n", syntax.description);
+  std::string out = fmt::format("Usage: {}\n\n{}\n", usage(syntax), syntax.description);
   for_each_option(
       syntax, [&](std::string_view group) { out += fmt::format("\n{}:\n", group); },
       [&](const Option& option) { append_option(out, option); });
@@ -95,7 +93,7 @@ std::string help(const Syntax& syntax) {
 }
 
 std::string short_help(const Syntax& syntax) {
-  std::string out = usage(syntax);
+  std::string out = fmt::format("Usage: {}\n", usage(syntax));
   for_each_option(
       syntax, [&](std::string_view group) { out += fmt::format("\n{}:\n", group); },
       [&](const Option& option) {

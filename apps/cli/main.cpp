@@ -11,6 +11,7 @@
 #include "completions.h"
 #include "cromer/base/nearest.h"
 #include "cromer/version.h"
+#include "manual.h"
 #include "message.h"
 #include "output.h"
 
@@ -38,7 +39,9 @@ std::string overview() {
   text +=
       "\ncromer COMMAND --help explains a command, -h in short; cromer --version says which version this "
       "is;\n"
-      "cromer completions bash (zsh, fish) completes commands and options in the shell.\n"
+      "cromer help --man writes the manual page (--markdown: as Markdown); cromer completions bash (zsh, "
+      "fish)\n"
+      "completes commands and options in the shell.\n"
       "\nExample:\n  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 "
       "--until 50 --plot run.svg\n";
   return text;
@@ -61,7 +64,10 @@ int run(const Arguments& arguments) {
   }
   const std::string& first = arguments.front();
   if (first == "--version") return print_all("cromer " CROMER_VERSION "\n");
-  if (first == "help" && arguments.size() > 1) return run({arguments[1], "--help"});
+  if (first == "help" && arguments.size() > 1) {
+    const std::string& asked = arguments[1];
+    return asked == "--man" || asked == "--markdown" ? print_manual(asked, commands) : run({asked, "--help"});
+  }
   if (first == "--help" || first == "-h" || first == "help") return print_all(overview());
   if (first == "completions") return run_completions({arguments.begin() + 1, arguments.end()}, commands);
   for (const auto& command : commands)

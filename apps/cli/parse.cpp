@@ -9,6 +9,7 @@
 #include "completions.h"
 #include "cromer/base/nearest.h"
 #include "cromer/tasks/option_owner.h"
+#include "manual.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -73,6 +74,8 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   if (asked_for("--help")) return print_all(help(syntax));
   if (asked_for("-h")) return print_all(short_help(syntax));
   if (arguments.size() == 1 && asked_for(list_options)) return print_all(option_list(syntax));
+  if (arguments.size() == 1 && asked_for(as_man)) return print_all(man_section(syntax));
+  if (arguments.size() == 1 && asked_for(as_markdown)) return print_all(markdown_section(syntax));
 
   CLI::App app;
   app.set_help_flag();

@@ -34,6 +34,25 @@ std::string short_help(const Syntax& syntax);
 /// "--mass", a tab, what it is: a line for each option.
 std::string option_list(const Syntax& syntax);
 
+/// "cromer fit FILE... [OPTIONS]".
+std::string usage(const Syntax& syntax);
+
+/// "--mass"; "-o, --output".
+std::string names_of(const Option& option);
+
+/// What follows its name: "<kg>", "NAME", "NUMBER"; "" after a flag.
+std::string value_of(const Option& option);
+
+/// Calls for each group's heading, and for each option.
+template <class Heading, class Line>
+void for_each_option(const Syntax& syntax, const Heading& heading, const Line& line) {
+  std::string_view group;
+  for (const Option& option : syntax.options) {
+    if (option.group != group) heading(group = option.group);
+    line(option);
+  }
+}
+
 /// "cromer COMMAND ...", each word quoted where a shell would need it: what made a file stands in the file.
 std::string command_line(std::string_view command, const Arguments& arguments);
 

@@ -81,6 +81,36 @@ TEST(Completions, AnUnknownShellIsRefused) {
   EXPECT_THAT(end.err, HasSubstr("bash, zsh or fish"));
 }
 
+TEST(Manual, HasEveryOptionOfEveryCommand) {
+  const std::string man = Folder().run({"help", "--man"}).out;
+  const std::string markdown = Folder().run({"help", "--markdown"}).out;
+  EXPECT_THAT(man, HasSubstr(".SH EXIT STATUS"));
+  std::istringstream commands(Folder().run({"completions", "commands"}).out);
+  for (std::string line; std::getline(commands, line);) {
+    const std::string command = line.substr(0, line.find('\t'));
+    const std::size_t in_man = man.find("\\fB\\-\\-json\\fR", man.find(".B cromer " + command + ' '));
+    EXPECT_NE(in_man, std::string::npos) << command;
+    const std::size_t section = markdown.find("\n# cromer " + command + '\n');
+    ASSERT_NE(section, std::string::npos) << command;
+    const std::string here = markdown.substr(section, markdown.find("\n# cromer ", section + 1) - section);
+    std::istringstream options(Folder().run({"completions", command}).out);
+    for (std::string option; std::getline(options, option);) {
+      const std::string name = option.substr(0, option.find('\t'));
+      if (name != "--help") {
+        EXPECT_THAT(here, HasSubstr(name)) << command;
+      }
+    }
+  }
+}
+
+TEST(Manual, HoldsNoRequestThatNobodyWrote) {
+  std::istringstream lines(Folder().run({"help", "--man"}).out);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('.') || line.starts_with('\'')) {
+      EXPECT_THAT(line, ContainsRegex("^\\.(TH|SH|SS|B|I|TP|PP|EX|EE)( |$)"));
+    }
+}
+
 TEST(Methods, AreListedWithTheirOrders) {
   const Finished end = Folder().run({"methods", "--json"});
   ASSERT_EQ(end.status, 0);

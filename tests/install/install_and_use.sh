@@ -20,6 +20,23 @@ for example in "$source"/examples/[0-9]*.c*; do
 done
 [ "$ran" -eq 10 ] || { echo "$ran examples, not ten" >&2; exit 1; }
 
+# What docs/library.md says to a CMakeLists.txt is enough.
+mkdir "$work/snippet"
+{
+  printf 'cmake_minimum_required(VERSION 3.16)\nproject(snippet LANGUAGES CXX)\nadd_executable(my_program "%s")\n' "$source/examples/01_two_methods.cpp"
+  sed -n '/^```cmake/,/^```/{/^```/!p}' "$source/docs/library.md"
+} > "$work/snippet/CMakeLists.txt"
+grep -q target_link_libraries "$work/snippet/CMakeLists.txt"
+cmake -S "$work/snippet" -B "$work/snippet/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" ${CXX:+-DCMAKE_CXX_COMPILER="$CXX"} > /dev/null
+
+for file in man/man1/cromer.1 bash-completion/completions/cromer zsh/site-functions/_cromer fish/vendor_completions.d/cromer.fish; do
+  [ -s "$work/prefix/share/$file" ] || { echo "share/$file is not installed" >&2; exit 1; }
+done
+if command -v man > /dev/null; then
+  said=$(man --warnings -E UTF-8 -l "$work/prefix/share/man/man1/cromer.1" 2>&1 > /dev/null)
+  [ -z "$said" ] || { echo "the manual page: $said" >&2; exit 1; }
+fi
+
 headers=$(find "$work/prefix/include" -name '*.h' | wc -l)
 [ "$headers" -le 20 ] || { echo "$headers headers are installed, more than 20" >&2; exit 1; }
 library=$(find "$work/prefix" -name 'libcromer.so')
