@@ -25,9 +25,9 @@ Verb = TypeVar("Verb", bound=Callable[..., Any])
 def _documented(verb: Verb) -> Verb:
     """Adds the verb's options, from the table that the program has, to its docstring and its signature."""
     table = ARGUMENTS[verb.__name__.replace("fit_all", "fit")]
-    lines = [f"    {name} : {kind}\n        {text}" for name, (kind, text) in table.items()]
+    lines = [f"{name} : {kind}\n    {text}" for name, (kind, text) in table.items()]
     begin, _, end = (inspect.cleandoc(verb.__doc__ or "") + "\n").partition("{options}")
-    verb.__doc__ = begin + "\n".join(lines).strip() + end
+    verb.__doc__ = begin + "\n".join(lines) + end
     signature = inspect.signature(verb)
     own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
     options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in table

@@ -1,0 +1,224 @@
+"""What the site has beside docs/*.md: the pages that are made from the program, the headers and the page's own words,
+the pictures of the gallery, equations and looks. A hook of MkDocs."""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+from mkdocs.structure.files import File
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = ROOT / "docs" / "site"
+KATEX = pathlib.Path("/usr/share/javascript/katex")
+FORGE = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "data/README.md": "data.md"}
+
+
+def program(*words, **options):
+    return subprocess.run([os.environ["CROMER_PROGRAM"], *words], check=True, capture_output=True, text=True, **options).stdout
+
+
+# The pages of the commands, from the option tables.
+
+def command_pages():
+    parts = re.split(r"^# (?=cromer )", program("help", "--markdown"), flags=re.M)
+    pages = {"commands/index.md": re.sub(r"`cromer (\w+)`", r"[`cromer \1`](\1.md)", parts[0])}
+    for part in parts[1:]:
+        name = part.split("\n", 1)[0].removeprefix("cromer ")
+        pages[f"commands/{name}.md"] = "# " + part
+    return pages
+
+
+# The glossary, from the words of the page.
+
+TITLES = {"chosen": "choice of a law (BIC)", "simulated": "simulated decay rate", "repaired": "spikes and gaps", "rms": "root mean square",
+          "reynolds": "Reynolds number", "van_der_pol": "Van der Pol's term", "interval": "95 % interval", "free_part": "free part",
+          "uncertainty": "uncertainty (±)", "friction": "dry friction", "cubic": "cubic spring", "quadratic": "quadratic spring",
+          "odd_quadratic": "odd quadratic spring", "quintic": "quintic spring", "method": "method of integration"}
+
+
+def glossary():
+    words = (ROOT / "apps/web/src/words/en/glossary.ts").read_text()
+    entries = re.findall(r"^  (\w+): '(.*)',?$", words, re.M)
+    assert len(entries) > 20 and set(TITLES) <= {name for name, _ in entries}
+    entries = sorted((TITLES.get(name, name.replace("_", " ")), text) for name, text in entries)
+    rows = "".join(f"| {title} | {text} |\n" for title, text in sorted(entries, key=lambda each: each[0].lower()))
+    return f"# Glossary\n\nThe words of the lab in the browser, which explains them at their place too.\n\n| word | what it is |\n|---|---|\n{rows}"
+
+
+# The public headers, from what Doxygen reads in them.
+
+def plain(element):
+    """The text of an element, in one line; code in backticks."""
+    if element is None:
+        return ""
+    text = element.text or ""
+    for child in element:
+        inner = plain(child)
+        text += (f"`{inner}`" if child.tag == "computeroutput" and inner else inner) + (child.tail or "")
+    return " ".join(text.split())
+
+
+def said(element):
+    return " ".join(filter(None, (plain(element.find("briefdescription")), plain(element.find("detaileddescription")))))
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def signature(function):
+    arguments = ", ".join(f"{plain(p.find('type'))} {plain(p.find('declname'))}".strip()
+                          + (f" = {plain(p.find('defval'))}" if p.find("defval") is not None else "")
+                          for p in function.findall("param"))
+    kept = " const" if function.get("const") == "yes" else ""
+    return re.sub(r"\bCROMER_API ", "", f"{plain(function.find('type'))} {plain(function.find('name'))}({arguments}){kept};").strip()
+
+
+def shown(member):
+    """Not operators, constructors and what is private."""
+    own_type = plain(member.find("type")) != ""
+    return member.get("prot") == "public" and own_type and not plain(member.find("name")).startswith("operator")
+
+
+def functions(members):
+    out = ""
+    for each in members:
+        if each.get("kind") == "function" and shown(each):
+            out += f"\n```cpp\n{signature(each)}\n```\n\n{said(each)}\n"
+    return out
+
+
+def type_page(compound):
+    name = plain(compound.find("compoundname")).removeprefix("cromer::")
+    out = f"\n### {name}\n\n{said(compound)}\n"
+    members = compound.findall("sectiondef/memberdef")
+    fields = [each for each in members if each.get("kind") == "variable" and each.get("prot") == "public"]
+    if fields:
+        out += "\n| field | type | what it is |\n|---|---|---|\n"
+        for each in fields:
+            value = plain(each.find("initializer")).replace("{}", "").removeprefix("=").strip()
+            name = plain(each.find("name")) + (f" = {value}" if value else "")
+            out += f"| `{cell(name)}` | `{cell(plain(each.find('type')))}` | {cell(said(each))} |\n"
+    return out + functions(members)
+
+
+def header_pages():
+    with tempfile.TemporaryDirectory() as folder:
+        settings = (HERE / "Doxyfile").read_text() + f"\nINPUT = include/cromer\nOUTPUT_DIRECTORY = {folder}\n"
+        subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)
+        xml = pathlib.Path(folder) / "xml"
+        read = lambda name: ElementTree.parse(xml / f"{name}.xml").getroot().find("compounddef")
+        free = read("namespacecromer").findall("sectiondef/memberdef")
+        types = {each.get("refid"): read(each.get("refid")) for each in read("namespacecromer").findall("innerclass")}
+        order = re.findall(r"#include <cromer/(\w+\.h)>", (ROOT / "include/cromer/cromer.h").read_text())
+        order = [each for each in order if (ROOT / "include/cromer" / each).exists()]
+        out = "# The C++ interface\n\n`#include <cromer/cromer.h>` brings all of it. [The library](../library.md) says how to build with it, and shows it at work.\n"
+        for header in order:
+            path = f"include/cromer/{header}"
+            here = [each for each in free if each.find("location").get("file") == path]
+            mine = [each for each in types.values() if each.find("location").get("file") == path]
+            head = re.match(r"(?:// .*\n)+", (ROOT / path).read_text())
+            about = " ".join(line.removeprefix("// ") for line in head[0].splitlines()) if head else ""
+            out += f"\n## cromer/{header}\n\n{about}\n" + functions(here)
+            for each in sorted(mine, key=lambda each: int(each.find("location").get("line"))):
+                out += type_page(each)
+            for each in here:
+                if each.get("kind") == "enum":
+                    out += f"\n### {plain(each.find('name'))}\n\n{said(each)}\n\n| value | what it is |\n|---|---|\n"
+                    out += "".join(f"| `{plain(v.find('name'))}` | {cell(said(v))} |\n" for v in each.findall("enumvalue"))
+                elif each.get("kind") == "typedef":
+                    out += f"\n### {plain(each.find('name'))}\n\n```cpp\n{plain(each.find('definition'))};\n```\n\n{said(each)}\n"
+        return out
+
+
+# The interface of Python, from its docstrings.
+
+def python_page():
+    import cromer
+    out = "# The Python interface\n\n[Cromer in Python](../python.md) shows it at work.\n"
+    verbs = [name for name in cromer.__all__ if getattr(cromer, name).__class__.__name__ == "function"]
+    for title, names in (("The verbs", verbs), ("What they give back", [n for n in cromer.__all__ if n not in verbs and n != "__version__"])):
+        out += f"\n## {title}\n" + "".join(f"\n::: cromer.{name}\n    options:\n      heading_level: 3\n" for name in names)
+    return out
+
+
+# The gallery: each picture is drawn by the command above it.
+
+def pictures(page):
+    """Draws them into a folder that lasts as long as the build; their names, and their files."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="cromer-gallery-"))
+    for name in ("data", "studies"):
+        (folder / name).symlink_to(ROOT / name)
+    for block in re.findall(r"```sh\n(.*?)```", page, re.S):
+        for command in block.replace("\\\n", " ").splitlines():
+            program(*shlex.split(command)[1:], cwd=folder)
+    return {each.name: each for each in sorted(folder.glob("*.svg"))}
+
+
+def with_pictures(page):
+    def after(block):
+        drawn = re.findall(r"--plot (\S+\.svg)", block[0])
+        return block[0] + "".join(f"\n\n![]({name})" for name in drawn)
+
+    return re.sub(r"```sh\n.*?```", after, page, flags=re.S)
+
+
+def for_the_site(path, text):
+    """Links to what lies beside docs/ on a forge, as the site has it."""
+    for there, here in FORGE.items():
+        text = text.replace(f"](../{there}", f"]({here}")
+    if path in FORGE.values():
+        text = re.sub(r"\]\(docs/", "](", text)
+    return text
+
+
+def on_config(config):
+    pages = command_pages()
+    for section in config.nav:
+        for reference in section.get("Reference", []):
+            if "Commands" in reference:
+                reference["Commands"] = list(pages)
+    config["cromer_pages"] = pages
+    return config
+
+
+def on_files(files, config):
+    made = dict(config["cromer_pages"])
+    made["glossary.md"] = glossary()
+    made["api/cpp.md"] = header_pages()
+    made["api/python.md"] = python_page()
+    for there, here in FORGE.items():
+        made[here] = (ROOT / there).read_text()
+    for path, text in made.items():
+        files.append(File.generated(config, path, content=text))
+    gallery = pictures((ROOT / "docs/gallery.md").read_text())
+    taken = {f"assets/{each.name}": each for each in (HERE / "look.css", HERE / "equations.js", HERE / "iframe-worker.js")}
+    taken |= {f"assets/katex/{each.relative_to(KATEX)}": each
+              for each in (KATEX / "katex.min.js", KATEX / "katex.min.css", *KATEX.glob("fonts/*.woff2"))}
+    for path, source in (gallery | taken).items():
+        files.append(File.generated(config, path, abs_src_path=str(source.resolve())))
+    return files
+
+
+def on_page_markdown(markdown, page, config, files):
+    path = page.file.src_uri
+    if page.parent is None:  # alone in its tab
+        page.meta["hide"] = ["navigation"]
+    return for_the_site(path, with_pictures(markdown) if path == "gallery.md" else markdown)
+
+
+def on_post_build(config):
+    """Nothing that a browser loads by itself comes from elsewhere."""
+    loads = re.compile(r"""<(?:script|img|iframe|source|video|audio)\b[^>]*\bsrc=["']?(?:https?:)?//[^>]*>|<link\b(?![^>]*rel=["']?canonical)[^>]*\bhref=["']?(?:https?:)?//[^>]*>""")
+    for page in pathlib.Path(config.site_dir).rglob("*.html"):
+        found = loads.search(page.read_text())
+        if found:
+            raise SystemExit(f"{page} asks a foreign host: {found[0]}")
+    for style in pathlib.Path(config.site_dir).rglob("*.css"):
+        found = re.search(r"(?:url\(|@import\s)[\"']?(?:https?:)?//[^)\s]*", style.read_text())
+        if found:
+            raise SystemExit(f"{style} asks a foreign host: {found[0]}")

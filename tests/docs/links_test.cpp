@@ -1,0 +1,83 @@
+// Links within the documentation lead somewhere, and its code blocks say what they are.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <regex>
+#include <set>
+
+#include "tests/support/markdown.h"
+
+namespace cromer::core::test {
+namespace {
+
+/// As forges make a heading's anchor, and the site does: small letters, no punctuation, hyphens for blanks.
+std::string anchor(const std::string& heading) {
+  std::string out;
+  for (const char c : heading) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte) || c == '_' || c == '-')
+      out += static_cast<char>(std::tolower(byte));
+    if (c == ' ') out += '-';
+  }
+  return out;
+}
+
+std::set<std::string> anchors(const std::string& page) {
+  std::istringstream lines(page_text(page));
+  std::set<std::string> found;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of('#');
+    if (begin > 0 && begin < line.size() && line[begin] == ' ') found.insert(anchor(line.substr(begin + 1)));
+  }
+  return found;
+}
+
+TEST(Links, LeadSomewhere) {
+  static const std::regex link("\\]\\(([^)\\s]+)\\)");
+  int count = 0;
+  for (const std::string& page : documentation()) {
+    const std::string text = prose(page);
+    for (std::sregex_iterator each(text.begin(), text.end(), link), end; each != end; ++each) {
+      const std::string target = (*each)[1];
+      if (target.starts_with("https://")) continue;
+      ++count;
+      const std::size_t hash = std::min(target.find('#'), target.size());
+      const std::string path = hash == 0
+                                   ? page
+                                   : (std::filesystem::path(page).parent_path() / target.substr(0, hash))
+                                         .lexically_normal()
+                                         .string();
+      EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(CROMER_SOURCE_DIR) / path))
+          << page << ": " << target;
+      if (hash < target.size() && path.ends_with(".md")) {
+        EXPECT_TRUE(anchors(path).contains(target.substr(hash + 1))) << page << ": " << target;
+      }
+    }
+  }
+  EXPECT_GT(count, 50);
+}
+
+TEST(Links, AreSeenToBeBroken) {
+  EXPECT_EQ(anchor("What gets through: transmissibility"), "what-gets-through-transmissibility");
+  EXPECT_TRUE(anchors("docs/identify.md").contains("driven-motions"));
+  EXPECT_FALSE(anchors("docs/identify.md").contains("driven-motion"));
+}
+
+// What is shown as code is run, compiled, read or drawn by a test, each by its language. What remains is
+// `text`.
+TEST(CodeBlocks, SayWhatTheyAre) {
+  const std::set<std::string> tested{"sh", "bash", "cpp", "c", "arduino", "cmake", "python", "toml", "math"};
+  int blocks = 0;
+  for (const std::string& page : documentation())
+    for (const CodeBlock& block : code_blocks(page)) {
+      ++blocks;
+      static const std::regex command("(^|\n)(\\./dev|cromer|import|#include) ");
+      const bool right = block.language == "text" ? !std::regex_search(block.text, command)
+                                                  : tested.contains(block.language);
+      EXPECT_TRUE(right) << page << ":" << block.line << ": " << block.language;
+    }
+  EXPECT_GT(blocks, 50);
+}
+
+}  // namespace
+}  // namespace cromer::core::test
