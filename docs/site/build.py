@@ -1,6 +1,7 @@
 """What the site has beside docs/*.md: the pages that are made from the program, the headers and the page's own words,
 the pictures of the gallery, equations and looks. A hook of MkDocs."""
 
+import inspect
 import os
 import pathlib
 import re
@@ -63,7 +64,14 @@ def plain(element):
 
 
 def said(element):
-    return " ".join(filter(None, (plain(element.find("briefdescription")), plain(element.find("detaileddescription")))))
+    text = " ".join(filter(None, (plain(element.find("briefdescription")), plain(element.find("detaileddescription")))))
+    pieces = re.split(r"(`[^`]*`)", text)
+    return "".join(piece if piece.startswith("`") else re.sub(r"[<*_]", lambda c: "\\" + c[0], piece) for piece in pieces)
+
+
+def code(element):
+    """C++ as people write it."""
+    return re.sub(r" ?([<>]) ?", r"\1", plain(element)).replace(" &", "&").replace(">const", "> const")
 
 
 def cell(text):
@@ -71,11 +79,11 @@ def cell(text):
 
 
 def signature(function):
-    arguments = ", ".join(f"{plain(p.find('type'))} {plain(p.find('declname'))}".strip()
+    arguments = ", ".join(f"{code(p.find('type'))} {plain(p.find('declname'))}".strip()
                           + (f" = {plain(p.find('defval'))}" if p.find("defval") is not None else "")
                           for p in function.findall("param"))
     kept = " const" if function.get("const") == "yes" else ""
-    return re.sub(r"\bCROMER_API ", "", f"{plain(function.find('type'))} {plain(function.find('name'))}({arguments}){kept};").strip()
+    return re.sub(r"\bCROMER_API ", "", f"{code(function.find('type'))} {plain(function.find('name'))}({arguments}){kept};").strip()
 
 
 def shown(member):
@@ -93,16 +101,17 @@ def functions(members):
 
 
 def type_page(compound):
-    name = plain(compound.find("compoundname")).removeprefix("cromer::")
+    name = code(compound.find("compoundname")).removeprefix("cromer::")
     out = f"\n### {name}\n\n{said(compound)}\n"
     members = compound.findall("sectiondef/memberdef")
-    fields = [each for each in members if each.get("kind") == "variable" and each.get("prot") == "public"]
+    fields = [each for each in members if each.get("kind") == "variable" and each.get("prot") == "public"
+              and "core::" not in plain(each.find("type"))]
     if fields:
         out += "\n| field | type | what it is |\n|---|---|---|\n"
         for each in fields:
             value = plain(each.find("initializer")).replace("{}", "").removeprefix("=").strip()
             name = plain(each.find("name")) + (f" = {value}" if value else "")
-            out += f"| `{cell(name)}` | `{cell(plain(each.find('type')))}` | {cell(said(each))} |\n"
+            out += f"| `{cell(name)}` | `{cell(code(each.find('type')))}` | {cell(said(each))} |\n"
     return out + functions(members)
 
 
@@ -113,14 +122,14 @@ def header_pages():
         xml = pathlib.Path(folder) / "xml"
         read = lambda name: ElementTree.parse(xml / f"{name}.xml").getroot().find("compounddef")
         free = read("namespacecromer").findall("sectiondef/memberdef")
-        types = {each.get("refid"): read(each.get("refid")) for each in read("namespacecromer").findall("innerclass")}
+        types = [read(each.get("refid")) for each in read("namespacecromer").findall("innerclass")]
         order = re.findall(r"#include <cromer/(\w+\.h)>", (ROOT / "include/cromer/cromer.h").read_text())
         order = [each for each in order if (ROOT / "include/cromer" / each).exists()]
-        out = "# The C++ interface\n\n`#include <cromer/cromer.h>` brings all of it. [The library](../library.md) says how to build with it, and shows it at work.\n"
+        out = "# The C++ interface\n\n`#include <cromer/cromer.h>` brings all of it but the last, which is plain C for other languages. [The library](../library.md) says how to build with it, and shows it at work.\n"
         for header in order:
             path = f"include/cromer/{header}"
             here = [each for each in free if each.find("location").get("file") == path]
-            mine = [each for each in types.values() if each.find("location").get("file") == path]
+            mine = [each for each in types if each.find("location").get("file") == path]
             head = re.match(r"(?:// .*\n)+", (ROOT / path).read_text())
             about = " ".join(line.removeprefix("// ") for line in head[0].splitlines()) if head else ""
             out += f"\n## cromer/{header}\n\n{about}\n" + functions(here)
@@ -132,7 +141,7 @@ def header_pages():
                     out += "".join(f"| `{plain(v.find('name'))}` | {cell(said(v))} |\n" for v in each.findall("enumvalue"))
                 elif each.get("kind") == "typedef":
                     out += f"\n### {plain(each.find('name'))}\n\n```cpp\n{plain(each.find('definition'))};\n```\n\n{said(each)}\n"
-        return out
+        return out + f"\n## cromer/c.h\n\n```c\n{(ROOT / 'include/cromer/c.h').read_text()}```\n"
 
 
 # The interface of Python, from its docstrings.
@@ -140,7 +149,8 @@ def header_pages():
 def python_page():
     import cromer
     out = "# The Python interface\n\n[Cromer in Python](../python.md) shows it at work.\n"
-    verbs = [name for name in cromer.__all__ if getattr(cromer, name).__class__.__name__ == "function"]
+    verbs = [name for name in cromer.__all__ if inspect.isfunction(getattr(cromer, name))]
+    verbs.sort(key=lambda name: inspect.unwrap(getattr(cromer, name)).__code__.co_firstlineno)
     for title, names in (("The verbs", verbs), ("What they give back", [n for n in cromer.__all__ if n not in verbs and n != "__version__"])):
         out += f"\n## {title}\n" + "".join(f"\n::: cromer.{name}\n    options:\n      heading_level: 3\n" for name in names)
     return out
@@ -208,6 +218,8 @@ def on_page_markdown(markdown, page, config, files):
     path = page.file.src_uri
     if page.parent is None:  # alone in its tab
         page.meta["hide"] = ["navigation"]
+    if path == "changelog.md":  # it has every word
+        page.meta["search"] = {"exclude": True}
     return for_the_site(path, with_pictures(markdown) if path == "gallery.md" else markdown)
 
 

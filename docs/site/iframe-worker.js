@@ -8,7 +8,6 @@ if (location.protocol === 'file:') {
       this.frame.hidden = true
       document.body.append(this.frame)
       const inside = this.frame.contentWindow
-      this.loaded = new Promise((resolve) => { inside.onload = resolve })
       inside.document.open()
       inside.document.write(`<script>
         postMessage = (message) => parent.postMessage(message, '*')
@@ -18,6 +17,7 @@ if (location.protocol === 'file:') {
         })), Promise.resolve())
       <\/script><body><script src="${url}"><\/script>`)
       inside.document.close()
+      this.loaded = new Promise((resolve) => { inside.onload = resolve })
       window.addEventListener('message', (event) => {
         if (event.source !== inside) return
         this.dispatchEvent(new MessageEvent('message', { data: event.data }))
