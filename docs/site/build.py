@@ -41,13 +41,14 @@ TITLES = {"chosen": "choice of a law (BIC)", "simulated": "simulated decay rate"
           "odd_quadratic": "odd quadratic spring", "quintic": "quintic spring", "method": "method of integration"}
 
 
-def glossary():
+def with_words_of_the_page(page):
+    """The table of the glossary with the entries that the page explains, in the order of the words."""
     words = (ROOT / "apps/web/src/words/en/glossary.ts").read_text()
     entries = re.findall(r"^  (\w+): '(.*)',?$", words, re.M)
     assert len(entries) > 20 and set(TITLES) <= {name for name, _ in entries}
-    entries = sorted((TITLES.get(name, name.replace("_", " ")), text) for name, text in entries)
-    rows = "".join(f"| {title} | {text} |\n" for title, text in sorted(entries, key=lambda each: each[0].lower()))
-    return f"# Glossary\n\nThe words of the lab in the browser, which explains them at their place too.\n\n| word | what it is |\n|---|---|\n{rows}"
+    head, rows = page.split("|---|---|\n")
+    rows = rows.splitlines() + [f"| {TITLES.get(name, name.replace('_', ' '))} | {text} |" for name, text in entries]
+    return head + "|---|---|\n" + "\n".join(sorted(rows, key=str.lower)) + "\n"
 
 
 # The public headers, from what Doxygen reads in them.
@@ -198,7 +199,6 @@ def on_config(config):
 
 def on_files(files, config):
     made = dict(config["cromer_pages"])
-    made["glossary.md"] = glossary()
     made["api/cpp.md"] = header_pages()
     made["api/python.md"] = python_page()
     for there, here in FORGE.items():
@@ -220,7 +220,8 @@ def on_page_markdown(markdown, page, config, files):
         page.meta["hide"] = ["navigation"]
     if path == "changelog.md":  # it has every word
         page.meta["search"] = {"exclude": True}
-    return for_the_site(path, with_pictures(markdown) if path == "gallery.md" else markdown)
+    completed = {"gallery.md": with_pictures, "glossary.md": with_words_of_the_page}.get(path, str)
+    return for_the_site(path, completed(markdown))
 
 
 def on_post_build(config):
