@@ -1,9 +1,10 @@
-// Links within the documentation lead somewhere, and its code blocks say what they are.
+// Links within the documentation lead somewhere, its code blocks say what they are, its equations are whole.
 #include <gtest/gtest.h>
 
 #include <cctype>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "tests/support/markdown.h"
 
@@ -77,6 +78,40 @@ TEST(CodeBlocks, SayWhatTheyAre) {
       EXPECT_TRUE(right) << page << ":" << block.line << ": " << block.language;
     }
   EXPECT_GT(blocks, 50);
+}
+
+TEST(Site, HasEveryPageInItsMenu) {
+  const std::string menu = page_text("mkdocs.yml");
+  for (const std::string& page : documentation())
+    if (page.starts_with("docs/")) {
+      EXPECT_NE(menu.find(": " + page.substr(5) + '\n'), std::string::npos) << page;
+    }
+}
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += what.size()) ++found;
+  return found;
+}
+
+// No browser is asked here: what opens must close.
+TEST(Equations, AreClosed) {
+  static const std::regex in_line("\\$[^$\n]+\\$");
+  int equations = 0;
+  for (const std::string& page : documentation()) {
+    std::vector<std::string> all;
+    for (const CodeBlock& block : code_blocks(page))
+      if (block.language == "math") all.push_back(block.text);
+    const std::string text = prose(page);
+    EXPECT_EQ(count(text, "$") % 2, 0) << page;
+    for (std::sregex_iterator each(text.begin(), text.end(), in_line), end; each != end; ++each)
+      all.push_back(each->str());
+    equations += static_cast<int>(all.size());
+    for (const std::string& tex : all)
+      for (const auto& [opens, closes] : {std::pair{"{", "}"}, {"\\left", "\\right"}, {"\\begin", "\\end"}})
+        EXPECT_EQ(count(tex, opens), count(tex, closes)) << page << ": " << tex;
+  }
+  EXPECT_GT(equations, 100);
 }
 
 }  // namespace
