@@ -168,6 +168,25 @@ INSTANTIATE_TEST_SUITE_P(Docs, Page, testing::ValuesIn(pages_with_commands()), [
   return name;
 });
 
+TEST(Docs, NameOnlyOptionsThatExist) {
+  const Folder folder;
+  std::string options = "--help\t--version\t--man\t--markdown\t";
+  std::istringstream commands(folder.run({"completions", "commands"}).out);
+  for (std::string line; std::getline(commands, line);)
+    options += folder.run({"completions", line.substr(0, line.find('\t'))}).out;
+  static const std::regex code("`((cromer |--)[^`\n]*)`"), option("(^| )(--[a-z][a-z0-9-]*)");
+  int count = 0;
+  for (const std::string& page : documentation()) {
+    const std::string text = page_text(page);
+    for (std::sregex_iterator each(text.begin(), text.end(), code), end; each != end; ++each) {
+      const std::string words = (*each)[1];
+      for (std::sregex_iterator one(words.begin(), words.end(), option); one != end; ++one, ++count)
+        EXPECT_NE(options.find((*one)[2].str() + '\t'), std::string::npos) << page << ": " << words;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
 TEST(Docs, TheExampleOfStudiesIsAStudy) {
   const std::string page = page_text("docs/studies.md"), begin = "```toml\n";
   const auto from = page.find(begin) + begin.size();

@@ -80,6 +80,23 @@ TEST(CodeBlocks, SayWhatTheyAre) {
   EXPECT_GT(blocks, 50);
 }
 
+// Code that is only set in has no language, and no test.
+TEST(CodeBlocks, AreFenced) {
+  static const std::regex item("\\s*([-*]|[0-9]+\\.) .*");
+  for (const std::string& page : documentation()) {
+    std::istringstream lines(prose(page));
+    bool in_list = false, after_blank = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (std::regex_match(line, item))
+        in_list = true;
+      else if (!line.empty() && line[0] != ' ')
+        in_list = false;
+      EXPECT_FALSE(after_blank && !in_list && line.starts_with("    ")) << page << ": " << line;
+      after_blank = line.empty();
+    }
+  }
+}
+
 TEST(Site, HasEveryPageInItsMenu) {
   const std::string menu = page_text("mkdocs.yml");
   for (const std::string& page : documentation())
