@@ -15,6 +15,7 @@ from mkdocs.structure.files import File
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = ROOT / "docs" / "site"
 KATEX = pathlib.Path("/usr/share/javascript/katex")
+LAB = ROOT / "build/page/cromer-lab.html"
 FORGE = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "data/README.md": "data.md"}
 
 
@@ -187,6 +188,12 @@ def for_the_site(path, text):
     return text
 
 
+def with_the_lab(page):
+    """The start with a way into the page, where it has been built."""
+    head, mark, rest = page.partition("\n![")
+    return head + "\n[Open the lab](cromer-lab.html){ .md-button .md-button--primary }\n" + mark + rest if LAB.exists() else page
+
+
 def on_config(config):
     pages = command_pages()
     for section in config.nav:
@@ -209,7 +216,8 @@ def on_files(files, config):
     taken = {f"assets/{each.name}": each for each in (HERE / "look.css", HERE / "equations.js", HERE / "iframe-worker.js")}
     taken |= {f"assets/katex/{each.relative_to(KATEX)}": each
               for each in (KATEX / "katex.min.js", KATEX / "katex.min.css", *KATEX.glob("fonts/*.woff2"))}
-    for path, source in (gallery | taken).items():
+    lab = {LAB.name: LAB} if LAB.exists() else {}
+    for path, source in (gallery | taken | lab).items():
         files.append(File.generated(config, path, abs_src_path=str(source.resolve())))
     return files
 
@@ -220,7 +228,7 @@ def on_page_markdown(markdown, page, config, files):
         page.meta["hide"] = ["navigation"]
     if path == "changelog.md":  # it has every word
         page.meta["search"] = {"exclude": True}
-    completed = {"gallery.md": with_pictures, "glossary.md": with_words_of_the_page}.get(path, str)
+    completed = {"index.md": with_the_lab, "gallery.md": with_pictures, "glossary.md": with_words_of_the_page}.get(path, str)
     return for_the_site(path, completed(markdown))
 
 
