@@ -233,7 +233,8 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_post_build(config):
-    """Nothing that a browser loads by itself comes from elsewhere."""
+    """Nothing that a browser loads by itself comes from elsewhere. The page for what is not found would need a server."""
+    (pathlib.Path(config.site_dir) / "404.html").unlink(missing_ok=True)
     loads = re.compile(r"""<(?:script|img|iframe|source|video|audio)\b[^>]*\bsrc=["']?(?:https?:)?//[^>]*>|<link\b(?![^>]*rel=["']?canonical)[^>]*\bhref=["']?(?:https?:)?//[^>]*>""")
     for page in pathlib.Path(config.site_dir).rglob("*.html"):
         found = loads.search(page.read_text())
