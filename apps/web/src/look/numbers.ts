@@ -77,3 +77,5 @@ export function numberOf(text: string): number {
   const typed = withPoints(text).replace(/[\s\u202f\u00a0]/g, '')
   return typed === '' ? NaN : Number(typed)
 }
+
+export const near = (value: number, wanted: number, by: number): boolean => Math.abs(value - wanted) <= by

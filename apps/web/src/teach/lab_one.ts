@@ -1,5 +1,6 @@
 // Lab one: what each step sets when it is entered, what it lets the student change, and its goal.
 import type { Options } from '../core/types'
+import { near } from '../look/numbers'
 import type { TeachState } from './state'
 
 export type Control = 'position' | 'damping' | 'driveFrequency' | 'step'
@@ -22,7 +23,6 @@ const stiffness = 9 // [N/m]
 const rest: Settings = {
   position: 0, damping: 0, driveAmplitude: 1, driveFrequency: 3, step: 0.01, methods: ['euler-cromer']
 }
-const near = (value: number, wanted: number, by: number) => Math.abs(value - wanted) <= by
 
 export const labOne: StepOne[] = [
   {

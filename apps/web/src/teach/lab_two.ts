@@ -1,7 +1,7 @@
 // Lab two: the goals of its steps, on what is open in Measure. Where the law is hidden its work is done by hand.
 import type { Fit } from '../core/types'
 import type { MeasureState } from '../measure/state'
-import { numberOf } from '../look/numbers'
+import { near, numberOf } from '../look/numbers'
 import type { QuestionTwo } from './questions'
 
 export interface Seen {
@@ -20,8 +20,8 @@ export interface StepTwo {
   happens?: number // which answer of its prediction, in a recording of the lab
 }
 
-const near = (text: string, wanted: number) => Math.abs(numberOf(text) - wanted) <= 0.5
-const isPart = ({ measure }: Seen) => near(measure.from, 30) && near(measure.to, 60)
+const about = (text: string, wanted: number) => near(numberOf(text), wanted, 0.5) // [s]
+const isPart = ({ measure }: Seen) => about(measure.from, 30) && about(measure.to, 60)
 
 export const labTwo: StepTwo[] = [
   { reached: ({ open }) => open },
@@ -38,7 +38,7 @@ export const labTwo: StepTwo[] = [
   },
   {
     reached: ({ fit, measure }) => measure.law === 'viscous' && fit?.law === 'viscous',
-    byHand: ({ open, measure }) => open && near(measure.from, 90) && measure.to === '',
+    byHand: ({ open, measure }) => open && about(measure.from, 90) && measure.to === '',
     happens: 1
   },
   {

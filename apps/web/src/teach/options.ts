@@ -79,11 +79,11 @@ export const idsOf = (options: ClassOptions): string[] => [
   ...options.labs.flatMap((lab): string[] => questionsIn(lab, options)), ...options.tasks.map((_, i) => taskId(i))
 ]
 
-const near = (value: number, percent: number) => (Math.abs(value) * percent) / 100
+const partOf = (value: number, percent: number) => (Math.abs(value) * percent) / 100
 
 /// With the class's tolerance.
 export const tolerant = (expected: Expected, { tolerance }: ClassOptions): Expected =>
-  tolerance > 0 ? { ...expected, enough: near(expected.value, tolerance) } : expected
+  tolerance > 0 ? { ...expected, enough: partOf(expected.value, tolerance) } : expected
 
 /// Null where there is no answer to hold it against.
 export function expectedOf(task: OwnTask, options: ClassOptions, otherwise: number): Expected | null {
@@ -91,5 +91,5 @@ export function expectedOf(task: OwnTask, options: ClassOptions, otherwise: numb
   if (!Number.isFinite(value)) return null
   const own = numberOf(task.tolerance)
   const percent = own >= 0 ? own : options.tolerance || otherwise
-  return { value, unit: task.unit, enough: near(value, percent), uncertainty: null, slips: [] }
+  return { value, unit: task.unit, enough: partOf(value, percent), uncertainty: null, slips: [] }
 }
