@@ -6,6 +6,7 @@ import ctypes
 import json
 import os
 import pathlib
+import queue
 import sys
 import threading
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
@@ -122,6 +123,40 @@ class Answer:
         return state
 
 
+Jobs = queue.SimpleQueue[Callable[[], None]]
+
+
+class _Worker:
+    """A thread that works for the main one, which stays free to hear Ctrl-C. One for all calls: starting a thread
+    costs as much as a small fit, and the library keeps tables in each."""
+
+    def __init__(self) -> None:
+        self._jobs: Jobs = queue.SimpleQueue()
+        self._process = -1  # that the thread lives in: a fork leaves it behind
+
+    def start(self, work: Callable[[], None]) -> threading.Event:
+        """Begins the work, which must not raise; the event is set when it has ended."""
+        if self._process != os.getpid():
+            self._jobs, self._process = queue.SimpleQueue(), os.getpid()
+            threading.Thread(target=_work_on, args=(self._jobs,), name="cromer", daemon=True).start()
+        ended = threading.Event()
+
+        def job() -> None:
+            work()
+            ended.set()
+
+        self._jobs.put(job)
+        return ended
+
+
+def _work_on(jobs: Jobs) -> None:
+    while True:
+        jobs.get()()
+
+
+_worker = _Worker()
+
+
 class _Again:
     """A call that can be made once more."""
 
@@ -165,15 +200,14 @@ def _called(verb: str, request: str, arrays: Dict[str, Numbers], progress: Optio
 
     if threading.current_thread() is not threading.main_thread():
         work()
-    else:  # Ctrl-C reaches Python while the library works in a thread of its own
-        worker = threading.Thread(target=work, daemon=True)
-        worker.start()
+    else:
+        ended = _worker.start(work)
         try:
-            while worker.is_alive():  # a join without a limit is deaf on Windows
-                worker.join(0.1)
+            while not ended.wait(0.1):  # a wait without a limit is deaf on Windows
+                pass
         except BaseException:
             stopped.set()
-            worker.join()
+            ended.wait()
             _library.cromer_free(found[0] if found else None)
             raise
     handle = _Handle(found[0])

@@ -484,11 +484,11 @@ class Spectrum(Result):
 
     @property
     def psv(self) -> Numbers:
-        return self.sd * (2 * np.pi / self.period)
+        return self._of("pseudo_velocity")
 
     @property
     def psa(self) -> Numbers:
-        return self.sd * (2 * np.pi / self.period) ** 2
+        return self._of("pseudo_acceleration")
 
     @property
     def rotd50(self) -> Numbers:

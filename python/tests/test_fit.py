@@ -1,3 +1,5 @@
+import multiprocessing
+import os
 import pickle
 import signal
 import threading
@@ -246,6 +248,28 @@ def test_progress_ends_the_work():
 
     with pytest.raises(RuntimeError, match="mine"):
         cromer.fit(t, x, progress=failing)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
+def test_a_forked_process_works_on():
+    t, x = swing()
+    here = cromer.fit(t, x, law="viscous")["decay_rate"].value
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        there = pool.apply_async(_decay_rate, (t, x)).get(timeout=60)
+    assert there == here
+
+
+def _decay_rate(t, x):
+    return cromer.fit(t, x, law="viscous")["decay_rate"].value
+
+
+def test_refusals_follow_the_language():
+    t, x = swing()
+    with pytest.raises(cromer.InputError, match="Gesetz"):
+        cromer.fit(t, x, law="nonsense", language="de")
+    fit = cromer.fit(t, x, law="viscous", language="de")
+    with pytest.raises(cromer.InputError, match="vor dem ersten benutzten Messwert"):
+        fit.at([-1.0])
 
 
 def test_ctrl_c_ends_the_work():

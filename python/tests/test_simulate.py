@@ -1,7 +1,10 @@
+import re
+
 import cromer
 import numpy as np
 import pytest
-from conftest import swing
+from conftest import ROOT, swing
+from cromer import _plot
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -107,6 +110,19 @@ def test_wrong_input_is_said(wrong, argument):
     with pytest.raises(cromer.InputError) as refused:
         cromer.simulate(**{"step": 0.01, "until": 1, **wrong})
     assert refused.value.argument == argument
+
+
+def test_the_lines_are_those_of_the_programs_figures():
+    palette = (ROOT / "src" / "cromer" / "report" / "palette.cpp").read_text()
+    dashes = {"solid": "-"}
+    for name, numbers in re.findall(r"(\w+){([\d, ]+)}", palette[:palette.index("roles")]):
+        dashes[name] = (0, tuple(int(each) for each in numbers.split(",") if int(each)))
+    roles = {name: (colour, dashes[dash]) for name, colour, dash in
+             re.findall(r'\{"([\w:-]+)", "(#\w+)",.*, (\w+)\}', palette) if dash in dashes}
+    assert set(_plot.LINES) <= set(roles)
+    for method in cromer.methods().names:
+        assert _plot.LINES[method][:2] == roles[method], method
+    assert (_plot.INK, _plot.LAW) == (roles["measured"][0], roles["fitted"][0])
 
 
 def test_pictures():

@@ -114,6 +114,11 @@ TEST(CallC, TheLawsMotionIsKnownBetweenAndAfterTheSamples) {
   const double before = -1;
   EXPECT_EQ(document(Answer(cromer_motion_at(fit.get(), 1, &before, 1)))["code"], "times_before_the_first");
   EXPECT_EQ(document(Answer(cromer_motion_at(fit.get(), 2, t.data(), 3)))["code"], "no_fit_of_that_run");
+  // What is said of it later is in the language of the call.
+  const Answer german = call("fit", R"({"law": "viscous", "language": "de"})", made.arrays());
+  EXPECT_THAT(document(Answer(cromer_motion_at(german.get(), 1, &before, 1)))["message"].get<std::string>(),
+              HasSubstr("Messwert"));
+  EXPECT_THAT(document(written_as(german, "pdf"))["message"].get<std::string>(), HasSubstr("nicht bekannt"));
   EXPECT_EQ(document(Answer(cromer_motion_at(nullptr, 1, t.data(), 3)))["code"], "no_fit_of_that_run");
   EXPECT_EQ(array(Answer(cromer_motion_at(fit.get(), 1, nullptr, 3)), "x"), std::vector<double>{});
 }
@@ -170,6 +175,19 @@ TEST(CallC, EveryVerbAnswers) {
   EXPECT_EQ(cromer_status(spectrum.get()), CROMER_DONE) << cromer_document(spectrum.get());
   EXPECT_EQ(array(spectrum, "period"), periods);
   EXPECT_EQ(array(spectrum, "displacement").size(), 2u);
+  EXPECT_FALSE(document(spectrum)["spectra"][0].contains("SD"));  // of two components they have no arrays
+  const Answer of_two = call("spectrum", R"({"spacing": 0.01})",
+                             {{"acceleration", a.data(), a.size()},
+                              {"second", a.data(), a.size()},
+                              {"periods", periods.data(), periods.size()}});
+  EXPECT_EQ(document(of_two)["spectra"][0]["components"][1]["SD"].size(), 2u)
+      << cromer_document(of_two.get());
+  EXPECT_EQ(document(of_two)["spectra"][0]["period"].size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double w = 2 * std::numbers::pi / periods[i], peak = array(spectrum, "displacement")[i];
+    EXPECT_NEAR(array(spectrum, "pseudo_velocity")[i], w * peak, 1e-14 * w * peak);
+    EXPECT_NEAR(array(spectrum, "pseudo_acceleration")[i], w * w * peak, 1e-14 * w * w * peak);
+  }
   const Answer swept =
       call("sweep", R"({"stiffness": 4, "damping": 0.1, "drive_amplitude": 1, "method": "exact"})",
            {{"drive_frequency", frequencies.data(), frequencies.size()}});

@@ -71,6 +71,21 @@ TEST(DampedPhasor, ResidualsAreDataMinusModel) {
   EXPECT_NEAR(sum, direct(record.record(), near_truth).sum_of_squares, 1e-11 * sum);
 }
 
+TEST(DampedPhasor, TheSwingIsTheModelWithoutItsEquilibrium) {
+  std::vector<double> gaps;
+  for (int i = 0; i < 1000; ++i)
+    if (i % 97 != 13 && i < 700) gaps.push_back(5 + 0.01 * i);
+  for (const std::vector<double>& t : {even_times(1, 0.01), even_times(300, 0.01), gaps}) {
+    const auto [w, g, E, A, B] = std::array{8.85, 0.031, 0.201, 0.035, 0.002};
+    const std::vector<double> x = DampedPhasor({t, {}, 0}).swing({w, g, E, A, B});
+    ASSERT_EQ(x.size(), t.size());
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const double s = t[i] - t[0];
+      EXPECT_NEAR(x[i], std::exp(-g * s) * (A * std::cos(w * s) + B * std::sin(w * s)), 1e-14) << i;
+    }
+  }
+}
+
 TEST(DampedPhasor, BestAmplitudesAreExactAtTheTrueRates) {
   const ViscousTruth truth;
   const SyntheticRecord record = viscous_record(truth, even_times(1000, 0.01));

@@ -39,6 +39,35 @@ TEST(LawFit, RecoversTheLawWithoutNoise) {
   }
 }
 
+// No steps, whose error would be a billionth.
+TEST(LawFit, TheViscousLawsMotionAndResidualsAreItsClosedForm) {
+  constexpr double w0 = 9, g = 0.3;
+  const double w = std::sqrt(w0 * w0 - g * g);
+  const std::vector<double> t = even_times(1500, 0.01);
+  // Position, velocity and acceleration of exp(-g t) cos(w t).
+  std::vector<double> of[3];
+  for (const double at : t) {
+    const double c = std::exp(-g * at) * std::cos(w * at), s = std::exp(-g * at) * std::sin(w * at);
+    of[0].push_back(c);
+    of[1].push_back(-g * c - w * s);
+    of[2].push_back(-w0 * w0 * c - 2 * g * of[1].back());
+  }
+  for (const int derivative : {0, 1, 2}) {
+    const Record record{t, of[derivative], 0, derivative};
+    const LawFit fit = fit_law(record, {});
+    ASSERT_EQ(fit.status, FitStatus::converged) << derivative;
+    const Trajectory motion = motion_of(fit, t);
+    ASSERT_EQ(motion.size(), t.size());
+    const std::vector<double> residuals = residuals_of(fit, record);
+    ASSERT_EQ(residuals.size(), t.size());
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      EXPECT_NEAR(motion.x[i], of[0][i], 1e-11) << derivative;
+      EXPECT_NEAR(motion.v[i], of[1][i], 1e-10) << derivative;
+      EXPECT_NEAR(residuals[i], 0, 1e-11 * std::pow(w0, derivative)) << derivative;
+    }
+  }
+}
+
 TEST(LawFit, RecoversTheLawFromAnyPhase) {
   for (int i = 0; i < 24; ++i) {
     const double phase = i * std::numbers::pi / 12;

@@ -221,7 +221,7 @@ TEST(Steps, WhatWasEvenBeforeItWasRoundedIsMadeEven) {
   for (const double rate : {60.0, 70.0, 96.7})
     for (const double part : {0.13, 0.3, 0.51, 0.8}) {
       const std::vector<double> even = times(1500, 1 / rate);
-      const auto clock = even_clock(rounded_to(even, part / rate));
+      const auto clock = describe_steps(rounded_to(even, part / rate)).clock;
       ASSERT_TRUE(clock) << rate << ' ' << part;
       EXPECT_NEAR(clock->rounding, part / rate, 1e-4 * part / rate);
       for (const std::size_t i : {0u, 700u, 1499u}) EXPECT_NEAR(clock->t[i], even[i], 0.1 * part / rate);
@@ -229,18 +229,18 @@ TEST(Steps, WhatWasEvenBeforeItWasRoundedIsMadeEven) {
   // With samples missing.
   std::vector<double> t = times(1500, 1 / 70.0);
   t.erase(t.begin() + 400, t.begin() + 431);
-  const auto clock = even_clock(rounded_to(t, 0.005));
+  const auto clock = describe_steps(rounded_to(t, 0.005)).clock;
   ASSERT_TRUE(clock);
   for (std::size_t i = 0; i < t.size(); ++i) ASSERT_NEAR(clock->t[i], t[i], 5e-4) << i;
 }
 
 TEST(Steps, JitterIsNotMadeEven) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    EXPECT_FALSE(even_clock(rounded_to(jittered(times(1500, 1 / 70.0), 0.002, true, seed), 0.005)));
-    EXPECT_FALSE(even_clock(jittered(times(1500, 1 / 70.0), 0.001, false, seed)));
+    EXPECT_FALSE(describe_steps(rounded_to(jittered(times(1500, 1 / 70.0), 0.002, true, seed), 0.005)).clock);
+    EXPECT_FALSE(describe_steps(jittered(times(1500, 1 / 70.0), 0.001, false, seed)).clock);
   }
-  EXPECT_FALSE(even_clock(times(1500, 0.01)));  // they are even
-  EXPECT_FALSE(even_clock(std::vector<double>{0, 1, 2.5}));
+  EXPECT_FALSE(describe_steps(times(1500, 0.01)).clock);  // they are even
+  EXPECT_FALSE(describe_steps(std::vector<double>{0, 1, 2.5}).clock);
 }
 
 TEST(Steps, OfFewTimes) {
@@ -302,20 +302,20 @@ TEST(Steps, RatesHaveTwelveDigits) {
 }
 
 TEST(Steps, SixteenRoundedTimesShowAClock) {
-  EXPECT_TRUE(even_clock(rounded_to(times(16, 1 / 70.0), 0.005)));
-  EXPECT_FALSE(even_clock(rounded_to(times(15, 1 / 70.0), 0.005)));
+  EXPECT_TRUE(describe_steps(rounded_to(times(16, 1 / 70.0), 0.005)).clock);
+  EXPECT_FALSE(describe_steps(rounded_to(times(15, 1 / 70.0), 0.005)).clock);
 }
 
 TEST(Steps, ATwentiethOfAStepIsRounding) {
-  EXPECT_TRUE(even_clock(rounded_to(times(1500, 1), 0.0523)));
-  EXPECT_FALSE(even_clock(rounded_to(times(1500, 1), 0.0477)));
+  EXPECT_TRUE(describe_steps(rounded_to(times(1500, 1), 0.0523)).clock);
+  EXPECT_FALSE(describe_steps(rounded_to(times(1500, 1), 0.0477)).clock);
 }
 
 TEST(Steps, AClockMayBeginAnywhere) {
   for (const double begin : {0.0, -3.0, 1000.0}) {
     std::vector<double> t = times(600, 1 / 60.0);
     for (double& at : t) at += begin;
-    const auto clock = even_clock(rounded_to(t, 0.01));
+    const auto clock = describe_steps(rounded_to(t, 0.01)).clock;
     ASSERT_TRUE(clock) << begin;
     EXPECT_NEAR(clock->spacing, 1 / 60.0, 1e-9);
     EXPECT_NEAR(clock->rounding, 0.01, 1e-6);
@@ -331,7 +331,7 @@ TEST(Steps, MissingSamplesAreNoRounding) {
   std::vector<double> t;
   for (int i = 0; i < 1000; ++i)
     if (i % 10 != 5) t.push_back(i);
-  EXPECT_FALSE(even_clock(t));
+  EXPECT_FALSE(describe_steps(t).clock);
 }
 
 }  // namespace

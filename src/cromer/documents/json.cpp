@@ -45,8 +45,8 @@ std::string to_json(const SweepResult& result, bool with_rows, const Voice& voic
   return to_text(json_of(SweepDocument{result, with_rows}, voice), true);
 }
 
-std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice) {
-  return to_text(json_of(SpectrumDocument{result, with_fourier}, voice), with_fourier);
+std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice, bool with_curves) {
+  return to_text(json_of(SpectrumDocument{result, with_fourier, with_curves}, voice), with_fourier);
 }
 
 std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice) {

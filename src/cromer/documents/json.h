@@ -43,7 +43,9 @@ std::string to_json(std::span<const FittedRecording> fits, const MassLine& line)
 std::string to_json(std::span<const CompareResult> comparisons, const Voice& voice = {});
 
 /// {"components": [...], "spectra": [...], "arias_intensity", "duration_5_95", ...}; `with_fourier` adds the
-/// Fourier amplitudes and puts all on one line.
-std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice = {});
+/// Fourier amplitudes and puts all on one line. Without `with_curves` the values at the periods are left out
+/// of the spectra of a single component.
+std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice = {},
+                    bool with_curves = true);
 
 }  // namespace cromer::core

@@ -36,8 +36,9 @@ struct cromer_result {
   int status = CROMER_DONE;
   std::string document{};
   cromer::core::Found found{};
-  std::list<std::string> names{};            ///< of the arrays
-  std::list<std::vector<double>> columns{};  ///< values that `found` does not hold as such
+  cromer::Language language = cromer::Language::english;  ///< of what is said of it later
+  std::list<std::string> names{};                         ///< of the arrays
+  std::list<std::vector<double>> columns{};               ///< values that `found` does not hold as such
   std::vector<cromer_array> arrays{};
 
   /// An array whose values `found` holds.
@@ -390,11 +391,21 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   for (std::size_t i = 0; i < kept.spectra.size(); ++i) {
     const ResponseSpectrum& spectrum = kept.spectra[i];
     const std::string ratio = kept.spectra.size() > 1 ? std::to_string(i + 1) + "." : "";
-    if (!spectrum.displacement.empty()) result.show(ratio + "displacement", spectrum.displacement.front());
+    if (!spectrum.displacement.empty()) {
+      const std::vector<double>& peaks = spectrum.displacement.front();
+      const auto each = [&](double (*of)(double displacement, double period)) {
+        std::vector<double> values(peaks.size());
+        std::transform(peaks.begin(), peaks.end(), kept.periods.begin(), values.begin(), of);
+        return values;
+      };
+      result.show(ratio + "displacement", peaks);
+      result.add(ratio + "pseudo_velocity", each(pseudo_velocity));
+      result.add(ratio + "pseudo_acceleration", each(pseudo_acceleration));
+    }
     if (!spectrum.rotd50.empty()) result.show(ratio + "rotd50", spectrum.rotd50);
     if (!spectrum.rotd100.empty()) result.show(ratio + "rotd100", spectrum.rotd100);
   }
-  result.document = to_json(kept, false, call.voice());
+  result.document = to_json(kept, false, call.voice(), false);  // the arrays have the curves
   return {};
 }
 
@@ -520,6 +531,10 @@ cromer_result* answer(cromer::core::Voice& voice, const Work& work) {
   return result.release();
 }
 
+cromer::core::Voice voice_of(const cromer_result* result) {
+  return {result ? result->language : cromer::Language::english, cromer::core::Audience::caller};
+}
+
 const cromer::core::Found& found_of(const cromer_result* result) {
   static const cromer::core::Found nothing;
   return result ? result->found : nothing;
@@ -534,14 +549,16 @@ cromer_result* cromer_call(const char* verb, const char* request, const cromer_a
   return answer(voice, [&](cromer_result& result) {
     const Progress told =
         progress ? Progress([=](double done) { return progress(done, user) != 0; }) : Progress{};
-    return core::run(verb ? verb : "", request ? request : "", std::span(arrays, arrays ? count : 0), told,
-                     voice, result);
+    auto good = core::run(verb ? verb : "", request ? request : "", std::span(arrays, arrays ? count : 0),
+                          told, voice, result);
+    result.language = voice.language;
+    return good;
   });
 }
 
 cromer_result* cromer_written_as(const cromer_result* result, const char* form) {
   using namespace cromer;
-  core::Voice voice{.audience = core::Audience::caller};
+  core::Voice voice = voice_of(result);
   return answer(voice, [&](cromer_result& written) -> Result<void> {
     auto text = core::written_as(found_of(result), form ? form : "");
     if (!text) return text.error();
@@ -552,7 +569,7 @@ cromer_result* cromer_written_as(const cromer_result* result, const char* form) 
 
 cromer_result* cromer_motion_at(const cromer_result* fit, int run, const double* t, size_t length) {
   using namespace cromer;
-  core::Voice voice{.audience = core::Audience::caller};
+  core::Voice voice = voice_of(fit);
   return answer(voice, [&](cromer_result& made) -> Result<void> {
     auto motion = core::motion_of_run(found_of(fit), run, std::span(t, t ? length : 0));
     if (!motion) return motion.error();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace cromer::core {
 namespace {
@@ -122,7 +123,8 @@ Result<Recording> recording_of(std::span<const double> t, std::span<const double
   const Kind& kind = kinds[static_cast<int>(observed)];
   columns = {column_of("t", "time", "s", t), column_of("y", kind.quantity, kind.unit, y)};
   if (!force.empty()) columns.push_back(column_of("force", "force", "N", force));
-  for (std::size_t i = 0; i < t.size(); ++i) recording.lines.push_back(static_cast<long>(i));
+  recording.lines.resize(t.size());
+  std::iota(recording.lines.begin(), recording.lines.end(), 0L);
   return recording;
 }
 

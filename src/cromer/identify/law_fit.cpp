@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "cromer/base/state.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_motion.h"
@@ -65,9 +67,23 @@ LawFit fit_every_sample(const Record& record, const LawFitOptions& options, cons
   return fit_motion(record, options, beginning.known(options.law, record), watch);
 }
 
-// The viscous law has a closed form.
-bool is_phasor(const LawFit& fit, const Record& record) {
-  return fit.law == law_of("viscous") && fit.drive.kind == DriveKind::none && record.derivative == 0;
+// The closed form of a derivative of the displacement, where the law has one that the digits carry: the
+// viscous law's, of a swing.
+std::optional<Parameters> phasor_of(const LawFit& fit, int derivative) {
+  if (fit.law != law_of("viscous") || fit.drive.kind != DriveKind::none) return std::nullopt;
+  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
+  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
+  constexpr double digits = 1e-6;
+  if (!(w > digits * w0)) return std::nullopt;
+  State<double> y{fit.motion.position, fit.motion.velocity};
+  for (int i = 0; i < derivative; ++i) y = {y.v, -w0 * w0 * y.x - 2 * g * y.v};
+  Parameters phasor{};
+  phasor[DampedPhasor::angular_frequency] = w;
+  phasor[DampedPhasor::decay_rate] = g;
+  phasor[DampedPhasor::equilibrium] = fit.motion.equilibrium;
+  phasor[DampedPhasor::cosine] = y.x;
+  phasor[DampedPhasor::sine] = (y.v + g * y.x) / w;
+  return phasor;
 }
 
 }  // namespace
@@ -84,25 +100,25 @@ LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& 
 std::vector<double> residuals_of(const LawFit& fit, const Record& record) {
   std::vector<double> residuals;
   if (!fit.has_values()) return residuals;
-  if (!is_phasor(fit, record)) {
+  if (const auto phasor = phasor_of(fit, record.derivative))
+    DampedPhasor(record).residuals(*phasor, residuals);
+  else
     residuals = motion_residuals(fit.motion, fit.drive, record, fit.step);
-    if (residuals.size() != record.t.size()) residuals.clear();
-    return residuals;
-  }
-  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
-  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
-  Parameters phasor{};
-  phasor[DampedPhasor::angular_frequency] = w;
-  phasor[DampedPhasor::decay_rate] = g;
-  phasor[DampedPhasor::equilibrium] = fit.motion.equilibrium;
-  phasor[DampedPhasor::cosine] = fit.motion.position;
-  phasor[DampedPhasor::sine] = (fit.motion.velocity + g * fit.motion.position) / w;
-  DampedPhasor(record).residuals(phasor, residuals);
+  if (residuals.size() != record.t.size()) residuals.clear();
   return residuals;
 }
 
 Trajectory motion_of(const LawFit& fit, std::span<const double> t) {
-  return motion_states(fit.motion, fit.drive, t, fit.step);
+  const auto position = phasor_of(fit, 0), velocity = phasor_of(fit, 1);
+  if (!position || t.empty()) return motion_states(fit.motion, fit.drive, t, fit.step);
+  const DampedPhasor phasor({t, {}, 0});
+  Trajectory motion{{t.begin(), t.end()}, phasor.swing(*position), phasor.swing(*velocity)};
+  // One that grows runs away.
+  std::size_t finite = t.size();
+  while (finite > 0 && !(std::isfinite(motion.x[finite - 1]) && std::isfinite(motion.v[finite - 1])))
+    --finite;
+  for (auto* values : {&motion.t, &motion.x, &motion.v}) values->resize(finite);
+  return motion;
 }
 
 }  // namespace cromer::core

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "cromer/base/quantile.h"
@@ -18,20 +19,22 @@ constexpr double robust = 1.4826, deviations = 12;
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
 /// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
-  constexpr double nearly_all = 0.9;
+  const std::size_t most_others = values.size() / 10;
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::fabs(value));
   if (!(largest > 1e-290)) return 0;
   const int first = largest < 1 ? static_cast<int>(-std::floor(std::log10(largest))) - 1 : 0;
   double scale = std::pow(10.0, first);
   for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
-    const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
+    const auto is_exact = [scale](double value) {
       const double scaled = value * scale, whole = std::nearbyint(scaled);
       // A value far below one unit is not a multiple of it.
       if (whole == 0 && value != 0) return false;
       return std::fabs(scaled - whole) <= std::min(0.01, 1e-9 * std::max(1.0, std::fabs(scaled)));
-    });
-    if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
+    };
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < values.size() && others <= most_others; ++i) others += !is_exact(values[i]);
+    if (others <= most_others) return 1 / scale;
   }
   return 0;
 }
@@ -46,9 +49,33 @@ std::vector<double> even_choice(std::span<const double> values) {
   return chosen;
 }
 
+/// The values sorted, in a time that grows with their number where they are spread out: each into one of as
+/// many drawers as there are values, and then within its drawer.
+std::vector<double> sorted(std::vector<double> values) {
+  if (values.empty()) return values;
+  const auto n = static_cast<std::ptrdiff_t>(values.size());
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double low = *lowest, scale = static_cast<double>(n - 1) / (*highest - low);
+  if (!std::isfinite(scale)) {  // all alike
+    std::sort(values.begin(), values.end());
+    return values;
+  }
+  const auto drawer = [=](double value) { return static_cast<std::size_t>((value - low) * scale); };
+  std::vector<std::ptrdiff_t> begin(values.size() + 2, 0);
+  for (const double value : values) ++begin[drawer(value) + 2];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<double> result(values.size());
+  for (const double value : values) result[static_cast<std::size_t>(begin[drawer(value) + 1]++)] = value;
+  // Each drawer's begin now stands in its own place.
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (begin[k + 1] - begin[k] > 1) std::sort(result.begin() + begin[k], result.begin() + begin[k + 1]);
+  return result;
+}
+
 /// The lower quartile of the changes from sample to sample, zeros left out: the flicker of a signal at rest.
 double usual_small_change(std::span<const double> y) {
   std::vector<double> changes;
+  changes.reserve(y.size());
   for (std::size_t i = 1; i < y.size(); ++i)
     if (y[i] != y[i - 1]) changes.push_back(std::fabs(y[i] - y[i - 1]));
   return changes.empty() ? 0 : quantile(changes, 0.25);
@@ -100,17 +127,16 @@ double median_seen(std::span<const double> sizes) {
 }
 
 double rounding_step(std::span<const double> all) {
-  std::vector<double> values = even_choice(all);
+  std::vector<double> values = even_choice(all), distinct = sorted(values);
   // A stray value of 1e30 says nothing about the decimals of the others.
   constexpr double wild = 1e9;  // times the usual distance from the middle
-  const double middle = median(values);
-  std::vector<double> distances;
-  for (const double value : values) distances.push_back(std::fabs(value - middle));
+  const double middle = median(distinct);
+  std::vector<double> distances = values;
+  for (double& each : distances) each = std::fabs(each - middle);
   if (const double usual = median(std::move(distances)); usual > 0)
-    std::erase_if(values, [&](double value) { return std::fabs(value - middle) > wild * usual; });
+    for (auto* some : {&values, &distinct})
+      std::erase_if(*some, [&](double value) { return std::fabs(value - middle) > wild * usual; });
   if (values.size() < 3) return 0;
-  std::vector<double> distinct = values;
-  std::sort(distinct.begin(), distinct.end());
   const double range = distinct.back() - distinct.front();
   // The binary rounding of decimals, at any distance from zero.
   const double noise =

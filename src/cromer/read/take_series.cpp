@@ -195,31 +195,33 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     if (options.rate > 0) series.notices.push_back(Notice{"rate_not_used", {{"column", series.time_column}}});
   }
 
-  std::vector<double> t, y, as_written;
-  std::vector<long> lines;
-  for (auto* values : {&t, &y, &as_written}) values->reserve(value.values.size());
-  lines.reserve(value.values.size());
+  std::size_t n = 0;  // of the rows that have both
+  std::vector<double> t(value.values.size()), y = t, as_written = t;
+  std::vector<long> lines(value.values.size());
   for (std::size_t i = 0; i < value.values.size(); ++i) {
     const double at = time ? columns[*time].values[i] * seconds : static_cast<double>(i) / options.rate;
     const double y_si = value.values[i] * factor;
     if (!std::isfinite(at) || !std::isfinite(y_si)) continue;
-    t.push_back(at);
-    y.push_back(y_si);
-    as_written.push_back(value.values[i]);
-    lines.push_back(line_of(recording, *chosen, i));
+    t[n] = at;
+    y[n] = y_si;
+    as_written[n] = value.values[i];
+    lines[n++] = line_of(recording, *chosen, i);
   }
+  for (auto* values : {&t, &y, &as_written}) values->resize(n);
+  lines.resize(n);
   if (t.empty()) return refuse(Notice{"column_without_values", {{"column", series.column}, {"run", run}}});
   const auto rising = dialects::keep_rising(t, lines);
   if (!rising)
     return refuse(Notice{"in_column", {{"column", series.time_column}, {"what", rising.error().notice}}});
   series.notices.insert(series.notices.end(), rising->notices.begin(), rising->notices.end());
-  for (auto* values : {&series.t, &series.y}) values->reserve(rising->kept.size());
-  series.lines.reserve(rising->kept.size());
-  for (const std::size_t i : rising->kept) {
-    series.t.push_back(t[i]);
-    series.y.push_back(y[i]);
-    series.lines.push_back(lines[i]);
-  }
+  const auto keep = [&](auto& values) {
+    for (std::size_t k = 0; k < rising->kept.size(); ++k) values[k] = values[rising->kept[k]];
+    values.resize(rising->kept.size());
+    return std::move(values);
+  };
+  series.t = keep(t);
+  series.y = keep(y);
+  series.lines = keep(lines);
   describe_times(series, time ? 0 : options.rate);
   if (series.t.size() > 1 && !(series.rate > 0 && std::isfinite(series.rate)))
     return refuse(Notice{

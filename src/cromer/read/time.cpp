@@ -1,5 +1,4 @@
 #include "cromer/read/time.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -163,8 +162,8 @@ double round_within(double value, double relative) {
 }
 
 std::vector<double> differences(std::span<const double> t, std::size_t apart) {
-  std::vector<double> found;
-  for (std::size_t i = 0; i + apart < t.size(); ++i) found.push_back(t[i + apart] - t[i]);
+  std::vector<double> found(t.size() > apart ? t.size() - apart : 0);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = t[i + apart] - t[i];
   return found;
 }
 
@@ -245,42 +244,13 @@ struct Line {
   }
 };
 
-}  // namespace
-
-Steps describe_steps(std::span<const double> t) {
-  constexpr double gap_of_steps = 1.5, lost_of_steps = 0.5;
-  Steps result;
-  if (t.size() < 2) return result;
-  const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
-  const std::optional<EvenClock> clock = even_clock(t);
-  const std::span<const double> at = clock ? clock->t : t;
-  result.rate = clock ? round_within(1 / clock->spacing, rounding) : round_within(1 / step, rounding);
-
-  // A gap is no jitter.
-  const double pace = clock ? clock->spacing : pace_of(t, step);
-  const auto missing = [&](std::size_t i) {
-    return at[i + 1] - at[i] > gap_of_steps * pace && (clock || lateness(t, i, pace) > lost_of_steps * pace);
-  };
-  std::vector<double> kept;
-  for (std::size_t i = 0; i + 1 < t.size(); ++i)
-    if (missing(i))
-      result.gaps.push_back({at[i], at[i + 1] - at[i]});
-    else
-      kept.push_back(t[i + 1] - t[i]);
-  double mean = 0, squares = 0;
-  for (const double h : kept) mean += h / static_cast<double>(kept.size());
-  for (const double h : kept) squares += (h - mean) * (h - mean);
-  const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
-  result.jitter = jitter > rounding ? jitter : 0;
-  result.clock = clock;
-  return result;
-}
-
-std::optional<EvenClock> even_clock(std::span<const double> t) {
+// The even times, perhaps with samples missing, that agree with `t` to half its rounding. The rounding must
+// be a twentieth of a step at least. Nothing if there are no such times, or if `t` is even already.
+std::optional<EvenClock> even_clock(std::span<const double> t, double median_step) {
   constexpr std::size_t fewest = 16;
   const std::size_t n = t.size();
   if (n < fewest) return std::nullopt;
-  const double median_step = median(differences(t, 1)), r = rounding_of(t, median_step);
+  const double r = rounding_of(t, median_step);
   if (!(r > 0)) return std::nullopt;
   // The mean of the stretches without a missing sample, which differ by one rounding at most.
   const std::vector<double> stretches = differences(t, fewest - 1);
@@ -326,6 +296,37 @@ std::optional<EvenClock> even_clock(std::span<const double> t) {
   const double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);
   for (const double k : number) clock.t.push_back(begin + clock.spacing * k);
   return clock;
+}
+
+}  // namespace
+
+Steps describe_steps(std::span<const double> t) {
+  constexpr double gap_of_steps = 1.5, lost_of_steps = 0.5;
+  Steps result;
+  if (t.size() < 2) return result;
+  const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
+  const std::optional<EvenClock> clock = even_clock(t, step);
+  const std::span<const double> at = clock ? clock->t : t;
+  result.rate = clock ? round_within(1 / clock->spacing, rounding) : round_within(1 / step, rounding);
+
+  // A gap is no jitter.
+  const double pace = clock ? clock->spacing : pace_of(t, step);
+  const auto missing = [&](std::size_t i) {
+    return at[i + 1] - at[i] > gap_of_steps * pace && (clock || lateness(t, i, pace) > lost_of_steps * pace);
+  };
+  std::vector<double> kept;
+  for (std::size_t i = 0; i + 1 < t.size(); ++i)
+    if (missing(i))
+      result.gaps.push_back({at[i], at[i + 1] - at[i]});
+    else
+      kept.push_back(t[i + 1] - t[i]);
+  double mean = 0, squares = 0;
+  for (const double h : kept) mean += h / static_cast<double>(kept.size());
+  for (const double h : kept) squares += (h - mean) * (h - mean);
+  const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
+  result.jitter = jitter > rounding ? jitter : 0;
+  result.clock = clock;
+  return result;
 }
 
 }  // namespace cromer::core::dialects

@@ -51,8 +51,4 @@ struct Steps {
 /// are no gaps.
 Steps describe_steps(std::span<const double> t);
 
-/// The even times, perhaps with samples missing, that agree with `t` to half its rounding. The rounding must
-/// be a twentieth of a step at least. Nothing if there are no such times, or if `t` is even already.
-std::optional<EvenClock> even_clock(std::span<const double> t);
-
 }  // namespace cromer::core::dialects

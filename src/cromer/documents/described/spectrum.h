@@ -51,6 +51,7 @@ struct Described<SpectralValues> {
 struct SpectrumOf {
   const SpectrumResult& of;
   const ResponseSpectrum& spectrum;
+  bool with_curves = true;  ///< of one component that is no shock: else they stand beside the document
 
   bool one() const { return spectrum.shock.empty() && spectrum.displacement.size() == 1; }
   bool two() const { return spectrum.shock.empty() && spectrum.displacement.size() != 1; }
@@ -83,7 +84,8 @@ constexpr auto entry_of_one(const Field<Get>& value) {
   return field(
              value.name,
              [value](const SpectrumOf& s) {
-               return s.one() ? std::optional(value.of(s.values(s.spectrum.displacement[0]))) : std::nullopt;
+               return s.one() && s.with_curves ? std::optional(value.of(s.values(s.spectrum.displacement[0])))
+                                               : std::nullopt;
              },
              value.unit, value.meaning)
       .left_out();
@@ -109,7 +111,10 @@ struct Described<SpectrumOf> {
           "", "damping ratio of viscous damping")
           .left_out(),
       field(
-          "period", [](const S& s) { return s.of.periods; }, "s", "natural periods of the oscillators"),
+          "period",
+          [](const S& s) { return s.one() && !s.with_curves ? std::nullopt : std::optional(s.of.periods); },
+          "s", "natural periods of the oscillators")
+          .left_out(),
       shock_entry("primary", &Shock::primary, "largest acceleration during the shock"),
       shock_entry("residual", &Shock::residual, "largest acceleration after the shock"),
       shock_entry("maximax", &Shock::maximax, "largest acceleration at any time"),
@@ -188,6 +193,7 @@ struct Described<FourierAmplitude> {
 struct SpectrumDocument {
   const SpectrumResult& result;
   bool with_fourier;
+  bool with_curves = true;
 
   bool one() const { return result.components.size() == 1; }
   /// The value of the only recording; empty if there are two.
@@ -268,7 +274,8 @@ struct Described<SpectrumDocument> {
           "spectra",
           [](const S& s) {
             std::vector<SpectrumOf> all;
-            for (const ResponseSpectrum& spectrum : s.result.spectra) all.push_back({s.result, spectrum});
+            for (const ResponseSpectrum& spectrum : s.result.spectra)
+              all.push_back({s.result, spectrum, s.with_curves});
             return all;
           },
           "", "one for each damping ratio"),

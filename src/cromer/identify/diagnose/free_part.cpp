@@ -77,7 +77,8 @@ std::optional<Kink> find_kink(std::span<const double> t, std::span<const double>
     best = bent;
     place = kink;
   }
-  if (!(3 * best.rest < std::min(smooth.rest, beat_squares(s, amplitude)))) return std::nullopt;
+  const auto fits_better_than = [&](double rest) { return 3 * best.rest < rest; };
+  if (!fits_better_than(smooth.rest) || !fits_better_than(beat_squares(s, amplitude))) return std::nullopt;
   return Kink{middle + half * place, best.x[1] / half, best.x[2] / half};
 }
 
@@ -181,6 +182,7 @@ double noise_beside(const SwingAbout& swing, double amplitude, const Record& rec
 std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& swing) {
   // The amplitude by the largest distances but a few, which may be spikes.
   std::vector<double> distances;
+  distances.reserve(record.y.size());
   for (const double y : record.y) distances.push_back(std::abs(y - swing.centre));
   const auto few =
       distances.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(2, distances.size() / 200));

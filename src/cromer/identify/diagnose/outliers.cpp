@@ -131,6 +131,10 @@ std::vector<std::size_t> drop_outs(const Record& record) {
   const std::span<const double> y = record.y;
   const std::size_t n = y.size();
   if (n < 32) return {};
+  // Three equal values in a row, or there is nothing to look for.
+  std::size_t equal = 1;
+  for (std::size_t i = 1; i < n && equal < 3; ++i) equal = y[i] == y[i - 1] ? equal + 1 : 1;
+  if (equal < 3) return {};
   const std::size_t stride = (n + enough_for_quantiles - 1) / enough_for_quantiles;
   std::vector<double> values, changes;
   for (std::size_t i = 0; i + 1 < n; i += stride) {

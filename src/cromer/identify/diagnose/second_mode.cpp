@@ -19,6 +19,7 @@ constexpr std::size_t most_residuals = 1U << 17;
 // The residuals at even times.
 std::vector<double> even(std::span<const double> t, const std::vector<double>& r, double h) {
   std::vector<double> values;
+  values.reserve(t.size());
   std::size_t i = 0;
   for (std::size_t k = 0; k < t.size(); ++k) {
     const double at = t.front() + static_cast<double>(k) * h;
@@ -172,7 +173,7 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
   const std::size_t n = std::min(record.t.size(), most_residuals);
   if (n < 64 || fit.status != FitStatus::converged) return {};
   const Record part = record.first(n);
-  const std::vector<double> r = motion_residuals(fit.motion, fit.drive, part, fit.step);
+  const std::vector<double> r = residuals_of(fit, part);
   if (r.size() != n) return {};
   const double duration = part.t.back() - part.t.front();
   const FrequencyBand own = own_band(fit);

@@ -246,6 +246,19 @@ DampedPhasor::Linear DampedPhasor::best_linear(double w, double g) const {
   return {x[0], x[1], x[2], basis.sum_of_squares - explained};
 }
 
+std::vector<double> DampedPhasor::swing(const Parameters& parameters) const {
+  std::vector<double> result(record_.t.size());
+  for_each_stretch(record_, sampling_, {-parameters[decay_rate], parameters[angular_frequency]},
+                   [&](const Stretch& stretch, const Table& table, double, Phasor p0) {
+                     double alpha, beta;
+                     turn(parameters[cosine], parameters[sine], p0, alpha, beta);
+                     double* at = result.data() + stretch.first;
+                     for (std::size_t n = 0; n < table.count; ++n)
+                       at[n] = alpha * table.c[n] + beta * table.d[n];
+                   });
+  return result;
+}
+
 void DampedPhasor::residuals(const Parameters& parameters, std::vector<double>& result) const {
   const double w = parameters[angular_frequency], g = parameters[decay_rate], E = parameters[equilibrium];
   result.resize(record_.y.size());

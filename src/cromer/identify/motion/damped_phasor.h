@@ -40,6 +40,9 @@ class DampedPhasor {
   /// data - model.
   void residuals(const Parameters& parameters, std::vector<double>& result) const;
 
+  /// The model at the samples, without its equilibrium; the data are not looked at.
+  std::vector<double> swing(const Parameters& parameters) const;
+
  private:
   Record record_;
   Sampling sampling_;

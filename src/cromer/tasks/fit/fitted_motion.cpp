@@ -118,12 +118,11 @@ std::vector<double> energies_of(const FittedRecording& fitted, const std::vector
 FittedMotion law_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const LawFit& fit = fitted.fit;
-  const Motion& p = fit.motion;
   const int derivative = std::max(0, derivative_order(series.quantity));
   const Trajectory law = fitted.driven ? fitted.driven->states : motion_of(fit, series.t);
   FittedMotion motion;
   motion.residual = fitted.driven ? residuals_of(*fitted.driven, series)
-                                  : motion_residuals(p, {}, {series.t, series.y, 0, derivative}, fit.step);
+                                  : residuals_of(fit, {series.t, series.y, 0, derivative});
   const std::size_t n = std::min(law.x.size(), motion.residual.size());
   const auto first = [n](const std::vector<double>& all) {
     return std::vector<double>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
