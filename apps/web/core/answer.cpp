@@ -206,6 +206,7 @@ Json motions_of(const SimulateResult& result, std::string_view forces_of) {
     return a.trajectory.size() < b.trajectory.size();
   });
   const std::vector<double>& times = longest->trajectory.t;
+  // Of each run times, x, v and energy; of one the spring's force, four that resist and the drive's as well.
   std::size_t count = times.size();
   for (const SimulatedRun& run : runs) count += (run.method == forces_of ? 10 : 4) * run.trajectory.size();
   json_blocks().reserve(json_blocks().size() + count);

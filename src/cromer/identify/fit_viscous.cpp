@@ -32,7 +32,8 @@ Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions&
     if (!options.may_grow) settings.lower[DampedPhasor::decay_rate] = 0;
     const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
-    // Near critical damping the sum of squares is a long valley.
+    // Near critical damping the sum of squares is a long valley: many short steps lead to its minimum. The
+    // limit is there for what has none.
     if (2 * decay_rate > start.phasor[DampedPhasor::angular_frequency]) settings.iteration_limit *= 4;
     if (whole || watch.interrupted()) {
       minimum = minimise_both(model, start.phasor, settings);

@@ -48,6 +48,7 @@ bool is_clipped(const Record& record, double amplitude, double w) {
   const double dwell = 2 * std::acos(depth) / w;
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   const double width = 0.01 * record.resolution;
+  // Half as long again, for tops that are not quite a sinusoid's, and a sample or two at either end.
   for (double level : {*low, *high}) {
     const Plateaus plateaus = plateaus_at(record.y, level, width);
     if (plateaus.count >= 2 && static_cast<double>(plateaus.longest) * h > 1.5 * dwell + 3 * h) return true;
@@ -64,9 +65,10 @@ bool comes_to_rest(const Record& record) {
   return range(record.y.last(std::max<std::size_t>(1, record.y.size() / 3))) < 0.05 * range(record.y);
 }
 
-// Whether the frequency of the damped swing, sqrt(w0² - g²), is surely not 0.
+// Whether the frequency w of the damped swing, sqrt(w0² - g²), is surely not 0. The variance is that of w²/2,
+// whose standard error is w times that of w.
 bool swings_through(const LawFit& fit, double w) {
-  constexpr double surely = 4;  // standard errors
+  constexpr double surely = 4;  // standard errors of w: one in 30,000 by chance
   const double g = fit.decay_rate().value, w0 = fit.angular_frequency().value;
   const double variance = w0 * w0 * fit.covariance_of("angular_frequency", "angular_frequency") +
                           g * g * fit.covariance_of("decay_rate", "decay_rate") -
