@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,7 +32,7 @@ struct Notice {
 
   Notice();
   Notice(std::string code);  // NOLINT: implicit on purpose
-  Notice(std::string code, std::vector<NoticeValue> values);
+  Notice(const char* code, std::initializer_list<NoticeValue> values);
   bool empty() const { return code.empty(); }
   friend bool operator==(const Notice&, const Notice&);
 };
@@ -43,26 +44,26 @@ struct NoticeValue {
   std::variant<double, long long, std::string, std::vector<std::string>, std::vector<Notice>> value;
 
   template <std::floating_point Number>
-  NoticeValue(std::string_view value_name, Number number) : name(value_name), value(double{number}) {}
+  NoticeValue(const char* value_name, Number number) : name(value_name), value(double{number}) {}
   template <std::integral Count>
-  NoticeValue(std::string_view value_name, Count count)
+  NoticeValue(const char* value_name, Count count)
       : name(value_name), value(static_cast<long long>(count)) {}
   template <std::convertible_to<std::string_view> Text>
-  NoticeValue(std::string_view value_name, const Text& text)
+  NoticeValue(const char* value_name, const Text& text)
       : name(value_name), value(std::string(std::string_view(text))) {}
-  NoticeValue(std::string_view value_name, std::vector<std::string> names)
+  NoticeValue(const char* value_name, std::vector<std::string> names)
       : name(value_name), value(std::move(names)) {}
-  NoticeValue(std::string_view value_name, Notice notice)
+  NoticeValue(const char* value_name, Notice notice)
       : name(value_name), value(std::vector<Notice>{std::move(notice)}) {}
-  NoticeValue(std::string_view value_name, std::vector<Notice> notices)
+  NoticeValue(const char* value_name, std::vector<Notice> notices)
       : name(value_name), value(std::move(notices)) {}
   friend bool operator==(const NoticeValue&, const NoticeValue&) = default;
 };
 
 inline Notice::Notice() = default;
 inline Notice::Notice(std::string notice_code) : code(std::move(notice_code)) {}
-inline Notice::Notice(std::string notice_code, std::vector<NoticeValue> notice_values)
-    : code(std::move(notice_code)), values(std::move(notice_values)) {}
+inline Notice::Notice(const char* notice_code, std::initializer_list<NoticeValue> notice_values)
+    : code(notice_code), values(notice_values) {}
 inline bool operator==(const Notice& a, const Notice& b) {
   return a.code == b.code && a.values == b.values && a.of_arrays == b.of_arrays;
 }

@@ -20,8 +20,7 @@ struct Error {
 
   Error(Notice what, std::string argument_at_fault = {})  // NOLINT: implicit on purpose
       : notice(std::move(what)), argument(std::move(argument_at_fault)) {}
-  explicit Error(std::string code, std::vector<NoticeValue> values = {})
-      : notice(std::move(code), std::move(values)) {}
+  explicit Error(const char* code, std::initializer_list<NoticeValue> values = {}) : notice(code, values) {}
 
   /// A sentence that its reader can act on, without the last full stop. It names arguments as their fields
   /// are called.

@@ -23,14 +23,13 @@ Json value_of(const Value& value) {
   return value;
 }
 
-void add_values(Json& object, const Notice& notice) {
-  for (const NoticeValue& each : notice.values)
-    object[each.name] = std::visit([](const auto& value) { return value_of(value); }, each.value);
+void add_value(Json& object, const NoticeValue& each) {
+  object[each.name] = std::visit([](const auto& value) { return value_of(value); }, each.value);
 }
 
 Json values_object(const Notice& notice) {
   Json object = Json::object();
-  add_values(object, notice);
+  for (const NoticeValue& each : notice.values) add_value(object, each);
   return object;
 }
 
@@ -55,7 +54,7 @@ Json notice_object(const Notice& notice, const Voice& voice) {
   // A code stays the same, of how many runs ever it is said.
   const Notice* inner = said_of_run(notice);
   Json values = values_object(inner ? *inner : notice);
-  if (inner) add_values(values, Notice{notice.code, {notice.values.front()}});
+  if (inner) add_value(values, notice.values.front());
   return {{"code", inner ? inner->code : notice.code},
           {"severity", name(severity(notice))},
           {"text", said(notice, voice)},
