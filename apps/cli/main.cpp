@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "completions.h"
 #include "cromer/base/nearest.h"
+#include "cromer/os/process.h"
 #include "cromer/version.h"
 #include "manual.h"
 #include "message.h"
@@ -79,6 +80,7 @@ int run(const Arguments& arguments) {
 }  // namespace cromer::core::cli
 
 int main(int count, char** words) {
+  cromer::core::os::prepare_streams();
   try {
     return cromer::core::cli::run({words + 1, words + count});
   } catch (const std::bad_alloc&) {

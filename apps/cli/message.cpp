@@ -1,14 +1,12 @@
 #include "message.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/os/process.h"
 
 namespace cromer::core::cli {
 namespace {
@@ -16,13 +14,6 @@ namespace {
 bool silent = false;
 
 constexpr std::string_view begin = "cromer: ";
-
-/// Of standard error; 0 where it is no terminal.
-std::size_t terminal_width() {
-  winsize size{};
-  const bool known = isatty(STDERR_FILENO) && ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0;
-  return known && size.ws_col > 0 ? size.ws_col : 0;
-}
 
 /// Broken at blanks into lines of that width, with what begins a message before the first and blanks before
 /// the others; as it is where the width is too small, or 0.
@@ -55,7 +46,7 @@ std::string wrapped(const std::string& text, std::size_t width) {
 
 void fall_silent() {
   silent = true;
-  if (!std::freopen("/dev/null", "w", stdout)) std::fclose(stdout);
+  os::discard_standard_output();
 }
 
 void complain(std::string_view message) {
@@ -73,7 +64,7 @@ int refuse(std::string_view message) {
 int refuse(const Error& error) { return refuse(in_words(error)); }
 
 void tell(const std::vector<Notice>& notices, bool all) {
-  const std::size_t width = terminal_width();
+  const std::size_t width = os::terminal_width();
   constexpr std::size_t most = 3;
   const std::size_t shown = all || width == 0 || notices.size() <= most + 1 ? notices.size() : most;
   const std::vector<Notice> sorted = worst_first(notices);

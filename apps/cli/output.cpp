@@ -1,7 +1,6 @@
 #include "output.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -109,10 +108,6 @@ Result<void> write_output(const Answer& answer, const OutputOptions& output) {
 }
 
 }  // namespace
-
-double machine_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 void tell(const std::vector<Notice>& notices, const OutputOptions& output) {
   if (!output.quiet) tell(notices, output.verbose);

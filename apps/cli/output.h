@@ -43,9 +43,6 @@ Result<FileFormat> file_format(const std::string& path, bool hdf5 = false);
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {},
                            const char* option = "-o");
 
-/// The memory of this machine [bytes].
-double machine_memory();
-
 /// Says the notices on standard error, unless --quiet.
 void tell(const std::vector<Notice>& notices, const OutputOptions& output);
 

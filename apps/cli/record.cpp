@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,7 @@
 #include "cromer/documents/json/live.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/os/process.h"
 #include "cromer/tasks/record/live_fit.h"
 #include "cromer/tasks/record/options.h"
 #include "message.h"
@@ -35,7 +35,7 @@ std::string status_line(const RecorderStatus& status, const FittedRecording* fit
 
 /// Until the recording ends by itself or by a signal.
 void watch_it(const Recorder& recorder, const std::string& column, const Watch& watch, bool quiet) {
-  const bool shown = !quiet && isatty(STDERR_FILENO);
+  const bool shown = !quiet && os::is_terminal(os::standard_error);
   std::optional<LiveFitter> fitter;
   if (shown) fitter.emplace(recorder, column);
   for (int i = 0; !watch.interrupted() && recorder.status().running; ++i) {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <ctime>
@@ -7,6 +6,7 @@
 #include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/os/process.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
 #include "message.h"
@@ -21,15 +21,13 @@ namespace {
 std::string today() {
   constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
                                     "July",    "August",   "September", "October", "November", "December"};
-  const std::time_t now = std::time(nullptr);
-  std::tm date{};
-  localtime_r(&now, &date);
+  const std::tm date = os::local_time(std::time(nullptr));
   return fmt::format("{} {} {}", date.tm_mday, months[date.tm_mon], date.tm_year + 1900);
 }
 
 /// One line that is written over, on a terminal only.
 StudyProgress progress_line(bool quiet) {
-  if (quiet || !isatty(STDERR_FILENO)) return {};
+  if (quiet || !os::is_terminal(os::standard_error)) return {};
   return [](const std::string& what, double fraction) {
     std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, printable(what).c_str());
   };

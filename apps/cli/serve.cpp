@@ -37,7 +37,7 @@ Syntax syntax_of(ServeOptions& o) {
                   {"address", &o.address, "", Range::any,
                    "of this computer to serve at; 0.0.0.0 stands for all", "127.0.0.1: nobody else", "Where"},
                   {"page", &o.page, "", Range::any, "the page to serve, .html",
-                   "the one that ./dev page built", "Where"}},
+                   "the one that was built or installed with the program", "Where"}},
       .example =
           "  cromer serve --from serial:/dev/ttyACM0 -o swing.csv\n"
           "  cromer serve --address 0.0.0.0 --port 8080"};
@@ -96,7 +96,7 @@ int run_serve(const Arguments& arguments) {
   if (!setup) return refuse(setup.error());
   if (options.page.empty()) {
     options.page = find_lab_page();
-    if (options.page.empty() && !options.quiet)
+    if (options.page.empty() && built_in_page().empty() && !options.quiet)
       complain("warning: the page is not built; ./dev page builds it");
   } else if (const auto bytes = read_file(options.page); !bytes) {
     return refuse("--page: " + in_words(bytes.error()));

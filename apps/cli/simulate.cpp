@@ -1,3 +1,4 @@
+#include "cromer/os/process.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
@@ -30,7 +31,7 @@ int run_simulate(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error());
   if (auto good = load_drive(options, ""); !good) return refuse(good.error());
-  options.memory = machine_memory() / 2;  // what is kept is written out once more as text
+  options.memory = os::memory() / 2;  // what is kept is written out once more as text
 
   const auto result = simulate(options, watching(output.quiet));
   clear_progress();

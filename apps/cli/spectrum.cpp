@@ -4,6 +4,7 @@
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
+#include "cromer/os/process.h"
 #include "cromer/report/file.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -70,7 +71,7 @@ int run_spectrum(const Arguments& arguments) {
     if (!recording) return refuse(recording.error());
     recordings.push_back(*std::move(recording));
   }
-  options.memory = machine_memory() / 2;  // what is computed is written out once more as text
+  options.memory = os::memory() / 2;  // what is computed is written out once more as text
 
   const auto result = response_spectrum(recordings, options, watching(output.common.quiet));
   clear_progress();

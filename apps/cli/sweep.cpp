@@ -1,3 +1,4 @@
+#include "cromer/os/process.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ namespace cromer::core::cli {
 namespace {
 
 /// [bytes] for the rows: written out as CSV they take six times as much (measured), as JSON twice that.
-double memory_for_rows(bool json) { return machine_memory() / (json ? 16 : 8); }
+double memory_for_rows(bool json) { return os::memory() / (json ? 16 : 8); }
 
 /// [bytes] of rows in a file that are read back only to say what was found.
 constexpr double memory_to_look_through = 200e6;

@@ -1,27 +1,18 @@
 #include "watching.h"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <string>
+
+#include "cromer/os/process.h"
 
 namespace cromer::core::cli {
 namespace {
 
 std::atomic<bool> stop_asked{false};
 bool progress_shown = false;
-
-extern "C" void ask_to_stop(int) { stop_asked.store(true, std::memory_order_relaxed); }
-
-void on_signal(int signal) {
-  struct sigaction action {};
-  action.sa_handler = ask_to_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second one ends the program
-  sigaction(signal, &action, nullptr);
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -36,9 +27,7 @@ std::string time_left(double fraction, Clock::duration since_begin) {
 }
 
 Watch interruptible() {
-  on_signal(SIGINT);
-  on_signal(SIGTERM);
-  signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told like a full disk
+  os::on_interrupt([] { stop_asked.store(true, std::memory_order_relaxed); });
   return {&stop_asked, {}};
 }
 
@@ -46,7 +35,7 @@ Watch interruptible() {
 
 Watch watching(bool quiet) {
   Watch watch = interruptible();
-  if (quiet || !isatty(STDERR_FILENO)) return watch;
+  if (quiet || !os::is_terminal(os::standard_error)) return watch;
   const auto begin = Clock::now();
   // Parts of the work may begin anew, the number does not.
   watch.progress = [begin, next = begin + std::chrono::milliseconds(500),

@@ -1,19 +1,22 @@
 #include "apps/serve/guard.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <sys/random.h>
+
+#include <utility>  // which Boost.Asio 1.74 needs and does not include
+//
+#include <boost/asio/ip/address.hpp>
 
 #include "apps/serve/lab_page.h"
 #include "cromer/base/ascii.h"
+#include "cromer/os/process.h"
 
 namespace cromer::core::serve {
 namespace {
 
 bool is_number(std::string_view host) {
-  in6_addr any{};
-  const std::string text(host);
-  return ::inet_pton(AF_INET, text.c_str(), &any) == 1 || ::inet_pton(AF_INET6, text.c_str(), &any) == 1;
+  boost::system::error_code failed;
+  boost::asio::ip::make_address(std::string(host), failed);
+  return !failed && host.find('%') == std::string_view::npos;
 }
 
 /// Host or Origin without its scheme: "127.0.0.1:8000", "localhost:8000", "[::1]:8000".
@@ -83,10 +86,7 @@ void keep_token(const Guard& guard, HttpAnswer& answer) {
 
 std::string random_token() {
   unsigned char bytes[16];
-  for (std::size_t got = 0; got < sizeof bytes;) {
-    const ssize_t count = ::getrandom(bytes + got, sizeof bytes - got, 0);
-    if (count > 0) got += static_cast<std::size_t>(count);
-  }
+  os::fill_randomly(bytes);
   std::string token;
   for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
   return token;

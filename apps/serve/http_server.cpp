@@ -1,14 +1,6 @@
 #include "apps/serve/http_server.h"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <ifaddrs.h>
-#include <net/if.h>
-#include <netinet/in.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <utility>  // which Boost.Asio 1.74 needs and does not include
 //
@@ -31,7 +23,9 @@
 #include <thread>
 
 #include "cromer/documents/json/live.h"
-#include "cromer/live/descriptor.h"
+#include "cromer/os/descriptor.h"
+#include "cromer/os/file.h"
+#include "cromer/os/process.h"
 
 namespace cromer::core::serve {
 
@@ -67,14 +61,9 @@ constexpr auto tick = std::chrono::milliseconds(100);
 /// As many connections as the system allows, less some descriptors for files and devices; at most 1024, whose
 /// requests and pieces of answers take a few tens of megabytes.
 std::size_t most_connections() {
-  constexpr rlim_t most = 1024, kept = 32, fewest = 8;
-  rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return 256;
-  files.rlim_cur = std::max(files.rlim_cur, std::min<rlim_t>(files.rlim_max, 2 * most));
-  ::setrlimit(RLIMIT_NOFILE, &files);
-  ::getrlimit(RLIMIT_NOFILE, &files);
-  return static_cast<std::size_t>(files.rlim_cur > kept + fewest ? std::min(most, files.rlim_cur - kept)
-                                                                 : fewest);
+  constexpr std::size_t most = 1024, kept = 32, fewest = 8;
+  const std::size_t files = os::files_at_most(2 * most);
+  return files > kept + fewest ? std::min(most, files - kept) : fewest;
 }
 
 }  // namespace
@@ -209,13 +198,13 @@ void HttpConnection::answer(HttpAnswer what, bool keep) {
   body_ = what.shared ? what.shared : std::make_shared<const std::string>(std::move(what.body));
   std::size_t length = body_->size();
   if (!what.file.empty()) {
-    file_ = Descriptor(::open(what.file.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat found {};
-    if (!file_.is_open() || ::fstat(file_.number(), &found) != 0)
+    file_ = Descriptor(os::open(what.file, O_RDONLY));
+    os::FileStatus found;
+    if (!file_.is_open() || (found = os::status(file_.number())).kind == os::FileKind::none)
       return answer(errno == ENOENT ? refused(404, "the recording is gone")
                                     : refused(503, "the recording cannot be read now"),
                     keep);
-    length = static_cast<std::size_t>(found.st_size);
+    length = found.size;
   }
   http::response<http::empty_body> head;
   head.version(11);
@@ -242,8 +231,8 @@ void HttpConnection::send_next() {
   if (file_.is_open() && left_ > 0) {
     const std::size_t before = piece_.size();
     piece_.resize(before + std::min(left_, of_file));
-    const ssize_t got = ::pread(file_.number(), piece_.data() + before, piece_.size() - before,
-                                static_cast<off_t>(sent_bytes_));
+    const auto got =
+        os::read_at(file_.number(), piece_.data() + before, piece_.size() - before, sent_bytes_);
     if (got <= 0) return close();  // shorter than promised, or unreadable
     piece_.resize(before + static_cast<std::size_t>(got));
     sent_bytes_ += static_cast<std::size_t>(got);
@@ -451,19 +440,7 @@ void HttpServer::run(const std::function<bool()>& stop) {
 
 std::vector<std::string> reached_at(const std::string& address) {
   if (address != "0.0.0.0") return {address.find(':') == std::string::npos ? address : "[" + address + "]"};
-  std::vector<std::string> all;
-  ifaddrs* first = nullptr;
-  if (::getifaddrs(&first) == 0) {
-    const std::unique_ptr<ifaddrs, void (*)(ifaddrs*)> owner(first, ::freeifaddrs);
-    for (const ifaddrs* each = first; each != nullptr; each = each->ifa_next) {
-      if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET) continue;
-      if (!(each->ifa_flags & IFF_UP) || (each->ifa_flags & IFF_LOOPBACK)) continue;
-      char text[INET_ADDRSTRLEN];
-      if (::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(each->ifa_addr)->sin_addr, text,
-                      sizeof text))
-        all.emplace_back(text);
-    }
-  }
+  std::vector<std::string> all = os::addresses();
   if (all.empty()) all.emplace_back("127.0.0.1");
   return all;
 }

@@ -137,6 +137,10 @@ HttpAnswer Lab::page() {
     page_policy_ = page_bytes_ ? policy_of(*page_bytes_) : "";
     page_time_ = time;
   }
+  if (page_.empty() && !page_bytes_ && !built_in_page().empty()) {
+    page_bytes_ = std::make_shared<const std::string>(built_in_page());
+    page_policy_ = policy_of(*page_bytes_);
+  }
   HttpAnswer answer{.type = "text/html; charset=utf-8", .shared = page_bytes_, .policy = page_policy_};
   if (!page_bytes_) answer.status = 503, answer.body = page_is_missing();
   return answer;

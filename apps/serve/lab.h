@@ -60,7 +60,7 @@ class TaskQueue {
 /// Every request that the guard lets pass is answered; see docs/recording.md.
 class Lab {
  public:
-  /// `page` is the file; "" where there is none.
+  /// `page` is the file; "" stands for the page that the program carries, if it does.
   Lab(LiveSession& session, Guard guard, std::string page)
       : session_(session), guard_(std::move(guard)), page_(std::move(page)) {}
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "cromer/os/process.h"
+
 namespace cromer::core::serve {
 namespace {
 
@@ -15,8 +17,8 @@ const std::string head =
 std::string find_lab_page() {
   namespace fs = std::filesystem;
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  if (failed) return "";
+  const fs::path program = os::program();
+  if (program.empty()) return "";
   const fs::path folder = program.parent_path();  // build/release, or bin
   for (const fs::path& place : {folder.parent_path() / "page" / "cromer-lab.html",
                                 folder.parent_path() / "share" / "cromer" / "cromer-lab.html"})

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/documents/words/words.h"
-#include "cromer/live/descriptor.h"
+#include "cromer/os/line.h"
 #include "cromer/live/source.h"
 #include "server.h"
 

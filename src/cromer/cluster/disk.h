@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 
+#include "cromer/os/descriptor.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
@@ -19,29 +19,20 @@ class DiskFile {
   static Result<DiskFile> open(const std::string& path, int flags);
   /// A file that is there under another name until it is finished. Messages call it `name`.
   static Result<DiskFile> open_unfinished(const std::string& path, const std::string& name);
-  DiskFile(DiskFile&& other) noexcept
-      : path_(std::move(other.path_)), kept_(other.kept_), file_(std::exchange(other.file_, -1)) {}
-  DiskFile& operator=(DiskFile&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(kept_, other.kept_);
-    std::swap(file_, other.file_);
-    return *this;
-  }
-  ~DiskFile();
 
   Result<void> write(const void* bytes, std::size_t size, std::uint64_t offset) const;
   /// Returns how many bytes there were to read, at most `size`.
   std::size_t read(void* bytes, std::size_t size, std::uint64_t offset) const;
   /// Returns when the bytes are on the disk.
   Result<void> sync() const;
-  int descriptor() const { return file_; }
+  int descriptor() const { return file_.number(); }
 
  private:
   Error not_written(int number) const;
 
   std::string path_{};
   bool kept_ = true;  ///< what is finished of it stays where there is no room for more
-  int file_ = -1;
+  Descriptor file_{};
 };
 
 /// Checks that a file of so many bytes has room in its folder; the Error says how much is needed and how

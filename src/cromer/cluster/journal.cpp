@@ -1,14 +1,13 @@
 #include "cromer/cluster/journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <thread>
+
+#include "cromer/os/file.h"
 
 namespace cromer::core {
 namespace {
@@ -24,7 +23,7 @@ std::string first_line(std::uint64_t chunks, const std::string& work) {
 Result<void> Journal::lock() const {
   // A program that was just killed may take a moment to be gone.
   for (int i = 0; i < 20; ++i) {
-    if (::flock(file_.descriptor(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return {};
+    if (os::lock(file_.descriptor()) || errno != EWOULDBLOCK) return {};
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   return Error{"another_is_writing", {{"journal", path_}}};
@@ -37,7 +36,7 @@ Result<Journal> Journal::create(const std::string& file, std::uint64_t chunks, c
   if (!opened) return opened.error();
   journal.file_ = std::move(*opened);
   if (auto good = journal.lock(); !good) return good.error();
-  if (::ftruncate(journal.file_.descriptor(), 0) != 0)
+  if (!os::truncate(journal.file_.descriptor(), 0))
     return Error{"cannot_write_journal", {{"journal", journal.path_}}};
   const std::string line = first_line(chunks, work);
   journal.begin_ = line.size();

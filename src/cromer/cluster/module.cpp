@@ -1,13 +1,13 @@
 #include "cromer/cluster/module.h"
 
-#include <dlfcn.h>
-
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <vector>
 
-#include "cromer/base/replacement.h"
+#include "cromer/os/library.h"
+#include "cromer/os/process.h"
+#include "cromer/os/replacement.h"
 
 namespace cromer::core {
 namespace {
@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> folders() {
   if (const char* asked = std::getenv("CROMER_MODULES"); asked && *asked) return {asked};
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  const fs::path program = os::program().parent_path();
   const fs::path above = program.parent_path();
   return {program, above / CROMER_LIBDIR / "cromer", above / "lib", above};
 }
@@ -56,12 +55,12 @@ Result<void*> load_module(const Module& module) {
       continue;
     }
     // Its symbols are everybody's: Open MPI loads parts of its own that look for them.
-    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    void* library = os::load_library(path.string(), os::Symbols::everybodys);
     if (!library)
       return Error{
           "module_not_loaded",
-          {{"what", module.what}, {"path", path.string()}, {"why", dlerror()}, {"package", module.package}}};
-    if (void* function = dlsym(library, module.symbol)) return function;
+          {{"what", module.what}, {"path", path.string()}, {"why", os::why_not_loaded()}, {"package", module.package}}};
+    if (void* function = os::symbol_of(library, module.symbol)) return function;
     return Error{"module_of_other_version", {{"module", path.string()}}};
   }
   return Error{"module_not_there",

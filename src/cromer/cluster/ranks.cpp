@@ -1,7 +1,5 @@
 #include "cromer/cluster/ranks.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -20,6 +18,7 @@
 #include "cromer/cluster/module.h"
 #include "cromer/cluster/mpi_module.h"
 #include "cromer/ensemble/chunks.h"
+#include "cromer/os/process.h"
 
 namespace cromer::core {
 namespace {
@@ -260,14 +259,8 @@ std::optional<int> number_in(const char* variable) {
   return static_cast<int>(number);
 }
 
-std::string host_name() {
-  char name[256] = "";
-  gethostname(name, sizeof(name) - 1);
-  return name;
-}
-
 Words hello(const ChunkedRows& work, int threads) {
-  return words_of(static_cast<std::uint64_t>(threads_of(threads)), {host_name(), work.description});
+  return words_of(static_cast<std::uint64_t>(threads_of(threads)), {os::host_name(), work.description});
 }
 
 ChunkedRows nothing() {
@@ -298,7 +291,7 @@ int threads_of_rank(int asked) {
   int here = 1;
   for (const char* variable : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})
     here = std::max(here, number_in(variable).value_or(1));
-  return std::clamp(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) / here, 1, usable);
+  return std::clamp(os::processors() / here, 1, usable);
 }
 
 Result<Ranks> Ranks::join(const RankPlace& place) {
@@ -368,7 +361,7 @@ void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watc
     if (!trouble.empty() && !said) {
       said = true;
       post.send(0, Kind::problem,
-                words_of(static_cast<std::uint64_t>(trouble.kind), {host_name(), trouble.words}));
+                words_of(static_cast<std::uint64_t>(trouble.kind), {os::host_name(), trouble.words}));
     }
     if (watch.interrupted() && !said) {
       said = true;

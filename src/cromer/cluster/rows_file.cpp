@@ -1,6 +1,5 @@
 #include "cromer/cluster/rows_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cromer/base/replacement.h"
+#include "cromer/os/replacement.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/module.h"
 

@@ -1,7 +1,6 @@
 #include "cromer/live/http_client.h"
 
 #include <fmt/format.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <utility>  // which Boost.Asio 1.74 needs and does not include
@@ -11,6 +10,8 @@
 #include <cerrno>
 
 #include "cromer/live/source.h"
+#include "cromer/os/file.h"
+#include "cromer/os/line.h"
 
 namespace cromer::core {
 namespace {
@@ -18,16 +19,6 @@ namespace {
 namespace http = boost::beast::http;
 
 constexpr std::size_t largest_body = 64 << 20;
-
-bool send_all(const Descriptor& connection, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::send(connection.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;  // so little always fits
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -46,8 +37,8 @@ Result<std::string> HttpClient::ask(const std::string& target, double deadline, 
   while (!parser.is_done()) {
     const double left = deadline - steady_seconds();
     if (left <= 0 || !readable(connection_, left)) return stale = false, Error{"no_answer_in_time"};
-    const ssize_t count = ::recv(connection_.number(), bytes, sizeof bytes, 0);
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    const auto count = os::read(connection_.number(), bytes, sizeof bytes);
+    if (count < 0 && errno == EAGAIN) continue;
     boost::system::error_code failed;
     if (count <= 0) {
       if (!parser.got_some()) return Error{"connection_closed"};

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cromer/live/descriptor.h"
+#include "cromer/os/descriptor.h"
 #include "cromer/result.h"
 
 namespace cromer::core {

@@ -1,13 +1,13 @@
 #include "cromer/live/line_source.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <thread>
 
 #include "cromer/live/phyphox.h"
+#include "cromer/os/file.h"
 
 namespace cromer::core {
 
@@ -46,13 +46,13 @@ bool LineSource::read(double seconds, SampleRows& rows, std::vector<Remark>& not
   if (!line_.is_open()) return come_back(seconds, notices);
   if (!readable(line_, seconds)) return true;
   char bytes[4096];
-  const ssize_t count = ::read(line_.number(), bytes, sizeof bytes);
+  const auto count = os::read(line_.number(), bytes, sizeof bytes);
   const double arrival = steady_seconds();
   if (count > 0) {
     reader_.take({bytes, static_cast<std::size_t>(count)}, arrival, rows, notices);
     return true;
   }
-  if (count < 0 && (errno == EINTR || errno == EAGAIN)) return true;
+  if (count < 0 && errno == EAGAIN) return true;
   if (!comes_back_) {
     reader_.end(arrival, rows, notices);
     return false;
@@ -79,7 +79,7 @@ std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& 
       break;
   }
   return std::make_unique<LineSource>(
-      "standard input", [] { return Result<Descriptor>(Descriptor(::dup(STDIN_FILENO))); }, false, false,
+      "standard input", [] { return Result<Descriptor>(standard_input_again()); }, false, false,
       lines);
 }
 

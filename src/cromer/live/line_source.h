@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cromer/live/descriptor.h"
+#include "cromer/os/line.h"
 #include "cromer/live/source.h"
 
 namespace cromer::core {

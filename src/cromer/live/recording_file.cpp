@@ -1,13 +1,10 @@
 #include "cromer/live/recording_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 
-#include "cromer/base/replacement.h"
+#include "cromer/os/file.h"
+#include "cromer/os/replacement.h"
 #include "cromer/live/rows.h"
 
 namespace cromer::core {
@@ -20,14 +17,14 @@ constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a lo
 Result<void> RecordingFile::open(const std::string& path) {
   path_ = path;
   const std::string target = target_of(path);
-  file_ = Descriptor(::open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
+  file_ = Descriptor(os::open(target, O_WRONLY | O_CREAT | O_EXCL | O_APPEND));
   made_ = file_.is_open();
   if (made_) return {};
   if (errno != EEXIST) return cannot_write(path, errno);
-  file_ = Descriptor(open_to_write(target, true));
+  file_ = Descriptor(os::open_to_write(target, true));
   if (!file_.is_open()) return cannot_write(path, errno);
-  struct stat found {};
-  if (::fstat(file_.number(), &found) == 0 && found.st_size == 0) return {};
+  const os::FileStatus there = os::status(file_.number());
+  if (there.kind != os::FileKind::none && there.size == 0) return {};
   file_.close();
   return Error{"recording_exists", {{"path", path}}};
 }
@@ -42,8 +39,7 @@ Result<void> RecordingFile::write(std::string_view lines) {
     const std::string_view whole = lines.substr(0, end);
     lines.remove_prefix(end);
     for (std::size_t written = 0; written < whole.size();) {
-      const ssize_t more = ::write(file_.number(), whole.data() + written, whole.size() - written);
-      if (more < 0 && errno == EINTR) continue;
+      const auto more = os::write(file_.number(), whole.data() + written, whole.size() - written);
       if (more <= 0) {
         const Error why = cannot_write(path_, more < 0 ? errno : ENOSPC);
         count(whole.substr(0, written));
@@ -65,7 +61,7 @@ void RecordingFile::count(std::string_view written) {
 }
 
 /// Half a line would read as a number with fewer digits: a sample that never was.
-bool RecordingFile::cut() { return ::ftruncate(file_.number(), static_cast<off_t>(bytes_)) == 0; }
+bool RecordingFile::cut() { return os::truncate(file_.number(), bytes_); }
 
 Result<void> RecordingFile::begin(const std::vector<std::string>& comments, const Headings& headings) {
   std::string text;
@@ -91,13 +87,13 @@ Result<void> RecordingFile::comment(const std::vector<std::string>& lines) {
 
 Result<void> RecordingFile::sync() {
   // A pipe or /dev/null has no disk.
-  if (::fdatasync(file_.number()) != 0 && errno != EINVAL && errno != EROFS)
+  if (!os::sync(file_.number()) && errno != EINVAL && errno != EROFS)
     return cannot_write(path_, errno);
   return {};
 }
 
 void RecordingFile::drop_if_empty() {
-  if (made_ && lines_ == 0) ::unlink(target_of(path_).c_str());
+  if (made_ && lines_ == 0) os::remove(target_of(path_));
 }
 
 }  // namespace cromer::core

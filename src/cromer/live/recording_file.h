@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cromer/live/descriptor.h"
+#include "cromer/os/descriptor.h"
 #include "cromer/live/rows.h"
 #include "cromer/result.h"
 

@@ -1,22 +1,20 @@
 #include "cromer/report/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <utility>
 
-#include "cromer/base/replacement.h"
+#include "cromer/os/file.h"
+#include "cromer/os/process.h"
+#include "cromer/os/replacement.h"
 
 namespace cromer::core {
 namespace {
 
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(file, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
+    const auto count = os::write(file, bytes.data(), bytes.size());
     if (count <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -32,11 +30,9 @@ Result<void> write_pieces(int file, const std::string& path, const PiecesMaker& 
 }
 
 Result<void> write_directly(const std::string& path, const PiecesMaker& make) {
-  const int file = open_to_write(path, false);
-  if (file < 0) return cannot_write(path, errno);
-  const auto written = write_pieces(file, path, make);
-  ::close(file);
-  return written;
+  const Descriptor file(os::open_to_write(path, false));
+  if (!file.is_open()) return cannot_write(path, errno);
+  return write_pieces(file.number(), path, make);
 }
 
 }  // namespace
@@ -46,13 +42,12 @@ Result<void> write_file(const std::string& path, std::string_view bytes) {
 }
 
 Result<void> write_file(const std::string& path, const PiecesMaker& make) {
-  if (path == "-") return write_pieces(STDOUT_FILENO, "standard output", make);
+  if (path == "-") return write_pieces(os::standard_output, "standard output", make);
   if (path.empty()) return Error{"file_without_name"};
-  struct stat found {};
-  const bool exists = ::stat(path.c_str(), &found) == 0;
-  if (exists && S_ISDIR(found.st_mode)) return Error{"cannot_write_folder", {{"path", path}}};
-  if (exists && !S_ISREG(found.st_mode)) return write_directly(path, make);
-  if (exists && ::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
+  const os::FileKind there = os::status(path).kind;
+  if (there == os::FileKind::folder) return Error{"cannot_write_folder", {{"path", path}}};
+  if (there != os::FileKind::none && there != os::FileKind::regular) return write_directly(path, make);
+  if (there != os::FileKind::none && !os::may_write(path)) return cannot_write(path, errno);
 
   auto fresh = Replacement::beside(path);
   if (!fresh) return fresh.error();
@@ -63,20 +58,20 @@ Result<void> write_file(const std::string& path, const PiecesMaker& make) {
 Result<void> check_writable(const std::string& path) {
   if (path == "-") return {};
   if (path.empty()) return Error{"file_without_name"};
-  struct stat found {};
-  if (::stat(path.c_str(), &found) == 0) {
-    if (S_ISDIR(found.st_mode)) return Error{"cannot_write_folder", {{"path", path}}};
-    if (::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
-    if (!S_ISREG(found.st_mode)) return {};
+  if (const os::FileKind there = os::status(path).kind; there != os::FileKind::none) {
+    if (there == os::FileKind::folder) return Error{"cannot_write_folder", {{"path", path}}};
+    if (!os::may_write(path)) return cannot_write(path, errno);
+    if (there != os::FileKind::regular) return {};
   } else if (errno == ENOTDIR) {
     return cannot_write(path, errno);
   }
   const std::string folder = folder_of(target_of(path));
-  if (::stat(folder.c_str(), &found) != 0)
+  const os::FileKind place = os::status(folder).kind;
+  if (place == os::FileKind::none)
     return Error{"cannot_write_without_folder", {{"path", path}, {"folder", folder}}};
-  if (!S_ISDIR(found.st_mode))
+  if (place != os::FileKind::folder)
     return Error{"cannot_write_in_no_folder", {{"path", path}, {"folder", folder}}};
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) return cannot_write(path, errno);
+  if (!os::may_make_files_in(folder)) return cannot_write(path, errno);
   return {};
 }
 
@@ -93,36 +88,36 @@ Error cannot_read(const std::string& path, int number) {
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
-  struct stat info {};
-  const bool standard_input = path == "-";
-  if (!standard_input) {
-    if (stat(path.c_str(), &info) != 0) return cannot_read(path, errno);
-    if (S_ISDIR(info.st_mode)) return cannot_read(path, Notice{"reads_no_folder"});
-    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode)) return cannot_read(path, Notice{"reads_no_device"});
+  Descriptor opened;
+  os::FileStatus status;
+  int file = os::standard_input;
+  if (path != "-") {
+    status = os::status(path);
+    if (status.kind == os::FileKind::none) return cannot_read(path, errno);
+    if (status.kind == os::FileKind::folder) return cannot_read(path, Notice{"reads_no_folder"});
+    if (status.kind == os::FileKind::device) return cannot_read(path, Notice{"reads_no_device"});
+    opened = Descriptor(os::open(path, O_RDONLY));
+    if (!opened.is_open()) return cannot_read(path, errno);
+    file = opened.number();
   }
-  std::FILE* file = standard_input ? stdin : std::fopen(path.c_str(), "rb");
-  if (!file) return cannot_read(path, errno);
 
   std::string bytes;
   std::size_t used = 0;
-  const std::size_t expected = info.st_size > 0 ? static_cast<std::size_t>(info.st_size) : 0;
+  bool all_zero = true;
+  const std::size_t expected = status.size;
   while (true) {
     // One byte more than the file has, so that its end is seen without growing the buffer.
     const std::size_t room = used < expected ? expected - used + 1 : std::size_t{1} << 16;
     bytes.resize(used + room);
-    const std::size_t got = std::fread(bytes.data() + used, 1, room, file);
-    used += got;
+    const auto got = os::read(file, bytes.data() + used, room);
+    if (got < 0) return cannot_read(path, errno);
+    if (got == 0) break;
+    used += static_cast<std::size_t>(got);
     // An endless stream of zeros (/dev/zero, an empty disk) is no recording.
-    if (used == got && got > 0 && bytes.find_first_not_of('\0') == std::string::npos) {
-      if (!standard_input) std::fclose(file);
-      return cannot_read(path, Notice{"nothing_but_zero_bytes"});
-    }
-    if (got < room) break;
+    all_zero = all_zero && std::string_view(bytes).substr(0, used).find_first_not_of('\0') == std::string::npos;
+    if (all_zero && used >= std::size_t{1} << 16) return cannot_read(path, Notice{"nothing_but_zero_bytes"});
   }
-  const bool failed = std::ferror(file) != 0;
-  const int reason = errno;
-  if (!standard_input) std::fclose(file);
-  if (failed) return cannot_read(path, reason);
+  if (all_zero && used > 0) return cannot_read(path, Notice{"nothing_but_zero_bytes"});
   bytes.resize(used);
   return bytes;
 }

@@ -111,7 +111,7 @@ const Result<Libraries>& libraries() {
   static const Result<Libraries> loaded = []() -> Result<Libraries> {
     Libraries found;
     if (found.load()) return found;
-    return Error{"librsvg_is_missing", {{"why", dlerror()}}};
+    return Error{"librsvg_is_missing", {{"why", os::why_not_loaded()}}};
   }();
   return loaded;
 }

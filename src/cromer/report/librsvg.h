@@ -2,20 +2,20 @@
 // fontconfig knows the fonts.
 #pragma once
 
-#include <dlfcn.h>
 #include <string>
 #include <string_view>
 
+#include "cromer/os/library.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
 
-/// Sets `function` to the library's function of that name; false where either is missing, dlerror() then says
-/// why. The library stays loaded.
+/// Sets `function` to the library's function of that name; false where either is missing; os::why_not_loaded() then
+/// tells. The library stays loaded.
 template <class Function>
 bool find_function(const char* library, const char* name, Function*& function) {
-  void* const loaded = dlopen(library, RTLD_NOW);
-  function = loaded ? reinterpret_cast<Function*>(dlsym(loaded, name)) : nullptr;
+  void* const loaded = os::load_library(library);
+  function = loaded ? reinterpret_cast<Function*>(os::symbol_of(loaded, name)) : nullptr;
   return function != nullptr;
 }
 

@@ -1,4 +1,4 @@
-#include "cromer/base/replacement.h"
+#include "cromer/os/replacement.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "cromer/live/descriptor.h"
+#include "cromer/os/line.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/live/source.h"
-#include "server.h"
+#include "tests/live/server.h"
 
 namespace cromer::core::test {
 namespace {
@@ -83,7 +83,7 @@ TEST(Tcp, WhatCannotBeReachedIsNamed) {
   EXPECT_THAT(in_words(unknown.error()), StartsWith("no host: "));
 }
 
-TEST(Descriptor, IsReadableWhereSomethingCame) {
+TEST(Line, IsReadableWhereSomethingCame) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   const Descriptor from(ends[0]);
@@ -101,7 +101,7 @@ TEST(Descriptor, IsReadableWhereSomethingCame) {
   EXPECT_TRUE(readable(from, 0));
 }
 
-TEST(Descriptor, OwnsItsNumber) {
+TEST(Line, OwnsItsNumber) {
   EXPECT_FALSE(Descriptor().is_open());
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);

@@ -1,4 +1,4 @@
-#include "cromer/live/descriptor.h"
+#include "cromer/os/line.h"
 
 #include <fcntl.h>
 #include <netdb.h>
@@ -40,10 +40,6 @@ int connect_within(int number, const addrinfo& address, double seconds) {
 }
 
 }  // namespace
-
-Descriptor::~Descriptor() {
-  if (number_ >= 0) ::close(number_);
-}
 
 Result<Descriptor> open_serial(const std::string& device, int baud) {
   const Speed* speed = nullptr;
@@ -96,5 +92,17 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
 bool readable(const Descriptor& descriptor, double seconds) {
   return poll_for(descriptor.number(), POLLIN, seconds);
 }
+
+bool send_all(const Descriptor& connection, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::send(connection.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;  // so little always fits
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+Descriptor standard_input_again() { return Descriptor(::dup(STDIN_FILENO)); }
 
 }  // namespace cromer::core

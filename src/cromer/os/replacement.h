@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cromer/os/descriptor.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
@@ -13,13 +14,6 @@ std::string target_of(const std::string& path);
 
 /// "cannot_write" with path and reason, by the number of the system's error; of a full disk with the cure.
 Error cannot_write(const std::string& path, int number);
-
-/// Whether the number of the system's error says that there is no room for a file.
-bool is_full(int number);
-
-/// Opens a file that is there, to write from its beginning or, `at_end`, to append to it. -1 if that fails,
-/// with the reason in errno. Does not wait for somebody to read from a pipe.
-int open_to_write(const std::string& path, bool at_end);
 
 /// The folder that a file of this path lies in.
 std::string folder_of(const std::string& path);
@@ -40,7 +34,7 @@ class Replacement {
   /// Removes the file, unless it has taken its place.
   ~Replacement();
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return file_.number(); }
   /// "" where it has none.
   const std::string& name() const { return temporary_; }
 
@@ -54,7 +48,7 @@ class Replacement {
 
   std::string path_, target_;
   std::string temporary_{};  ///< "" while it has no name
-  int descriptor_ = -1;
+  Descriptor file_{};
 };
 
 }  // namespace cromer::core
