@@ -102,7 +102,7 @@ function(cromer_library)
     set_target_properties(cromer_${name} PROPERTIES OUTPUT_NAME cromer LINKER_LANGUAGE CXX)
     target_compile_features(cromer_${name} INTERFACE cxx_std_20)
     target_include_directories(cromer_${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    target_link_libraries(cromer_${name} PRIVATE $<BUILD_INTERFACE:cromer_flags> fmt::fmt ZLIB::ZLIB TBB::tbb Threads::Threads ${CMAKE_DL_LIBS})
+    target_link_libraries(cromer_${name} PRIVATE $<BUILD_INTERFACE:cromer_flags> fmt::fmt ZLIB::ZLIB TBB::tbb Threads::Threads ${CMAKE_DL_LIBS} ${CROMER_SYSTEM_LIBRARIES})
   endforeach()
   set(shown ${PROJECT_SOURCE_DIR}/cmake/shown_symbols)
   set_target_properties(cromer_shared PROPERTIES EXPORT_NAME cromer VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}

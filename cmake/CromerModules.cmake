@@ -9,7 +9,7 @@ function(cromer_module name)
   target_include_directories(cromer_module_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(cromer_module_${name} PRIVATE cromer_flags ${ARGN})
   target_link_options(cromer_module_${name} PRIVATE -Wl,--as-needed)
-  install(TARGETS cromer_module_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/cromer)
+  install(TARGETS cromer_module_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/cromer COMPONENT cluster)
 endfunction()
 
 # The serial flavour: one process writes.

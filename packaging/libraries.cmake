@@ -35,6 +35,7 @@ foreach(off TBB_TEST TBB_STRICT TBBMALLOC_BUILD TBB_ENABLE_IPO TBB_INSTALL)
 endforeach()
 set(TBB_DISABLE_HWLOC_AUTOMATIC_SEARCH ON CACHE BOOL "" FORCE)
 add_subdirectory(${tbb} ${CMAKE_BINARY_DIR}/tbb EXCLUDE_FROM_ALL SYSTEM)
+set_target_properties(tbb PROPERTIES UNITY_BUILD OFF)
 target_compile_options(tbb PRIVATE -fvisibility=hidden -fvisibility-inlines-hidden -w)
 
 find_package(Threads REQUIRED)

@@ -28,7 +28,7 @@ foreach(tool cc c++ ar ranlib)
   endif()
 endforeach()
 # `windres -O coff OPTIONS SOURCE OBJECT`, as CMake calls it.
-set(file ${CROMER_WRAPPERS}/rc)
+set(file ${CROMER_WRAPPERS}/windres)
 if(NOT EXISTS ${file})
   file(WRITE ${file} [[#!/bin/sh
 options=
@@ -53,3 +53,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+
+# Without the names that only a debugger reads.
+set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
+set(CMAKE_SHARED_LINKER_FLAGS_INIT -s)

@@ -1,5 +1,5 @@
-"""Puts library, program and page into the wheel of a platform: CROMER_LIBRARY, CROMER_PROGRAM and CROMER_PAGE name
-them, CROMER_PLATFORM is the wheel's tag ("manylinux_2_28_x86_64"; this machine's if not given)."""
+"""Puts library and program into the wheel of a platform: CROMER_LIBRARY and CROMER_PROGRAM name them, CROMER_PLATFORM is
+the wheel's tag ("manylinux_2_28_x86_64"; this machine's if not given)."""
 
 import os
 import pathlib
@@ -18,6 +18,5 @@ class CustomBuildHook(BuildHookInterface):
         carried = build_data["force_include"]
         library = pathlib.Path(os.environ["CROMER_LIBRARY"]).resolve()
         carried[str(library)] = "cromer/" + next(name for end, name in NAMES.items() if end in library.name)
-        for variable, inside in (("CROMER_PROGRAM", "cromer/bin"), ("CROMER_PAGE", "cromer/page")):
-            if path := os.environ.get(variable):
-                carried[path] = f"{inside}/{pathlib.Path(path).name}"
+        if program := os.environ.get("CROMER_PROGRAM"):
+            carried[program] = f"cromer/bin/{pathlib.Path(program).name}"

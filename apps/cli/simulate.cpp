@@ -1,4 +1,3 @@
-#include "cromer/os/process.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
@@ -7,6 +6,7 @@
 #include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
+#include "cromer/os/process.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"

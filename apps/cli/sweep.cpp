@@ -1,5 +1,5 @@
-#include "cromer/os/process.h"
 #include "cromer/tasks/sweep/sweep.h"
+#include "cromer/os/process.h"
 
 #include <fmt/format.h>
 

@@ -231,8 +231,7 @@ void HttpConnection::send_next() {
   if (file_.is_open() && left_ > 0) {
     const std::size_t before = piece_.size();
     piece_.resize(before + std::min(left_, of_file));
-    const auto got =
-        os::read_at(file_.number(), piece_.data() + before, piece_.size() - before, sent_bytes_);
+    const auto got = os::read_at(file_.number(), piece_.data() + before, piece_.size() - before, sent_bytes_);
     if (got <= 0) return close();  // shorter than promised, or unreadable
     piece_.resize(before + static_cast<std::size_t>(got));
     sent_bytes_ += static_cast<std::size_t>(got);

@@ -59,7 +59,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"tasks/compare",
        {"base", "model", "methods", "run", "analysis", "identify", "read", "tasks/option", "tasks/simulate",
         "tasks/fit"}},
-      {"tasks/record", {"base", "live", "report", "tasks/option", "tasks/fit"}},
+      {"tasks/record", {"base", "os", "live", "report", "tasks/option", "tasks/fit"}},
       {"tasks", {"tasks", "read", "report"}},
       {"documents/words", {"base"}},
       {"documents",

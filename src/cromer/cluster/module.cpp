@@ -57,9 +57,11 @@ Result<void*> load_module(const Module& module) {
     // Its symbols are everybody's: Open MPI loads parts of its own that look for them.
     void* library = os::load_library(path.string(), os::Symbols::everybodys);
     if (!library)
-      return Error{
-          "module_not_loaded",
-          {{"what", module.what}, {"path", path.string()}, {"why", os::why_not_loaded()}, {"package", module.package}}};
+      return Error{"module_not_loaded",
+                   {{"what", module.what},
+                    {"path", path.string()},
+                    {"why", os::why_not_loaded()},
+                    {"package", module.package}}};
     if (void* function = os::symbol_of(library, module.symbol)) return function;
     return Error{"module_of_other_version", {{"module", path.string()}}};
   }

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cromer/os/replacement.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/module.h"
+#include "cromer/os/replacement.h"
 
 namespace cromer::core {
 namespace {

@@ -79,8 +79,7 @@ std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& 
       break;
   }
   return std::make_unique<LineSource>(
-      "standard input", [] { return Result<Descriptor>(standard_input_again()); }, false, false,
-      lines);
+      "standard input", [] { return Result<Descriptor>(standard_input_again()); }, false, false, lines);
 }
 
 }  // namespace cromer::core

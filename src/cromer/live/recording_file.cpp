@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "cromer/live/rows.h"
 #include "cromer/os/file.h"
 #include "cromer/os/replacement.h"
-#include "cromer/live/rows.h"
 
 namespace cromer::core {
 namespace {
@@ -87,13 +87,14 @@ Result<void> RecordingFile::comment(const std::vector<std::string>& lines) {
 
 Result<void> RecordingFile::sync() {
   // A pipe or /dev/null has no disk.
-  if (!os::sync(file_.number()) && errno != EINVAL && errno != EROFS)
-    return cannot_write(path_, errno);
+  if (!os::sync(file_.number()) && errno != EINVAL && errno != EROFS) return cannot_write(path_, errno);
   return {};
 }
 
 void RecordingFile::drop_if_empty() {
-  if (made_ && lines_ == 0) os::remove(target_of(path_));
+  if (!made_ || lines_ > 0) return;
+  file_.close();  // Windows removes no open file
+  os::remove(target_of(path_));
 }
 
 }  // namespace cromer::core

@@ -1,5 +1,5 @@
-// Files as the operating system has them. One meaning on every system: paths are UTF-8, bytes stay as they are,
-// what fails leaves its reason in errno.
+// Files as the operating system has them. One meaning on every system: paths are UTF-8, bytes stay as they
+// are, what fails leaves its reason in errno.
 #pragma once
 
 #include <fcntl.h>  // O_RDONLY and its like
@@ -24,8 +24,8 @@ FileStatus status(int descriptor);
 bool may_write(const std::string& path);
 bool may_make_files_in(const std::string& folder);
 
-/// As open(2); programs that this one starts do not have it open. A new file's permissions are the usual ones.
-/// -1 if that fails.
+/// As open(2); programs that this one starts do not have it open. A new file's permissions are the usual
+/// ones. -1 if that fails.
 int open(const std::string& path, int flags);
 /// Opens a file that is there, to write from its beginning or, `at_end`, to append to it. Does not wait for
 /// somebody to read from a pipe.
@@ -47,8 +47,8 @@ bool sync(int descriptor);
 /// Returns when the names in a folder are on the disk, where the system can be asked for that.
 void sync_folder(const std::string& folder);
 bool truncate(int descriptor, std::uint64_t size);
-/// Until it is closed no other program can lock it. False where another has; errno says if it cannot be locked
-/// at all.
+/// Until it is closed no other program can lock it. False where another has; errno says if it cannot be
+/// locked at all.
 bool lock(int descriptor);
 
 /// Gives the file the permissions of the one at `path`; if there is none, those of a new file.

@@ -8,8 +8,8 @@ namespace cromer::core::os {
 /// Whether its symbols are for this program alone, or for the libraries too that are loaded later.
 enum class Symbols { own, everybodys };
 
-/// Loads a library by its path, or by its name from where the system looks; it stays loaded. nullptr where that
-/// fails: `why_not_loaded()` tells.
+/// Loads a library by its path, or by its name from where the system looks; it stays loaded. nullptr where
+/// that fails: `why_not_loaded()` tells.
 void* load_library(const std::string& name, Symbols symbols = Symbols::own);
 std::string why_not_loaded();
 

@@ -37,5 +37,6 @@ std::vector<std::string> addresses();
 /// Which nobody can guess.
 void fill_randomly(std::span<unsigned char> bytes);
 std::tm local_time(std::time_t time);
+std::tm universal_time(std::time_t time);
 
 }  // namespace cromer::core::os

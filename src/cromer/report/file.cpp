@@ -114,7 +114,8 @@ Result<std::string> read_file(const std::string& path) {
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
     // An endless stream of zeros (/dev/zero, an empty disk) is no recording.
-    all_zero = all_zero && std::string_view(bytes).substr(0, used).find_first_not_of('\0') == std::string::npos;
+    all_zero =
+        all_zero && std::string_view(bytes).substr(0, used).find_first_not_of('\0') == std::string::npos;
     if (all_zero && used >= std::size_t{1} << 16) return cannot_read(path, Notice{"nothing_but_zero_bytes"});
   }
   if (all_zero && used > 0) return cannot_read(path, Notice{"nothing_but_zero_bytes"});

@@ -5,6 +5,9 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#ifdef __APPLE__
+#include <sys/ioctl.h>
+#endif
 #include <sys/socket.h>
 #include <termios.h>
 #include <unistd.h>
@@ -19,10 +22,56 @@ struct Speed {
   int baud;
   speed_t code;
 };
-constexpr Speed speeds[] = {{1200, B1200},       {2400, B2400},      {4800, B4800},     {9600, B9600},
-                            {19200, B19200},     {38400, B38400},    {57600, B57600},   {115200, B115200},
-                            {230400, B230400},   {460800, B460800},  {500000, B500000}, {921600, B921600},
-                            {1000000, B1000000}, {2000000, B2000000}};
+#ifdef __APPLE__
+#define CROMER_SPEED(baud) \
+  { baud, baud }
+#else
+#define CROMER_SPEED(baud) \
+  { baud, B##baud }
+#endif
+constexpr Speed speeds[] = {CROMER_SPEED(1200),    CROMER_SPEED(2400),   CROMER_SPEED(4800),
+                            CROMER_SPEED(9600),    CROMER_SPEED(19200),  CROMER_SPEED(38400),
+                            CROMER_SPEED(57600),   CROMER_SPEED(115200), CROMER_SPEED(230400),
+                            CROMER_SPEED(460800),  CROMER_SPEED(500000), CROMER_SPEED(921600),
+                            CROMER_SPEED(1000000), CROMER_SPEED(2000000)};
+#undef CROMER_SPEED
+
+#ifdef __APPLE__
+// Speeds are their own codes; those that POSIX does not know are set by the driver (IOKit, IOSSIOSPEED).
+bool set_speed(int number, termios& settings, const Speed& speed) {
+  constexpr int most = 230400;
+  ::cfsetspeed(&settings, speed.baud <= most ? speed.code : B9600);
+  speed_t asked = speed.code;
+  return ::tcsetattr(number, TCSANOW, &settings) == 0 &&
+         (speed.baud <= most || ::ioctl(number, _IOW('T', 2, speed_t), &asked) == 0);
+}
+#else
+bool set_speed(int number, termios& settings, const Speed& speed) {
+  ::cfsetspeed(&settings, speed.code);
+  return ::tcsetattr(number, TCSANOW, &settings) == 0;
+}
+#endif
+
+/// A socket that does not wait, for this program alone; writing where nobody reads is an error, not a signal.
+int open_socket(int family) {
+#ifdef __APPLE__
+  const int number = ::socket(family, SOCK_STREAM, 0);
+  if (number < 0) return number;
+  const int on = 1;
+  ::setsockopt(number, SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof on);
+  ::fcntl(number, F_SETFL, O_NONBLOCK);
+  ::fcntl(number, F_SETFD, FD_CLOEXEC);
+  return number;
+#else
+  return ::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+#endif
+}
+
+#ifdef __APPLE__
+constexpr int keepalive_idle = TCP_KEEPALIVE, no_signal = 0;
+#else
+constexpr int keepalive_idle = TCP_KEEPIDLE, no_signal = MSG_NOSIGNAL;
+#endif
 
 bool poll_for(int number, short events, double seconds) {
   pollfd waiting{number, events, 0};
@@ -54,9 +103,7 @@ Result<Descriptor> open_serial(const std::string& device, int baud) {
   ::cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS);
-  ::cfsetispeed(&settings, speed->code);
-  ::cfsetospeed(&settings, speed->code);
-  if (::tcsetattr(line.number(), TCSANOW, &settings) != 0)
+  if (!set_speed(line.number(), settings, *speed))
     return Error{"serial_speed_not_set", {{"device", device}, {"baud", baud}, {"why", std::strerror(errno)}}};
   return line;
 }
@@ -71,7 +118,7 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
   int failed = EHOSTUNREACH;
   Descriptor connection;
   for (const addrinfo* each = found; each; each = each->ai_next) {
-    connection = Descriptor(::socket(each->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    connection = Descriptor(open_socket(each->ai_family));
     if (!connection.is_open()) continue;
     failed = connect_within(connection.number(), *each, seconds);
     if (failed == 0) break;
@@ -82,7 +129,7 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
   // A pulled cable is noticed within half a minute.
   const int on = 1, idle = 10, between = 5, probes = 3;
   ::setsockopt(connection.number(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
-  ::setsockopt(connection.number(), IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
+  ::setsockopt(connection.number(), IPPROTO_TCP, keepalive_idle, &idle, sizeof idle);
   ::setsockopt(connection.number(), IPPROTO_TCP, TCP_KEEPINTVL, &between, sizeof between);
   ::setsockopt(connection.number(), IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
   ::setsockopt(connection.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
@@ -95,7 +142,7 @@ bool readable(const Descriptor& descriptor, double seconds) {
 
 bool send_all(const Descriptor& connection, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::send(connection.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t count = ::send(connection.number(), bytes.data(), bytes.size(), no_signal);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return false;  // so little always fits
     bytes.remove_prefix(static_cast<std::size_t>(count));

@@ -116,4 +116,10 @@ std::tm local_time(std::time_t time) {
   return date;
 }
 
+std::tm universal_time(std::time_t time) {
+  std::tm date{};
+  ::gmtime_r(&time, &date);
+  return date;
+}
+
 }  // namespace cromer::core::os

@@ -69,8 +69,8 @@ FileStatus status_of(const struct _stat64& found) {
 
 int open_as(const std::string& path, int flags, int permissions) {
   int file = -1;
-  const errno_t number = ::_wsopen_s(&file, native(path).c_str(), flags | _O_BINARY | _O_NOINHERIT, _SH_DENYNO,
-                                     permissions);
+  const errno_t number =
+      ::_wsopen_s(&file, native(path).c_str(), flags | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, permissions);
   if (number != 0) errno = number;
   return number == 0 ? file : -1;
 }

@@ -75,7 +75,8 @@ bool has_something(HANDLE handle, bool is_pipe) {
 Result<Descriptor> open_serial(const std::string& device, int baud) {
   // COM10 and later are known by this name alone.
   const std::string path = device.starts_with("\\\\") ? device : "\\\\.\\" + device;
-  const HANDLE handle = ::CreateFileW(os::native(path).c_str(), GENERIC_READ, 0, nullptr, OPEN_EXISTING, 0, nullptr);
+  const HANDLE handle =
+      ::CreateFileW(os::native(path).c_str(), GENERIC_READ, 0, nullptr, OPEN_EXISTING, 0, nullptr);
   if (handle == INVALID_HANDLE_VALUE)
     return Error{"serial_not_opened", {{"device", device}, {"why", last_error()}}};
   Descriptor line = owned(handle);

@@ -47,7 +47,8 @@ void prepare_streams() {
       ::SetConsoleMode(stream_handle(stream), mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
   // The console is others' too: it is left as it was.
   console_before = ::GetConsoleOutputCP();
-  if (console_before != 0 && ::SetConsoleOutputCP(CP_UTF8)) std::atexit([] { ::SetConsoleOutputCP(console_before); });
+  if (console_before != 0 && ::SetConsoleOutputCP(CP_UTF8))
+    std::atexit([] { ::SetConsoleOutputCP(console_before); });
 }
 
 bool is_terminal(int stream) {
@@ -105,8 +106,8 @@ std::vector<std::string> addresses() {
     if (adapter->OperStatus != IfOperStatusUp || adapter->IfType == IF_TYPE_SOFTWARE_LOOPBACK) continue;
     for (const auto* each = adapter->FirstUnicastAddress; each; each = each->Next) {
       char text[INET_ADDRSTRLEN];
-      if (::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(each->Address.lpSockaddr)->sin_addr, text,
-                      sizeof text))
+      if (::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(each->Address.lpSockaddr)->sin_addr,
+                      text, sizeof text))
         all.emplace_back(text);
     }
   }
@@ -122,6 +123,12 @@ void fill_randomly(std::span<unsigned char> bytes) {
 std::tm local_time(std::time_t time) {
   std::tm date{};
   ::localtime_s(&date, &time);
+  return date;
+}
+
+std::tm universal_time(std::time_t time) {
+  std::tm date{};
+  ::gmtime_s(&date, &time);
   return date;
 }
 

@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "cromer/os/process.h"
 #include "cromer/report/file.h"
 #include "cromer/version.h"
 
@@ -12,9 +13,7 @@ namespace {
 
 /// "2026-11-22T04:10:00Z"
 std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm date{};
-  gmtime_r(&now, &date);
+  const std::tm date = os::universal_time(std::time(nullptr));
   return fmt::format("{}-{:02}-{:02}T{:02}:{:02}:{:02}Z", date.tm_year + 1900, date.tm_mon + 1, date.tm_mday,
                      date.tm_hour, date.tm_min, date.tm_sec);
 }
