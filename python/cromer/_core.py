@@ -9,12 +9,16 @@ import pathlib
 import queue
 import sys
 import threading
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Numbers = NDArray[np.float64]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # since NumPy 1.20; Debian 11 has 1.19
+
+    Numbers = NDArray[np.float64]
+else:
+    Numbers = np.ndarray
 Progress = Callable[[float], Any]
 
 DONE, NO_SUCCESS, BAD_INPUT = 0, 1, 2

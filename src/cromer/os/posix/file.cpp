@@ -70,7 +70,9 @@ int open_to_write(const std::string& path, bool at_end) {
 }
 
 #ifdef O_TMPFILE
+// Where there is no /proc it could not be named later.
 int open_unnamed(const std::string& folder) {
+  if (::access("/proc/self/fd", X_OK) != 0) return -1;
   return ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
 }
 
