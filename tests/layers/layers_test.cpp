@@ -228,6 +228,27 @@ TEST(Layers, no_two_files_of_a_unit_give_one_name) {
     EXPECT_THAT(common_names(root / folder, "windows"), testing::IsEmpty());
 }
 
+// What differs between systems stands in src/cromer/os alone.
+TEST(Layers, only_os_includes_headers_of_a_system) {
+  const fs::path root = CROMER_SOURCE_DIR;
+  const std::regex of_a_system(
+      R"(^#\s*include <(unistd|fcntl|poll|dlfcn|termios|signal|ifaddrs|netdb|windows|winsock2|io|sys/.*|net/.*|netinet/.*|arpa/.*)\.h>)");
+  std::size_t within = 0;
+  for (const char* folder : {"src/cromer", "apps/cli", "apps/serve", "include"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".h" && ending != ".cpp") continue;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        if (!std::regex_search(line, of_a_system)) continue;
+        const std::string file = fs::relative(entry.path(), root).string();
+        EXPECT_TRUE(file.starts_with("src/cromer/os/")) << file << ": " << line;
+        ++within;
+      }
+    }
+  EXPECT_GT(within, 20u);
+}
+
 TEST(Layers, a_wrong_include_is_seen) {
   EXPECT_NE(complaint("model/propagate.h", "run/solve.h"), "");
   EXPECT_NE(complaint("model/propagate.h", "methods/rk4.h"), "");

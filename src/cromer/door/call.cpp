@@ -531,7 +531,7 @@ cromer_result* answer(cromer::core::Voice& voice, const Work& work) {
   return result.release();
 }
 
-cromer::core::Voice voice_of(const cromer_result* result) {
+cromer::core::Voice voice_of_result(const cromer_result* result) {
   return {result ? result->language : cromer::Language::english, cromer::core::Audience::caller};
 }
 
@@ -558,7 +558,7 @@ cromer_result* cromer_call(const char* verb, const char* request, const cromer_a
 
 cromer_result* cromer_written_as(const cromer_result* result, const char* form) {
   using namespace cromer;
-  core::Voice voice = voice_of(result);
+  core::Voice voice = voice_of_result(result);
   return answer(voice, [&](cromer_result& written) -> Result<void> {
     auto text = core::written_as(found_of(result), form ? form : "");
     if (!text) return text.error();
@@ -569,7 +569,7 @@ cromer_result* cromer_written_as(const cromer_result* result, const char* form) 
 
 cromer_result* cromer_motion_at(const cromer_result* fit, int run, const double* t, size_t length) {
   using namespace cromer;
-  core::Voice voice = voice_of(fit);
+  core::Voice voice = voice_of_result(fit);
   return answer(voice, [&](cromer_result& made) -> Result<void> {
     auto motion = core::motion_of_run(found_of(fit), run, std::span(t, t ? length : 0));
     if (!motion) return motion.error();
