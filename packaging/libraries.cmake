@@ -25,6 +25,9 @@ foreach(file adler32 compress crc32 deflate infback inffast inflate inftrees tre
 endforeach()
 target_include_directories(cromer_zlib SYSTEM PUBLIC ${zlib})
 set_target_properties(cromer_zlib PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden UNITY_BUILD OFF)
+# zlib 1.2.13 takes every macOS for the old one, which had no fdopen.
+target_compile_definitions(cromer_zlib PRIVATE $<$<PLATFORM_ID:Darwin>:fdopen=fdopen>)
+target_compile_options(cromer_zlib PRIVATE -w)
 add_library(ZLIB::ZLIB ALIAS cromer_zlib)
 
 file(GLOB tbb ${CROMER_SOURCES}/onetbb-*/CMakeLists.txt)
