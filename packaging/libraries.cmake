@@ -42,3 +42,8 @@ set_target_properties(tbb PROPERTIES UNITY_BUILD OFF)
 target_compile_options(tbb PRIVATE -fvisibility=hidden -fvisibility-inlines-hidden -w)
 
 find_package(Threads REQUIRED)
+
+# toml++ asks for FLT_RADIX, which zig's <cfloat> for macOS has not.
+if(APPLE)
+  cmake_language(DEFER CALL target_compile_definitions cromer_study PRIVATE FLT_RADIX=__FLT_RADIX__)
+endif()
