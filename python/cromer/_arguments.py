@@ -16,8 +16,16 @@ from ._options import ARGUMENTS
 _COUNTED = {"hertz", "kilohertz", "megahertz", "revolutions_per_minute", "rpm"}  # cycles: the core multiplies by 2 pi
 
 
+_STEPS = {"dt": ("step", "spacing"), "h": ("step", "spacing")}  # a symbol, and what a verb may call it
+
+
 def request_of(options: Mapping[str, Any], verb: str) -> Dict[str, Any]:
     """The options that were given, in the form that a request has; `from_` is "from", a word of Python's own."""
+    for symbol in _STEPS.keys() & options.keys():
+        name = next((each for each in _STEPS[symbol] if each in ARGUMENTS[verb] or each in options), None)
+        if name:
+            raise InputError(f'{verb} has no argument "{symbol}"; did you mean {name}?', symbol, "unknown_argument_but",
+                             {"argument": symbol, "verb": verb, "near": name})
     return {name.rstrip("_"): _plain(name, value, *ARGUMENTS[verb].get(name, ("", "")))
             for name, value in options.items() if value is not None}
 

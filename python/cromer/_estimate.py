@@ -10,7 +10,11 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its standard error and its 95 % interval, in SI units."""
+    """A number with its standard error and its 95 % interval, in SI units.
+
+    `float(estimate)` and a format as in f"{estimate:.3f}" are of its `value`; f"{estimate}" has the uncertainty too.
+    Arithmetic is refused, since it would lose the uncertainty: take `value`, or LawFit.to_uncertainties().
+    """
 
     name: str
     value: float
@@ -21,13 +25,25 @@ class Estimate:
     def __float__(self) -> float:
         return self.value
 
+    def __format__(self, spec: str) -> str:
+        return format(self.value, spec) if spec else str(self)
+
+    def _no_arithmetic(self, *_: Any) -> Any:
+        raise TypeError(f"arithmetic would lose the uncertainty of {self.name}: take .value for the number, or "
+                        "to_uncertainties() of the fit for numbers that keep their uncertainties and correlations")
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _no_arithmetic
+    __pow__ = __rpow__ = __neg__ = _no_arithmetic
+    __array_ufunc__ = None  # arrays leave arithmetic to this class
+
     def __str__(self) -> str:
         low, high = self.confidence_95
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
         return f"{with_error(self.value, self.standard_error)}{unit} (95 %: {low:.7g} to {high:.7g})"
 
     def to_uncertainties(self) -> Any:
-        """The same as a number of the package `uncertainties`."""
+        """The same as a number of the package `uncertainties`, without its correlations with other estimates:
+        LawFit.to_uncertainties() keeps those."""
         from uncertainties import ufloat
         return ufloat(self.value, self.standard_error, tag=self.name)
 

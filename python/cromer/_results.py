@@ -7,7 +7,7 @@ import html
 import json
 import shlex
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
@@ -153,31 +153,77 @@ class _Motion(Result):
 
     @property
     def t(self) -> Numbers:
+        """Times [s]."""
         return self._array("t")
 
     @property
     def x(self) -> Numbers:
+        """Displacement from the equilibrium [m], of an angle [rad]."""
         return self._array("x")
 
     @property
     def v(self) -> Numbers:
+        """Velocity [m/s], of an angle [rad/s]."""
         return self._array("v")
+
+
+#: what has a name of its own among the quantities
+_ALSO = {"spring_constant": "stiffness", "viscous_decay_rate": "decay_rate"}
+#: a quantity, the parameter that it follows from, and the arguments of fit that it needs
+_FROM = {"stiffness": ("angular_frequency", "mass="), "damping": ("decay_rate", "mass="), "drag_constant": ("drag", "mass="),
+         "friction_force": ("friction", "mass="), "cubic_stiffness": ("cubic", "mass="),
+         "drag_coefficient": ("drag", "disc_diameter= and mass=")}
+#: a result and the argument of fit that it needs
+_ASKED_BY = {"reynolds": "disc_diameter=", "keulegan_carpenter": "disc_diameter=", "decay_segments": "segment=",
+             "decay_rate_mean": "segment=", "decay_rate_mean_standard_error": "segment=", "stiffness_budget": "mass=",
+             "monte_carlo": "monte_carlo=", "plan": "goal=", "textbook": "textbook=True", "held_out": "hold_out="}
+#: what is shown first
+_FIRST = ("frequency", "stiffness", "quality_factor", "at_amplitude")
 
 
 class LawFit(_Motion):
     """The law of one recorded motion.
 
-    Attributes: `law` ("viscous+drag"), `status` ("converged" where it succeeded), `message` (why it did not),
-    `parameters` and `derived` (name to Estimate, SI), `fitted` and `covariance` (names, and a square array in their
-    order), `residual`; and per sample used `t` [s], `measured`, `residuals` (measured less fitted), `x`
-    (displacement of the law from the equilibrium) and `v`.
+    `fit["decay_rate"]` is an Estimate, as is each of `parameters` and `derived` (names to Estimates, SI); `keys()` has
+    the names. `fitted` and `covariance` are names and a square array in their order.
+
+    Per used sample: `t` [s], `measured`, `residuals` (measured less fitted), `x` (displacement of the law from the
+    equilibrium) and `v`.
+
+    Further: `law` ("viscous+drag"), `status` ("converged" where it succeeded), `succeeded`, `message` (why it did
+    not), `run` (number in the file), `residual` (a Residual), `notices`. These are as docs/results.md describes them,
+    and None or empty where they were not asked for: `recording`, `iterations`, `between_samples`, `simulate` (a command
+    line), `candidates`, `modes`, `held_out`, `decay_segments`, `decay_rate_mean`, `decay_rate_mean_standard_error`,
+    `decay_by_amplitude`, `reynolds`, `keulegan_carpenter`, `stiffness_budget`, `monte_carlo`, `plan`, `textbook` and
+    `warnings`.
     """
+
+    recording: Mapping[str, Any] = {}
+    iterations: int = 0
+    between_samples: Optional[str] = None
+    simulate: Optional[str] = None
+    candidates: Sequence[Dict[str, Any]] = ()
+    modes: Sequence[Dict[str, Any]] = ()
+    held_out: Optional[Dict[str, Any]] = None
+    decay_segments: Sequence[Dict[str, Any]] = ()
+    decay_rate_mean: Optional[float] = None
+    decay_rate_mean_standard_error: Optional[float] = None
+    decay_by_amplitude: Sequence[Dict[str, Any]] = ()
+    reynolds: Optional[Dict[str, Any]] = None
+    keulegan_carpenter: Optional[Dict[str, Any]] = None
+    stiffness_budget: Sequence[Dict[str, Any]] = ()
+    monte_carlo: Optional[Dict[str, Any]] = None
+    plan: Optional[Dict[str, Any]] = None
+    textbook: Optional[Dict[str, Any]] = None
+    warnings: Sequence[str] = ()
 
     def __init__(self, answer: Answer, document: Optional[Dict[str, Any]] = None) -> None:
         super().__init__(answer, document)
         has = self._document.get
-        recording = has("recording") or {}
-        self.run: int = recording.get("run", 1)
+        for name in LawFit.__annotations__:
+            if has(name) is not None:
+                setattr(self, name, has(name))
+        self.run: int = self.recording.get("run", 1)
         self.law: str = has("law", "") or ""
         self.status: str = has("status", "")
         self.message: str = has("message", "") or ""
@@ -187,15 +233,10 @@ class LawFit(_Motion):
         self.fitted: List[str] = list(covariance.get("parameters", []))
         self.covariance: Numbers = np.array(
             [[_number(each) for each in row] for row in covariance.get("matrix", [])], dtype=np.float64)
+        self.covariance.flags.writeable = False
         left = has("residual") or {}
         self.residual = Residual(_number(left.get("rms")), _number(left.get("normality")),
                                  _number(left.get("autocorrelation")), bool(left.get("white", False)))
-        self.covariance.flags.writeable = False
-        self.candidates: List[Dict[str, Any]] = has("candidates") or []
-        #: with `segment`: {"from", "to", "rate", "standard_error"} [s, 1/s] of each stretch
-        self.segments: List[Dict[str, Any]] = has("decay_segments") or []
-        #: with a disc: the largest Reynolds number {"max", "standard_error", "t"}, and its course in "windows"
-        self.reynolds: Dict[str, Any] = has("reynolds") or {}
 
     @property
     def _run_number(self) -> int:
@@ -203,17 +244,21 @@ class LawFit(_Motion):
 
     @property
     def measured(self) -> Numbers:
+        """The record [SI unit of its quantity]."""
         return self._array("measured")
 
     @property
     def residuals(self) -> Numbers:
+        """Measured less fitted [SI unit of the recorded quantity]."""
         return self._array("residual")
 
     @property
     def succeeded(self) -> bool:
+        """Whether the fit converged."""
         return self.status == "converged"
 
     def keys(self) -> List[str]:
+        """The names of all parameters and derived quantities."""
         return [*self.parameters, *self.derived]
 
     def __getitem__(self, name: str) -> Estimate:
@@ -222,7 +267,19 @@ class LawFit(_Motion):
                 return known[name]
         if not self.parameters:
             raise KeyError(f"{name!r}: this fit has no values: {self.message or self.status}")
-        raise KeyError(_unknown(name, self.keys(), "this fit"))
+        raise KeyError(self._why_not(name))
+
+    def _why_not(self, name: str) -> str:
+        known = _ALSO.get(name, name)
+        if known in self:
+            return f"{name!r}: its name is {known!r}"
+        source, needed = _FROM.get(known, ("", ""))
+        if source in self:
+            return f"{name!r}: " + ("" if known == name else f"its name is {known!r}; ") + f"give {needed} to fit"
+        if known in LawFit.__annotations__:
+            absent = known in _ASKED_BY and not getattr(self, known)
+            return f"{name!r}: it is the attribute .{known}" + (f"; give {_ASKED_BY[known]} to fit" if absent else "")
+        return _unknown(name, self.keys(), "this fit")
 
     def __contains__(self, name: object) -> bool:
         return name in self.parameters or name in self.derived
@@ -253,6 +310,12 @@ class LawFit(_Motion):
                 given[name] = word if _no_number(word) else float(word)
         return given
 
+    def to_uncertainties(self) -> Dict[str, Any]:
+        """The fitted parameters as numbers of the package `uncertainties`, with their correlations."""
+        from uncertainties import correlated_values
+        values = [self.parameters[name].value for name in self.fitted]
+        return dict(zip(self.fitted, correlated_values(values, self.covariance, tags=self.fitted)))
+
     def to_pandas(self) -> Any:
         """The samples: t as the index, measured, x, v and residual."""
         return _frame({"t": self.t, "measured": self.measured, "x": self.x, "v": self.v, "residual": self.residuals}, "t")
@@ -262,16 +325,33 @@ class LawFit(_Motion):
         from . import _plot
         return _plot.fit(self, ax)
 
+    def _shown(self) -> List[Estimate]:
+        """All quantities, in the program's words, with what is asked first at the head."""
+        every = {**self.parameters, **self.derived}
+        first = [name for name in _FIRST if name in every]
+        ends = [self.decay_by_amplitude[i] for i in (0, -1)] if len(self.decay_by_amplitude) > 1 else []
+        return [*(every[name] for name in first),
+                *(_estimate(f"decay rate {each['from']:.4g} to {each['to']:.4g} s", {**each, "value": each["rate"], "unit": "1/s"})
+                  for each in ends),
+                *(each if name != "decay_rate" else replace(each, name="viscous decay rate")
+                  for name, each in every.items() if name not in first)]
+
     def __repr__(self) -> str:
-        head = f"LawFit: {self.law or 'no law'}, {self.status}"
-        return "\n".join([head, *(f"  {each.name} = {each}" for each in self.parameters.values())])
+        head = f"LawFit: {self.law or 'no law'}, {self.status}, residual (rms) {self.residual.rms:.3g}{self._unit}"
+        return "\n".join([head, *(f"  {each.name.replace('_', ' ')} = {each}" for each in self._shown())])
+
+    @property
+    def _unit(self) -> str:
+        """Of the record, as it stands after a number."""
+        level = self.parameters.get("equilibrium")
+        return f" {level.unit}" if level and level.unit not in ("", "1") else ""
 
     def _repr_html_(self) -> str:
         rows = [[each.name.replace("_", " "), with_error(each.value, each.standard_error),
-                 f"{each.confidence_95[0]:.7g} to {each.confidence_95[1]:.7g}", each.unit]
-                for each in [*self.parameters.values(), *self.derived.values()]]
-        title = f"Law: {self.law} ({self.status})" if self.succeeded else f"{self.status}: {self.message}"
-        return _table(title, ["", "value ± standard error", "95 % interval", "unit"], rows)
+                 f"{each.confidence_95[0]:.7g} to {each.confidence_95[1]:.7g}", each.unit] for each in self._shown()]
+        title = f"Law: {self.law} ({self.status}), residual (rms) {self.residual.rms:.3g}{self._unit}"
+        return _table(title if self.succeeded else f"{self.status}: {self.message}",
+                      ["", "value ± standard error", "95 % interval", "unit"], rows)
 
 
 def _no_number(text: str) -> bool:
@@ -302,7 +382,8 @@ class Fits(Result, Sequence[LawFit]):
 
 class Run(_Motion):
     """One simulated run: `t` [s], `x` [m], `v` [m/s], `energy` [J] and, with a simulated sensor, `sensor`; `method`,
-    `status` ("reached_end" where it succeeded), `in_words` (what the method makes of the law) and `document`."""
+    `label` (tells it from other runs), `step` [s], `status` ("reached_end" where it succeeded), `in_words` (what the
+    method makes of the law) and `energy_balance` [J]. `to_dict()` has the rest."""
 
     def __init__(self, answer: Answer, number: int, document: Dict[str, Any], notices: List[Dict[str, Any]]) -> None:
         super().__init__(answer, document)
@@ -321,10 +402,12 @@ class Run(_Motion):
 
     @property
     def energy(self) -> Numbers:
+        """Kinetic and potential energy [J]."""
         return self._array("energy")
 
     @property
     def sensor(self) -> Numbers:
+        """What the simulated sensor reads [m], of an angle [rad]; empty without one."""
         return self._array("sensor")
 
     def to_pandas(self) -> Any:

@@ -66,6 +66,9 @@ def _motion(verb: str, t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict
         if y is not None:
             raise InputError("a file has its own columns: name one with column=", "y", "file_and_arrays")
         return {"file": os.fspath(t)}, {}
+    if hasattr(t, "columns"):  # a DataFrame
+        raise InputError(f"a table does not say which of its columns is the time: {verb}(table[TIME], table[POSITION]), "
+                         f"in SI units; it has {', '.join(map(str, t.columns))}", "t", "no_numbers")
     if y is None and hasattr(t, "index") and hasattr(t, "to_numpy"):  # a Series of pandas: its index is the time
         return {}, {"t": t.index, "y": t, "force": force}
     if y is None:

@@ -5,6 +5,7 @@ import shlex
 import warnings
 
 import cromer
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -48,3 +49,28 @@ def test_every_verb_has_its_section_of_arguments():
         section = said.split("----------\n")[1].split("\n\n")[0].splitlines()
         margins = {len(line) - len(line.lstrip()) for line in section}
         assert margins == {0, 4}, verb
+
+
+def test_what_a_class_promises_it_has():
+    t = np.arange(0, 10, 0.01)
+    x = np.cos(3 * t) * np.exp(-0.05 * t)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cromer.CromerWarning)
+        fit = cromer.fit(t, x, law="viscous")
+        runs = cromer.simulate(stiffness=9, method=["rk4"], step=0.01, until=1)
+        compared = cromer.compare(t, x, law="viscous", method=["rk4"])
+        made = [fit, fit["frequency"], fit.residual, fit.at(t), runs, runs[0], compared, compared[0], compared[0].curves[0],
+                cromer.methods(step=0.01), cromer.spectrum(x, 0.01, periods=[1, 2], damping_ratio=0.05),
+                cromer.sweep(stiffness=9, damping=0.2, drive_amplitude=1, drive_frequency=[1.0, 2.0], method="exact"),
+                cromer.read(ROOT / "data" / "recording1.csv"), cromer.fit_all(ROOT / "data" / "recording1.csv"),
+                cromer.InputError(""), cromer.CromerWarning(""), cromer.NoSuccess(""), cromer.Notice("", "", "", {})]
+    classes = {getattr(cromer, name) for name in cromer.__all__ if isinstance(getattr(cromer, name), type)}
+    assert classes - {cromer.FitWarning} == {type(each) for each in made}
+    for each in made:
+        for name in re.findall(r"`(\w+)`", type(each).__doc__):
+            assert hasattr(each, name) or hasattr(cromer, name) or name == "uncertainties", (type(each), name)
+        for name, member in vars(type(each)).items():
+            if isinstance(member, property) and not name.startswith("_"):
+                assert member.__doc__, (type(each), name)
+                if "Numbers" in str(member.fget.__annotations__["return"]) and name != "damping_ratio":
+                    assert re.search(r"\[.+\]", member.__doc__), (type(each), name)

@@ -1,6 +1,7 @@
 import multiprocessing
 import os
 import pickle
+import re
 import signal
 import threading
 import warnings
@@ -11,6 +12,7 @@ import pytest
 from conftest import ROOT, swing
 
 RECORDING = str(ROOT / "data" / "recording1.csv")
+RECORDING_2 = str(ROOT / "data" / "recording2.csv")
 
 
 def test_the_law_of_arrays():
@@ -127,11 +129,65 @@ def test_what_one_result_has_another_takes():
 
 def test_segments_and_reynolds_number():
     fit = cromer.fit(str(ROOT / "data" / "recording2.csv"), disc_diameter="12 cm", segment="30 s", law="viscous+drag")
-    assert len(fit.segments) == 4 and fit.segments[0]["rate"] > fit.segments[-1]["rate"]
+    assert len(fit.decay_segments) == 4 and fit.decay_segments[0]["rate"] > fit.decay_segments[-1]["rate"]
     assert fit.reynolds["max"] == pytest.approx(2532, rel=0.01)
     assert not fit.covariance.flags.writeable
     with pytest.raises(KeyError, match="did you mean 'decay_rate'"):
         fit["decay_rat"]
+
+
+def test_what_the_document_has_is_an_attribute():
+    described = (ROOT / "docs" / "results.md").read_text().split("\n## fit\n")[1].split("\n## ")[0]
+    names = set(re.findall(r"^\| `(\w+)", described, re.M))
+    assert "monte_carlo" in names
+    bare = cromer.fit(*swing(), law="viscous")
+    full = cromer.fit(RECORDING_2, mass="217.6 ± 0.3 g", disc_diameter="12 cm", segment="30 s", law="viscous+drag",
+                      monte_carlo=1000, goal="decay_rate 0.5 %", textbook=True)
+    for fit in (bare, full):
+        assert names <= set(dir(fit))
+    document = full.to_dict()
+    same = names - {"parameters", "derived", "covariance", "residual", "notices", "message", "held_out"}
+    for name in same - {"warnings", "between_samples", "modes"}:
+        assert getattr(full, name) == document[name] and document[name], name
+    assert bare.monte_carlo is None and not bare.decay_segments and bare.reynolds is None
+
+
+@pytest.mark.parametrize("name, options, cure", [
+    ("stiffness", {}, "give mass= to fit"), ("spring_constant", {}, "'stiffness'; give mass= to fit"),
+    ("spring_constant", {"mass": 0.2}, "its name is 'stiffness'"), ("viscous_decay_rate", {}, "its name is 'decay_rate'"),
+    ("drag_constant", {"mass": 0.2}, "this fit has"),  # a viscous law has none
+    ("reynolds", {}, r"the attribute \.reynolds; give disc_diameter= to fit"),
+    ("decay_by_amplitude", {}, r"the attribute \.decay_by_amplitude$")])
+def test_a_name_that_is_no_quantity_is_told_the_cure(name, options, cure):
+    with pytest.raises(KeyError) as refused:
+        cromer.fit(*swing(), law="viscous", **options)[name]
+    assert re.search(cure, refused.value.args[0])
+
+
+def test_estimates_are_written_and_keep_their_uncertainty():
+    fit = cromer.fit(*swing(), mass=(0.2, 0.001), law="viscous")
+    stiffness = fit["stiffness"]
+    assert f"{stiffness:.3f}" == f"{stiffness.value:.3f}" and f"{stiffness}" == str(stiffness)
+    for lossy in (lambda: stiffness * 2, lambda: 2 * np.pi * stiffness, lambda: np.ones(3) * stiffness,
+                  lambda: stiffness - stiffness, lambda: np.float64(2) / stiffness, lambda: -stiffness):
+        with pytest.raises(TypeError, match=r"\.value.*to_uncertainties\(\)"):
+            lossy()
+    pytest.importorskip("uncertainties")
+    found = fit.to_uncertainties()
+    assert list(found) == fit.fitted
+    i, j = fit.fitted.index("angular_frequency"), fit.fitted.index("velocity")
+    total = found["angular_frequency"] + found["velocity"]
+    variance = fit.covariance[i, i] + fit.covariance[j, j] + 2 * fit.covariance[i, j]
+    assert abs(fit.covariance[i, j]) > 0.01 * np.sqrt(fit.covariance[i, i] * fit.covariance[j, j])
+    assert total.std_dev == pytest.approx(np.sqrt(variance), rel=1e-6)
+
+
+def test_a_table_of_pandas_is_refused_with_the_cure():
+    pandas = pytest.importorskip("pandas")
+    t, x = swing()
+    with pytest.raises(cromer.InputError, match=r"fit\(table\[TIME\].*time, height") as refused:
+        cromer.fit(pandas.DataFrame({"time": t, "height": x}))
+    assert refused.value.argument == "t"
 
 
 def test_files_and_what_read_gave():
@@ -290,7 +346,11 @@ def test_as_it_is_shown():
     t, x = swing()
     fit = cromer.fit(t, x, mass=0.2)
     assert "LawFit: viscous, converged" in repr(fit)
-    assert "<table>" in fit._repr_html_() and "decay rate" in fit._repr_html_()
+    assert "<table>" in fit._repr_html_()
+    for shown in (repr(fit), fit._repr_html_()):
+        places = [shown.index(each) for each in ("frequency", "stiffness", "quality factor", "decay rate 0 to",
+                                                 "viscous decay rate")]
+        assert places == sorted(places) and f"residual (rms) {fit.residual.rms:.3g} m" in shown
     assert "</svg>" in fit.to_svg() and "stiffness" in fit.to_csv()
     assert "mass" in cromer.fit.__doc__ and "[kg]" in cromer.fit.__doc__
 

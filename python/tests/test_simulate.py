@@ -105,11 +105,18 @@ def test_a_comparison_says_what_the_method_adds():
 
 
 @pytest.mark.parametrize("wrong, argument", [({"step": -1}, "step"), ({"method": "rk5"}, "method"),
-                                             ({"spacing": 0.1}, "spacing"), ({"stifness": 3}, "stifness")])
+                                             ({"spacing": 0.1}, "spacing"), ({"stifness": 3}, "stifness"), ({"dt": 1}, "dt")])
 def test_wrong_input_is_said(wrong, argument):
     with pytest.raises(cromer.InputError) as refused:
         cromer.simulate(**{"step": 0.01, "until": 1, **wrong})
     assert refused.value.argument == argument
+
+
+def test_a_symbol_is_told_its_name():
+    with pytest.raises(cromer.InputError, match="did you mean step"):
+        cromer.simulate(stiffness=9, until=1, h=0.01)
+    with pytest.raises(cromer.InputError, match="did you mean spacing"):
+        cromer.spectrum(np.ones(100), dt=0.01)
 
 
 def test_the_lines_are_those_of_the_programs_figures():
