@@ -9,7 +9,7 @@ import pathlib
 import queue
 import sys
 import threading
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -92,7 +92,7 @@ class Answer:
 
     def __init__(self, handle: _Handle) -> None:
         self._handle: Optional[_Handle] = handle
-        self._again: Optional[Callable[[], _Handle]] = None
+        self._again: Optional[_Again] = None
         self.text: str = _library.cromer_document(handle.address).decode()
         self.status: int = _library.cromer_status(handle.address)
         if self.status == BAD_INPUT:
@@ -119,6 +119,12 @@ class Answer:
     def motion_at(self, run: int, t: Numbers) -> Dict[str, Numbers]:
         address = _library.cromer_motion_at(self.handle.address, run, _pointer(t), t.size)
         return Answer(_Handle(address)).arrays
+
+    def by(self, verb: str, without: Sequence[str]) -> Answer:
+        """What another verb makes of the same call, less some options."""
+        assert self._again is not None
+        request = {name: value for name, value in json.loads(self._again.request).items() if name not in without}
+        return call(verb, request, self._again.arrays)
 
     def __getstate__(self) -> Dict[str, Any]:
         state = dict(self.__dict__, _handle=None)

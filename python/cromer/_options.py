@@ -124,7 +124,6 @@ class CompareOptions(TypedDict, total=False):
     delimiter: str
     decimal: str
     skip_bad_rows: bool
-    method: str
     step: Value
 
 
@@ -311,7 +310,6 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "delimiter": ("str", "\",\", \";\", tab or blank [found]"),
         "decimal": ("str", "decimal mark, \".\" or \",\" [found]"),
         "skip_bad_rows": ("bool", "leave out rows with a word in a number column [such a row is an error]"),
-        "method": ("str", "a name from `cromer methods` [euler-cromer]"),
         "step": ("Value", "[s] time step; must be positive [the sample spacing, divided to have 200 steps in a period]"),
     },
     "methods": {

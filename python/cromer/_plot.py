@@ -3,14 +3,15 @@ method has its family's hue, measured is ink."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from ._results import LawFit, Run, Spectrum, Sweep
+    from ._core import Numbers
+    from ._results import LawFit, Run, Spectrum, Sweep, _Compared
 
-INK, SOFT, AXIS, GRID, LAW = "#171C24", "#4A5361", "#7B8594", "#E4E8ED", "#AA4488"
+INK, SOFT, AXIS, GRID, LAW, BAND = "#171C24", "#4A5361", "#7B8594", "#E4E8ED", "#AA4488", "#C9CCD1"
 #: colour, dashes, width of each method's line
 LINES: Dict[str, Tuple[str, Any, float]] = {
     "exact": ("#8A93A0", "-", 4.5), "forward-euler": ("#D55E00", "-", 1.3), "euler-cromer": ("#0072B2", "-", 1.3),
@@ -19,7 +20,10 @@ LINES: Dict[str, Tuple[str, Any, float]] = {
     "dormand-prince": ("#A06A00", (0, (8, 3, 2, 3)), 1.3), "implicit-midpoint": ("#009E73", (0, (8, 3)), 1.3),
     "newmark": ("#009E73", (0, (3, 3)), 1.3), "generalized-alpha": ("#009E73", (0, (8, 3, 2, 3)), 1.3),
     "gauss-legendre4": ("#009E73", (0, (2, 2)), 1.3)}
+DASHES = (0, (6, 4))  # of one constant decay rate
 LOGARITHMIC_FROM = 30  # a grid that spans more than this is drawn on a logarithmic axis
+MANY_SWINGS = 30  # more than these are drawn as their envelope
+FEW_SWINGS = 5  # are drawn beside it
 
 
 def _styled(ax: Any, across: str, up: str) -> Any:
@@ -43,35 +47,85 @@ def _axes(ax: Any, size: Tuple[float, float] = (7.6, 4.4)) -> Any:
 
 
 def _name(ax: Any, own: bool) -> None:
-    """The curves' names, each in its colour: in the right margin of a figure of our own, else inside the axes."""
+    """The curves' names, each in its colour: in the right margin of a figure of our own, else above the axes."""
     lines, labels = ax.get_legend_handles_labels()
-    place: Dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if own else {"loc": "best"}
+    place: Dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if own else \
+        {"loc": "lower left", "bbox_to_anchor": (0, 1), "borderaxespad": 0, "ncol": 3}
     legend = ax.legend(lines, labels, frameon=False, handlelength=1.2, **place)
     for text, line in zip(legend.get_texts(), lines):
-        colour = line.get_color()
+        colour = line.get_color() if hasattr(line, "get_color") else INK
         text.set_color(colour if colour != LINES["exact"][0] else "#5B6573")
         text.set_fontweight("bold")
 
 
+def _envelope(t: "Numbers", y: "Numbers", swings: float) -> "Tuple[Numbers, Numbers, Numbers]":
+    """Times, least and largest values, of pieces of one and a half swings or more."""
+    pieces = int(max(2, min(swings / 1.5, 240)))
+    starts = np.unique(np.linspace(0, t.size, pieces, endpoint=False).astype(int))
+    middle = (t[starts] + t[np.append(starts[1:], t.size) - 1]) / 2
+    middle[0], middle[-1] = t[0], t[-1]
+    return middle, np.minimum.reduceat(y, starts), np.maximum.reduceat(y, starts)
+
+
+def _measured(ax: Any, t: "Numbers", y: "Numbers", swings: float) -> None:
+    if swings > MANY_SWINGS:
+        ax.fill_between(*_envelope(t, y, swings), color=BAND, linewidth=0, label="measured")
+    else:
+        ax.plot(t, y, ".", color=INK, markersize=1.8, label="measured")
+
+
+def _curve(ax: Any, t: "Numbers", y: "Numbers", swings: float, **look: Any) -> None:
+    if swings > MANY_SWINGS and t.size:
+        t, low, high = _envelope(t, y, swings)
+        ax.plot(t, low, **{**look, "label": "_"})
+        ax.plot(t, high, **look)
+    else:
+        ax.plot(t, y, **look)
+
+
+def _looks(methods: Sequence[str]) -> List[Dict[str, Any]]:
+    """Of curves drawn in this order: what lies below is wider, so that curves that coincide are all seen."""
+    looks = []
+    for i, method in enumerate(methods):
+        colour, dashes, width = LINES.get(method, (SOFT, "-", 1.3))
+        below = 0 if method == "exact" else min(1.8, 4 / len(methods)) * len(set(methods[i:]) - {method})
+        looks.append({"color": colour, "linestyle": dashes, "linewidth": width + below})
+    return looks
+
+
+def _swings(law: "LawFit") -> float:
+    return float(law["frequency"].value * (law.t[-1] - law.t[0])) if "frequency" in law and law.t.size else 0
+
+
 def fit(law: "LawFit", ax: Any = None) -> Any:
-    quantity = law.to_dict().get("recording", {}).get("observed", "position").replace("_", " ")
-    level = law.parameters["equilibrium"] if "equilibrium" in law.parameters else None
-    unit = f" ({level.unit})" if level and level.unit not in ("", "1") else ""
-    below = None
-    if ax is None:
+    quantity = law.recording.get("observed", "position").replace("_", " ")
+    unit = f" ({law._unit.strip()})" if law._unit else ""
+    swings = _swings(law)
+    few = law.t - law.t[:1] <= FEW_SWINGS * np.ptp(law.t) / swings if swings > MANY_SWINGS else None
+    own = ax is None
+    axes = [ax]
+    if own:
         import matplotlib.pyplot as plt
-        figure, (ax, below) = plt.subplots(2, 1, figsize=(7.6, 5.4), sharex=True, layout="constrained",
-                                           gridspec_kw={"height_ratios": [3, 1]})
-    ax.plot(law.t, law.measured, ".", color=INK, markersize=2.6, label="measured")
-    if law.residuals.size:
-        ax.plot(law.t, law.measured - law.residuals, color=LAW, linewidth=1.3, label=law.law)
-    _styled(ax, "" if below is not None else "time t (s)", quantity + unit)
-    _name(ax, below is not None)
-    if below is not None:
-        below.plot(law.t, law.residuals, ".", color=INK, markersize=2)
-        _styled(below, "time t (s)", "residual" + unit)
-        return np.array([ax, below])
-    return ax
+        heights = [3, 1] if few is None else [3, 2, 1]
+        axes = list(plt.subplots(len(heights), 1, figsize=(7.6, 1.8 * len(heights) + 1.8), layout="constrained",
+                                 gridspec_kw={"height_ratios": heights})[1])
+    look = {"color": LAW, "linewidth": 1.3, "label": law.law}
+    fitted = law.measured - law.residuals if law.residuals.size else law.measured[:0]
+    for i, each in enumerate(axes[:-1] if own else axes):
+        seen = few if i == 1 and few is not None else slice(None)
+        # axes that were given may be zoomed into, so they have every swing
+        dense = swings if own and i == 0 else 0
+        if fitted.size:
+            _curve(each, law.t[seen], fitted[seen], dense, zorder=2.5 if dense else 1.5, **look)
+        _measured(each, law.t[seen], law.measured[seen], dense)
+        _styled(each, "", quantity + unit)
+        _name(each, own)
+    if own:
+        axes[-1].plot(law.t, law.residuals, ".", color=INK, markersize=1.5)
+        _styled(axes[-1], "", "residual" + unit)
+        axes[-1].sharex(axes[0])
+    axes[-1].set_xlabel("time t (s)", color=SOFT)
+    return np.array(axes) if own else ax
 
 
 def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
@@ -82,10 +136,30 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
     across, up, across_name, up_name = axes[of]
     own = ax is None
     ax = _axes(ax, (4.8, 4.4) if of == "phase" else (7.6, 4.4))
-    for run in sorted(each_run, key=lambda each: each.method != "exact"):  # the road lies under the others
-        colour, dashes, width = LINES.get(run.method, (SOFT, "-", 1.3))
-        ax.plot(getattr(run, across), getattr(run, up), color=colour, linestyle=dashes, linewidth=width, label=run.label)
+    drawn = sorted(each_run, key=lambda each: each.method != "exact")  # the road lies under the others
+    for run, look in zip(drawn, _looks([each.method for each in drawn])):
+        ax.plot(getattr(run, across), getattr(run, up), label=run.label, **look)
     _styled(ax, across_name, up_name)
+    _name(ax, own)
+    return ax
+
+
+def compared(found: "_Compared", of: str, ax: Any = None) -> Any:
+    names = {"position": "displacement x", "residual": "measured less simulated", "phase_error": "phase error (rad)"}
+    if of not in names:
+        raise ValueError(f"of={of!r}: it is one of {', '.join(names)}")
+    own = ax is None
+    ax = _axes(ax)
+    law = found.fit
+    swings = _swings(law) if own and of != "phase_error" else 0
+    if of == "position":
+        _measured(ax, law.t, law.residuals + law.x, swings)
+    for curve, look in zip(found.curves, _looks([each.method for each in found.curves])):
+        if curve.label != curve.law:  # one constant decay rate
+            look["linestyle"] = DASHES
+        _curve(ax, curve.t, curve.x if of == "position" else getattr(curve, of), swings,
+               label=f"{curve.label},\nby {curve.method}", **look)
+    _styled(ax, "time t (s)", names[of] + ("" if of == "phase_error" else f" ({law._unit.strip()})" if law._unit else ""))
     _name(ax, own)
     return ax
 

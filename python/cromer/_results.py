@@ -65,6 +65,7 @@ class Result:
 
     @property
     def notices(self) -> List[Notice]:
+        """What there is to know about the result."""
         return [Notice(each["code"], each["severity"], each["text"], each["values"])
                 for each in self._document.get("notices", [])]
 
@@ -470,15 +471,46 @@ class Runs(Result, Sequence[Run]):
         return "\n".join(repr(each) for each in self._runs)
 
 
-class Curve:
-    """One simulated curve of a comparison: `t`, `x`, `v` and its numbers (`rms`, `r_squared`, `phase_drift`, ...)."""
+def _phase(t: Numbers, x: Numbers) -> Numbers:
+    """Half a turn from each crossing of zero to the next."""
+    i = np.flatnonzero(np.signbit(x[1:]) != np.signbit(x[:-1]))
+    if not i.size:
+        return np.full(t.size, np.nan)
+    crossings = t[i] - x[i] * (t[i + 1] - t[i]) / (x[i + 1] - x[i])
+    return np.asarray(np.interp(t, crossings, np.pi * np.arange(i.size), left=np.nan, right=np.nan))
 
-    def __init__(self, arrays: Mapping[str, Numbers], prefix: str, document: Dict[str, Any]) -> None:
+
+class Curve:
+    """One simulated curve of a comparison: per sample `t` [s], `x` [m], `v` [m/s], `residual` and `phase_error`; `label`,
+    `law` and `method`; `numbers` are those of docs/results.md (`rms`, `r_squared`, `phase_drift`, `law_rms`,
+    `method_phase`, ...), each an attribute too. For energies simulate the fit: cromer.simulate(comparison.fit, ...)."""
+
+    def __init__(self, comparison: "Comparison", prefix: str, document: Dict[str, Any]) -> None:
+        self._of = comparison
+        arrays = comparison._answer.arrays
         self.t, self.x, self.v = (arrays.get(prefix + name, np.empty(0)) for name in ("t", "x", "v"))
         self.label: str = document["label"]
         self.law: str = document["law"]
         self.method: str = document["method"]
         self.numbers = {name: value for name, value in document.items() if isinstance(value, (int, float))}
+
+    @property
+    def residual(self) -> Numbers:
+        """Measured less simulated displacement [m], of an angle [rad]."""
+        fit, n = self._of.fit, self.t.size  # fewer than the record has if the simulation ended early
+        return np.asarray(fit.residuals[:n] + fit.x[:n] - self.x)
+
+    @property
+    def phase_error(self) -> Numbers:
+        """Phase [rad] by which the curve is ahead of the fitted law's own motion, from where both cross the equilibrium;
+        NaN before the first crossing and after the last."""
+        ahead = _phase(self.t, self.x) - _phase(self.t, self._of.fit.x[:self.t.size])
+        known = ahead[np.isfinite(ahead)]
+        return ahead - np.pi * np.round(known[0] / np.pi) if known.size else ahead
+
+    def to_pandas(self) -> Any:
+        """The samples: t as the index, x, v, residual and phase_error."""
+        return _frame({"t": self.t, "x": self.x, "v": self.v, "residual": self.residual, "phase_error": self.phase_error}, "t")
 
     def __repr__(self) -> str:
         return f"Curve: {self.label} by {self.method}, rms {self.numbers.get('rms', float('nan')):.3g}"
@@ -490,27 +522,110 @@ class Curve:
         raise AttributeError(name)
 
 
-class Comparison(Result):
-    """A recorded motion beside its simulations: `curves`, `explanation` (in words) and `fit`."""
+class _Compared:
+    """What one comparison has, and several."""
 
-    def __init__(self, answer: Answer, document: Optional[Dict[str, Any]] = None) -> None:
-        super().__init__(answer, document)
+    curves: List[Curve]
+    explanation: str
+
+    @property
+    def fit(self) -> LawFit:
+        """The fit of the record, as `fit` finds it; made when it is first asked for."""
+        raise NotImplementedError
+
+    def to_pandas(self) -> Any:
+        """A row of numbers for each curve, by method and label; a Curve has its samples."""
+        import pandas
+        rows = [{"method": each.method, "simulated": each.label, **each.numbers} for each in self.curves]
+        return pandas.DataFrame(rows).set_index(["method", "simulated"]) if rows else pandas.DataFrame()
+
+    def plot(self, of: str = "position", ax: Any = None) -> Any:
+        """`of`: "position" (with the measured one), "residual" or "phase_error" of each curve against time. Returns
+        the axes."""
+        from . import _plot
+        return _plot.compared(self, of, ax)
+
+    def _repr_html_(self) -> str:
+        names = ["rms", "r_squared", "amplitude_ratio_end", "phase_drift"]
+        rows = [[each.method, each.label, *(f"{each.numbers[name]:.4g}" if name in each.numbers else "" for name in names)]
+                for each in self.curves]
+        said = "".join(f"<p>{html.escape(each)}</p>" for each in self.explanation.split("\n"))
+        return _table("Comparison", ["method", "simulated", *(name.replace("_", " ") for name in names)], rows) + said
+
+
+class Comparison(_Compared, Result):
+    """A recorded motion beside its simulations by one method: `curves` (one constant decay rate, the law), `status`
+    (of the fit), `message` (what went wrong), `explanation` (in words) and `fit`."""
+
+    def __init__(self, answer: Answer, first: Optional["Comparison"] = None) -> None:
+        """`first`: a comparison of the same record, which has the same fit."""
+        super().__init__(answer)
         if "comparisons" in self._document:
             raise InputError("the recording has several runs: name one with run=", "run", "several_runs")
+        self._first = first
+        self._fit: Optional[LawFit] = None
         run = self._document["recording"]["run"]
         self.status: str = self._document["status"]
+        self.message: str = self._document.get("message") or ""
         self.explanation: str = self._document.get("explanation") or ""
-        self.curves = [Curve(answer.arrays, f"{run}.{i + 1}.", each)
-                       for i, each in enumerate(self._document.get("curves") or [])]
-        self.fit = LawFit(answer, self._document.get("fit") or {})
+        self.curves = [Curve(self, f"{run}.{i + 1}.", each) for i, each in enumerate(self._document.get("curves") or [])]
+
+    @property
+    def fit(self) -> LawFit:
+        """The fit of the record, as `fit` finds it; made when it is first asked for."""
+        if self._first is not None:
+            return self._first.fit
+        if self._fit is None:
+            self._fit = LawFit(self._answer.by("fit", without=["method", "step"]))
+        return self._fit
 
     def __repr__(self) -> str:
-        return f"Comparison: {self.status}, {len(self.curves)} curves\n  {self.explanation}"
+        return f"Comparison: {self.status}, {len(self.curves)} curves\n  {self.explanation or self.message}"
+
+
+class Comparisons(_Compared, Sequence[Comparison]):
+    """A Comparison for each method: by number, or by the name of the method. `curves` and `explanation` are those of all,
+    `fit` is of the record. Each Comparison has its document, table and figure (`to_dict()`, ...)."""
+
+    def __init__(self, each_method: Sequence[Comparison]) -> None:
+        self._each = list(each_method)
+        self.curves = [curve for each in self._each for curve in each.curves]
+        self.explanation = "\n".join(each.explanation for each in self._each)
+
+    @property
+    def fit(self) -> LawFit:
+        """The fit of the record, as `fit` finds it; made when it is first asked for."""
+        return self._each[0].fit
+
+    @overload
+    def __getitem__(self, index: Union[int, str]) -> Comparison: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Comparison]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[Comparison, List[Comparison]]:
+        if isinstance(index, str):
+            for each in self._each:
+                if each.curves and each.curves[0].method == index:
+                    return each
+            raise KeyError(_unknown(index, self.keys(), "this"))
+        return self._each[index]
+
+    def __len__(self) -> int:
+        return len(self._each)
+
+    def keys(self) -> List[str]:
+        """The names of the methods."""
+        return [each.curves[0].method for each in self._each if each.curves]
+
+    def __repr__(self) -> str:
+        return "\n".join(repr(each) for each in self._each)
+
+    def __str__(self) -> str:
+        return "\n\n".join(str(each) for each in self._each)
 
 
 class Methods(Result, Sequence[Dict[str, Any]]):
     """The methods of integration, each with what it is and, with a step, what it simulates in place of the law
-    (`effective`, `stable`, `stability_limit`, `in_words`): by number or by name."""
+    ("effective", "stable", "stability_limit", "in_words"): by number or by name."""
 
     @overload
     def __getitem__(self, index: Union[int, str]) -> Dict[str, Any]: ...
@@ -530,6 +645,7 @@ class Methods(Result, Sequence[Dict[str, Any]]):
 
     @property
     def names(self) -> List[str]:
+        """The names of the methods."""
         return [each["name"] for each in self._document["methods"]]
 
     def to_pandas(self) -> Any:
@@ -559,26 +675,32 @@ class Spectrum(Result):
 
     @property
     def damping_ratio(self) -> Numbers:
+        """Of each spectrum [1]."""
         return np.array([each["damping_ratio"] for each in self._document["spectra"]])
 
     @property
     def sd(self) -> Numbers:
+        """Spectral displacement [m]."""
         return self._of("displacement")
 
     @property
     def psv(self) -> Numbers:
+        """Pseudo-velocity [m/s]."""
         return self._of("pseudo_velocity")
 
     @property
     def psa(self) -> Numbers:
+        """Pseudo-acceleration [m/s²]."""
         return self._of("pseudo_acceleration")
 
     @property
     def rotd50(self) -> Numbers:
+        """Of two components, the median over all directions [m]."""
         return self._of("rotd50")
 
     @property
     def rotd100(self) -> Numbers:
+        """Of two components, the largest over all directions [m]."""
         return self._of("rotd100")
 
     def to_pandas(self) -> Any:

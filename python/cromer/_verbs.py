@@ -13,7 +13,7 @@ from ._arguments import request_of
 from ._core import Answer, InputError, Progress, call
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
                        SpectrumOptions, SweepOptions)
-from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
+from ._results import Comparison, Comparisons, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -198,28 +198,41 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
     return runs if isinstance(method, (list, tuple)) else runs[0]
 
 
+@overload
+def compare(t: Any, y: Any = None, *, method: Optional[str] = ..., force: Any = None, observed: Optional[str] = None,
+            language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+            **options: "Unpack[CompareOptions]") -> Comparison: ...
+@overload
+def compare(t: Any, y: Any = None, *, method: Union[List[str], Tuple[str, ...]], force: Any = None, observed: Optional[str] = None,
+            language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+            **options: "Unpack[CompareOptions]") -> Comparisons: ...
 @_documented
-def compare(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = None,
-            language: Optional[str] = None, strict: bool = False,
-            progress: Union[None, bool, Progress] = None, **options: "Unpack[CompareOptions]") -> Comparison:
+def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, force: Any = None, observed: Optional[str] = None,
+            language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+            **options: "Unpack[CompareOptions]") -> Union[Comparison, Comparisons]:
     """A recorded motion beside the simulation of its law, and of one constant decay rate.
 
     Parameters
     ----------
     t, y, force, observed, language, strict, progress
         As of `fit`.
+    method : str or list of str
+        Of the simulation (euler-cromer if not given); `methods()` lists them. Of several, each has a comparison.
     {options}
 
     Returns
     -------
-    Comparison
+    Comparison of one method, Comparisons of a list of methods
     """
     request, arrays = _motion("compare", t, y, force)
     request.update(request_of({**options, "observed": observed, "language": language}, "compare"))
-    answer = call("compare", request, arrays, _shown(progress, "compare"))
-    made = Comparison(answer)
-    told(made, answer, strict, made.status)
-    return made
+    made: List[Comparison] = []
+    for each in method if isinstance(method, (list, tuple)) else [method]:
+        asked = request if each is None else {**request, "method": each}
+        answer = call("compare", asked, arrays, _shown(progress, "compare"))
+        made.append(Comparison(answer, made[0] if made else None))
+        told(made[-1], answer, strict, made[-1].message or made[-1].status)
+    return Comparisons(made) if isinstance(method, (list, tuple)) else made[0]
 
 
 @_documented

@@ -1,3 +1,4 @@
+import pickle
 import re
 
 import cromer
@@ -104,6 +105,45 @@ def test_a_comparison_says_what_the_method_adds():
     assert found.curves[0].t.size and found.curves[0].rms > 0
 
 
+def test_a_comparison_has_the_whole_fit():
+    t, x = swing(noise=1e-4)
+    x[300] = 2  # to be set aside
+    found = cromer.compare(t, x, method="rk4", step=0.01)
+    assert found.fit.to_dict() == found.to_dict()["fit"] and found.fit is found.fit
+    assert np.array_equal(found.fit.measured, x) and np.array_equal(found.fit.at([2.0]).x, cromer.fit(t, x).at([2.0]).x)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.fit["decay_rate"] == found.fit["decay_rate"] and "decay rate" in str(again.fit)
+
+
+def test_a_curve_against_time():
+    t, x = swing(noise=1e-6)
+    x[300] = 2
+    found = cromer.compare(t, x, method="euler-cromer", step=0.01)
+    curve = found.curves[1]
+    used = np.arange(t.size) != 300
+    assert np.sqrt(np.mean(curve.residual[used] ** 2)) == pytest.approx(curve.rms, rel=1e-9)
+    known = np.isfinite(curve.phase_error)
+    assert known.mean() > 0.95
+    late = t[known] > 15
+    drift = np.polyfit(t[known][late], curve.phase_error[known][late], 1)
+    assert abs(curve.method_phase) > 0.03
+    assert np.polyval(drift, t[-1]) == pytest.approx(curve.method_phase, rel=0.05)
+    assert list(curve.to_pandas().columns) == ["x", "v", "residual", "phase_error"]
+
+
+def test_a_comparison_of_several_methods():
+    t, x = swing(noise=1e-5)
+    found = cromer.compare(t, x, method=["forward-euler", "rk4"], step=0.01)
+    assert found.keys() == ["forward-euler", "rk4"] and len(found.curves) == 2 * len(found["rk4"].curves)
+    assert found["rk4"].curves[-1].rms == cromer.compare(t, x, method="rk4", step=0.01).curves[-1].rms
+    assert found.fit is found["rk4"].fit is found[0].fit
+    table = found.to_pandas()
+    assert table.loc["rk4"].rms.iloc[-1] == found["rk4"].curves[-1].rms < table.loc["forward-euler"].rms.iloc[-1]
+    assert found["rk4"].explanation in found.explanation and "rk4" in found._repr_html_()
+    with pytest.raises(KeyError, match="did you mean 'rk4'"):
+        found["rk5"]
+
+
 @pytest.mark.parametrize("wrong, argument", [({"step": -1}, "step"), ({"method": "rk5"}, "method"),
                                              ({"spacing": 0.1}, "spacing"), ({"stifness": 3}, "stifness"), ({"dt": 1}, "dt")])
 def test_wrong_input_is_said(wrong, argument):
@@ -132,6 +172,24 @@ def test_the_lines_are_those_of_the_programs_figures():
     assert (_plot.INK, _plot.LAW) == (roles["measured"][0], roles["fitted"][0])
 
 
+def test_many_swings_are_an_envelope_and_a_few_of_them():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    t, x = swing(seconds=60)
+    fit = cromer.fit(t, x, law="viscous")
+    whole, few, left = fit.plot()
+    low, high = sorted((line.get_ydata() for line in whole.lines), key=np.mean)
+    at = whole.lines[0].get_xdata()[5:-5]
+    for line, sign in ((low, -1), (high, 1)):
+        assert np.allclose(line[5:-5], sign * 0.05 * np.exp(-0.03 * at), rtol=0.04)
+    seen = few.lines[-1].get_xdata()
+    assert seen[-1] == pytest.approx(5 / fit["frequency"].value, abs=0.02) and left.lines[0].get_xdata().size == t.size
+    _, ax = plt.subplots()  # one that may be zoomed into has each sample
+    assert fit.plot(ax).lines[-1].get_xdata().size == t.size
+    plt.close("all")
+
+
 def test_pictures():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
@@ -145,10 +203,21 @@ def test_pictures():
     _, ax = plt.subplots()
     for each in runs:
         each.plot("position", ax=ax)
-    colours = [each.get_color() for each in ax.get_legend().get_texts()]
-    assert len(set(colours)) == 2
+    legend = ax.get_legend()
+    assert len({each.get_color() for each in legend.get_texts()}) == 2
+    ax.figure.canvas.draw()
+    assert legend.get_window_extent().y0 >= ax.get_window_extent().y1 - 1  # not across the data
     with pytest.raises(ValueError, match="phase"):
         runs.plot("poition")
+    widths = [each.get_linewidth() for each in cromer.simulate(stiffness=9, method=["euler-cromer", "rk4"], step=0.01,
+                                                               until=5).plot().lines]
+    assert widths[0] >= widths[1] + 1  # curves that coincide are both seen
+    compared = cromer.compare(t, x, method=["euler-cromer", "rk4"], step=0.01)
+    for each in (compared, compared[0]):
+        for of in ("position", "residual", "phase_error"):
+            assert len(each.plot(of).get_legend().get_texts()) == len(each.curves) + (of == "position")
+    with pytest.raises(ValueError, match="residual"):
+        compared.plot("energy")
     cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5)).plot()
     cromer.spectrum(np.sin(t), 0.01, periods=np.geomspace(0.1, 5, 20), damping_ratio=[0.02, 0.05]).plot("psv")
     plt.close("all")

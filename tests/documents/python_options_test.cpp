@@ -86,7 +86,7 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
   append<ReadOptions>(types, table, "read", "ReadOptions");
   append<FitOptions>(types, table, "fit", "FitOptions");
   append<SimulateOptions>(types, table, "simulate", "SimulateOptions", "method");
-  append<CompareOptions>(types, table, "compare", "CompareOptions");
+  append<CompareOptions>(types, table, "compare", "CompareOptions", "method");
   append<MethodsOptions>(types, table, "methods", "MethodsOptions");
   append<SweepOptions>(types, table, "sweep", "SweepOptions");
   append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions", "periods");
