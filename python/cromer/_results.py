@@ -8,7 +8,7 @@ import json
 import shlex
 import warnings
 from dataclasses import dataclass, replace
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 
@@ -282,6 +282,19 @@ class LawFit(_Motion):
             return f"{name!r}: it is the attribute .{known}" + (f"; give {_ASKED_BY[known]} to fit" if absent else "")
         return _unknown(name, self.keys(), "this fit")
 
+    if not TYPE_CHECKING:
+        def __getattr__(self, name: str) -> Any:
+            """Only of what does not exist: says what to write instead."""
+            known = _ALSO.get(name, name)
+            if name.startswith("_"):
+                raise AttributeError(name)
+            if known in self:
+                raise AttributeError(f"{name} is a quantity: fit[{known!r}]")
+            if known in _FROM:
+                raise AttributeError(self._why_not(name))
+            near = difflib.get_close_matches(name, [each for each in dir(self) if not each.startswith("_")], 1)
+            raise AttributeError(f"a fit has no {name}" + (f"; did you mean {near[0]}?" if near else ""))
+
     def __contains__(self, name: object) -> bool:
         return name in self.parameters or name in self.derived
 
@@ -338,7 +351,8 @@ class LawFit(_Motion):
                   for name, each in every.items() if name not in first)]
 
     def __repr__(self) -> str:
-        head = f"LawFit: {self.law or 'no law'}, {self.status}, residual (rms) {self.residual.rms:.3g}{self._unit}"
+        said = f", residual (rms) {self.residual.rms:.3g}{self._unit}" if self.succeeded else f": {self.message}"
+        head = f"LawFit: {self.law or 'no law'}, {self.status}{said}"
         return "\n".join([head, *(f"  {each.name.replace('_', ' ')} = {each}" for each in self._shown())])
 
     @property
@@ -379,6 +393,9 @@ class Fits(Result, Sequence[LawFit]):
 
     def __len__(self) -> int:
         return len(self._fits)
+
+    def __repr__(self) -> str:
+        return "\n".join(repr(each) for each in self._fits)
 
 
 class Run(_Motion):
@@ -525,8 +542,8 @@ class Curve:
 class _Compared:
     """What one comparison has, and several."""
 
+    _each: "List[Comparison]"
     curves: List[Curve]
-    explanation: str
 
     @property
     def fit(self) -> LawFit:
@@ -549,7 +566,7 @@ class _Compared:
         names = ["rms", "r_squared", "amplitude_ratio_end", "phase_drift"]
         rows = [[each.method, each.label, *(f"{each.numbers[name]:.4g}" if name in each.numbers else "" for name in names)]
                 for each in self.curves]
-        said = "".join(f"<p>{html.escape(each)}</p>" for each in self.explanation.split("\n"))
+        said = "".join(f"<p>{html.escape(each.explanation or each.message)}</p>" for each in self._each)
         return _table("Comparison", ["method", "simulated", *(name.replace("_", " ") for name in names)], rows) + said
 
 
@@ -562,6 +579,7 @@ class Comparison(_Compared, Result):
         super().__init__(answer)
         if "comparisons" in self._document:
             raise InputError("the recording has several runs: name one with run=", "run", "several_runs")
+        self._each = [self]
         self._first = first
         self._fit: Optional[LawFit] = None
         run = self._document["recording"]["run"]

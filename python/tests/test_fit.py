@@ -1,3 +1,4 @@
+import html
 import multiprocessing
 import os
 import pickle
@@ -164,6 +165,15 @@ def test_a_name_that_is_no_quantity_is_told_the_cure(name, options, cure):
     assert re.search(cure, refused.value.args[0])
 
 
+@pytest.mark.parametrize("name, cure", [("frequency", r"fit\['frequency'\]"), ("stiffness", "give mass= to fit"),
+                                        ("segments", "did you mean decay_segments"), ("nonsense", "has no nonsense")])
+def test_an_attribute_that_is_none_is_told_the_cure(name, cure):
+    fit = cromer.fit(*swing(), law="viscous")
+    with pytest.raises(AttributeError, match=cure):
+        getattr(fit, name)
+    assert not hasattr(fit, "_repr_png_") and getattr(fit, name, None) is None
+
+
 def test_estimates_are_written_and_keep_their_uncertainty():
     fit = cromer.fit(*swing(), mass=(0.2, 0.001), law="viscous")
     stiffness = fit["stiffness"]
@@ -198,7 +208,8 @@ def test_files_and_what_read_gave():
     assert of_file["angular_frequency"] == cromer.fit(recording)["angular_frequency"]
     of_arrays = cromer.fit(recording["time"], recording["position"])
     assert of_arrays["angular_frequency"].value == pytest.approx(of_file["angular_frequency"].value, rel=1e-12)
-    assert len(cromer.fit_all(recording)) == 1
+    every = cromer.fit_all(recording)
+    assert len(every) == 1 and repr(every) == repr(every[0])
 
 
 @pytest.mark.parametrize("arguments, options, argument, code", [
@@ -227,11 +238,14 @@ def test_what_does_not_succeed_warns_or_raises():
     noise = np.random.default_rng(3).normal(0, 1, t.size)
     with pytest.warns(cromer.FitWarning):
         fit = cromer.fit(t, noise)
-    assert not fit.succeeded and fit.message
+    assert not fit.succeeded and fit.message and fit.message in repr(fit)
     with pytest.raises(cromer.NoSuccess) as none, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         cromer.fit(t, noise, strict=True)
     assert none.value.result.status == fit.status
+    with pytest.warns(cromer.FitWarning):
+        compared = cromer.compare(t, noise)
+    assert compared.message in repr(compared) and html.escape(compared.message) in compared._repr_html_()
 
 
 def test_notices_are_warnings_with_codes():
