@@ -16,6 +16,10 @@ export interface Row {
 
 type Words = typeof measure
 
+/// Where a mass would give forces and none is given. An angle's is a moment of inertia.
+export const wantsMass = (fit: Pick<Fit, 'parameters' | 'units'>, mass: string): boolean =>
+  fit.units.displacement === 'm' && mass.trim() === '' && !fit.parameters.stiffness
+
 /// A live fit has no Reynolds number.
 export function rowsOf(fit: Pick<Fit, 'law' | 'coefficients' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
   const row = (key: string, estimate: Estimate | undefined) => rowOf(key, estimate, words)

@@ -1,15 +1,15 @@
-// A plot in words, from what is seen.
+// A plot in words, from what is seen. `phase`: its curves may go back in x.
 import { significant, withUnit } from '../look/numbers'
 import type { Words } from '../words/words.svelte'
 import type { Axis, Curve, Limits } from './curve'
 import { valueAtX } from './decimate'
 import { extentOf } from './extent'
 
-export function spokenPlot(w: Words['shell']['plot'], x: Axis, y: Axis, limits: Limits, curves: Curve[]): string {
+export function spokenPlot(w: Words['shell']['plot'], x: Axis, y: Axis, limits: Limits, curves: Curve[], phase: boolean): string {
   const value = (v: number, axis: Axis) => withUnit(significant(v, 3), axis.unit)
   const said = curves.slice(0, 6).map((curve) => {
     if (curve.unbounded) return w.grows(curve.name, value(extentOf(curve.y).size, y))
-    const last = valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0), curve.smooth)
+    const last = phase ? (curve.y.at(-1) ?? NaN) : valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0), curve.smooth)
     return Number.isFinite(last) ? w.ends(curve.name, value(last, y)) : ''
   })
   const capital = y.plain.charAt(0).toUpperCase() + y.plain.slice(1)

@@ -53,6 +53,11 @@ export function sentenceOf(rows: Row[], linear: LinearPart | null, words: Words)
     return { method: row.method, lead, text: text(lead) }
   }
   if (rows.length === 0 || !linear) return { method: '', lead: '', text: w.exactOnly }
+  const swinging = rows.filter((row) => row.simulated !== null)
+  const off = (row: Row) => Math.abs(row.simulated! - asked)
+  const worst = [...swinging].sort((a, b) => off(b) - off(a))[0]
+  const isOff = worst && off(worst) > 0.005 * Math.abs(asked) && off(worst) > 1e-6 * linear.natural_frequency && worst.energyFactor !== null
+  if (asked < 0) return isOff ? say(worst, (name) => w.otherRate(name, digits(asked), digits(worst.simulated!))) : { method: '', lead: '', text: w.lawGrows }
   const growing = rows.filter((row) => !row.stable).sort((a, b) => (a.simulated ?? -Infinity) - (b.simulated ?? -Infinity))[0]
   if (growing) {
     const limit = withUnit(significant(growing.limit ?? 0, 3), 's')
@@ -63,12 +68,9 @@ export function sentenceOf(rows: Row[], linear: LinearPart | null, words: Words)
       ? say(growing, (name) => w.growsBelow(name, digits(asked), digits(simulated), by, limit))
       : say(growing, (name) => w.growsAlways(name, digits(-simulated), by))
   }
-  const swinging = rows.filter((row) => row.simulated !== null)
-  if (swinging.length === 0) return { method: '', lead: '', text: w.creep }
-  const off = (row: Row) => Math.abs(row.simulated! - asked)
-  const worst = swinging.reduce((a, b) => (off(b) > off(a) ? b : a))
-  if (off(worst) > 0.005 * asked && off(worst) > 1e-6 * linear.natural_frequency && worst.energyFactor !== null) {
-    const loses = asPercent(change(worst.energyFactor))
+  if (!worst) return { method: '', lead: '', text: w.creep }
+  if (isOff) {
+    const loses = asPercent(change(worst.energyFactor!))
     const should = asPercent(change(linear.energy_factor_per_cycle))
     const text = worst.simulated! > asked ? w.adds : w.takes
     if (loses === should) return say(worst, (name) => w.otherRate(name, digits(asked), digits(worst.simulated!)))

@@ -125,7 +125,7 @@ let bounding = 0
 async function bound(state: SimulateState): Promise<void> {
   const mine = ++bounding
   const { natural_frequency: frequency = 0, damping_ratio: ratio = 0 } = current.linear ?? {}
-  if (!isLinear(state) || frequency === 0) return put({ limits: {} })
+  if (!isLinear(state) || frequency === 0 || (ratio ?? 0) < 0) return put({ limits: {} })
   const answer = await askAside(
     'effective',
     [['natural-frequency', String(frequency)], ['damping-ratio', String(ratio)], ['step', String(0.01 / frequency)]],

@@ -32,7 +32,7 @@ export const mostSteps = 1_000_000
 
 /** What an address may hold. */
 export const simulateRules: Rules<SimulateState> = {
-  mass: positive, damping: (damping, state) => damping >= 0 || state.vanDerPol !== 0, drag: notNegative, friction: notNegative, driveAmplitude: notNegative,
+  mass: positive, drag: notNegative, friction: notNegative, driveAmplitude: notNegative,
   driveFrequency: notNegative, methods: areMethods, quantity: oneOf('position', 'velocity', 'difference'),
   step: (step, state) => step > 0 && state.until / step <= mostSteps,
   until: (until, state) => until > 0 && until / state.step <= mostSteps,

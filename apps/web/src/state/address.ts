@@ -17,7 +17,7 @@ const textOf = (value: Plain): string => (Array.isArray(value) ? value.join(',')
 /** `text` as the kind of value that `like` is; undefined where it is none. */
 function read(text: string, like: Plain): Plain | undefined {
   if (Array.isArray(like)) return text === '' ? [] : text.split(',')
-  if (typeof like === 'boolean') return text === 'true'
+  if (typeof like === 'boolean') return text === 'true' ? true : text === 'false' ? false : undefined
   if (typeof like !== 'number') return text
   const value = Number(text)
   return text !== '' && Number.isFinite(value) ? value : undefined
@@ -37,13 +37,21 @@ export function addressOf(document: PageDocument): string {
   return `#${document.tab}${text ? `?${text}` : ''}`
 }
 
+/** A value of an address that is not possible, and what stands in its place. */
+export interface Replaced {
+  key: string // as in the address
+  text: string
+  by: string
+}
+
 /** Of an address, whatever it is: what cannot be read, or breaks a rule, keeps its default. */
-export function documentOf(address: string): PageDocument {
+export function readAddress(address: string): { document: PageDocument; replaced: Replaced[] } {
   const document = defaults()
   const [name, query] = address.replace(/^#/, '').split('?', 2)
   const tab = tabs.find((each) => each === name)
-  if (!tab) return document
+  if (!tab) return { document, replaced: [] }
   document.tab = tab
+  const given: { key: string; text: string; part: Part; field: string; read: boolean }[] = []
   for (const [key, text] of new URLSearchParams(query ?? '')) {
     const [head, tail] = key.split('.', 2)
     const of = tail ? tabs.find((each) => each === head) : tab
@@ -52,11 +60,23 @@ export function documentOf(address: string): PageDocument {
     if (!part || !Object.hasOwn(part, field)) continue
     const value = read(text, part[field])
     if (value !== undefined) part[field] = value
+    given.push({ key, text, part, field, read: value !== undefined })
   }
-  for (const each of tabs) keepToRules(document[each] as Part, defaults()[each] as Part, rules[each] as Rules<Part>)
-  return document
+  const broken = tabs.flatMap((each) => keepToRules(document[each] as Part, defaults()[each] as Part, rules[each] as Rules<Part>))
+  const replaced = given
+    .filter(({ part, field, read }) => !read || broken.some((each) => each.part === part && each.field === field))
+    .map(({ key, text, part, field }) => ({ key, text, by: textOf(part[field]!) }))
+  return { document, replaced }
 }
 
-function keepToRules(part: Part, otherwise: Part, rules: Rules<Part>): void {
-  for (const [field, allows] of Object.entries(rules)) if (!allows!(part[field]!, part)) part[field] = otherwise[field]!
+export const documentOf = (address: string): PageDocument => readAddress(address).document
+
+/** The fields that were against the rules. */
+function keepToRules(part: Part, otherwise: Part, rules: Rules<Part>): { part: Part; field: string }[] {
+  const broken = Object.keys(rules).filter((field) => {
+    if (rules[field]!(part[field]!, part)) return false
+    part[field] = otherwise[field]!
+    return true
+  })
+  return broken.map((field) => ({ part, field }))
 }

@@ -36,7 +36,7 @@ export interface Uncertainty {
   /// What a careful evaluation cannot do without, which is the page's own; and the largest that still says something.
   least: number
   most: number
-  /// So far off is a right value whatever its ±: twice the least one, and at least as far as the page's own value.
+  /// So far off is a right value whatever its ±: twice the least one, and at least as far as the page's own value and the lab's own formula.
   within: number
 }
 

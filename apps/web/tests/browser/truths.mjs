@@ -45,6 +45,28 @@ const go = async (page, hash) => {
     await fitted(page, 'rising.csv', recording(60, (t, i) => 0.2 + 0.01 * Math.exp(0.02 * t) * Math.cos(9 * t) + noise(i)))
     assert.doesNotMatch(await page.locator('body').innerText(), /quote the law|One decay rate is enough|The mass limits/)
   })
+  await check('one rate is said to be enough only where it hardly changes', async () => {
+    // drag of 0.5 1/m and a rate of 0.01 1/s, 4 mm at 9 rad/s: from 0.0176 to 0.0147 1/s, which 30 s do not show
+    const perAmplitude = (4 * 0.5 * 9) / (3 * Math.PI)
+    const amplitude = (t) => (0.004 * 0.01 * Math.exp(-0.01 * t)) / (0.01 + perAmplitude * 0.004 * (1 - Math.exp(-0.01 * t)))
+    await fitted(page, 'weak.csv', recording(30, (t, i) => 0.2 + amplitude(t) * Math.cos(9 * t) + noise(i, 5e-4)))
+    await page.evaluate(() => (location.hash = '#measure?law=viscous'))
+    await settled(page)
+    const [, from, to, part] = (await panel(page)).match(/No change of the decay rate is seen\.\s+Between the amplitudes ([\d.]+)\u00a0mm and ([\d.]+)\u00a0mm it may still change by up to (\d+)\u00a0%/).map(Number)
+    const rates = [from, to].map((mm) => 0.01 + (perAmplitude * mm) / 1000)
+    assert.ok((200 * (rates[0] - rates[1])) / (rates[0] + rates[1]) < part, `${from} ${to} ${part}`)
+    await fitted(page, 'steady.csv', recording(120, (t, i) => 0.2 + 0.03 * Math.exp(-0.02 * t) * Math.cos(9 * t) + noise(i)))
+    assert.match(await panel(page), /One decay rate is enough\.\s+Between the amplitudes .* it changes by at most [\d.]+\u00a0% \(95\u00a0%\)/)
+    await page.evaluate(() => (location.hash = '#measure'))
+    await settled(page)
+  })
+  await check('a mass is asked for only where it gives forces', async () => {
+    const asked = async () => (await panel(page)).includes('Give the mass')
+    await fitted(page, 'metres.csv', recording(20, (t, i) => 0.2 + 0.03 * Math.exp(-0.02 * t) * Math.cos(9 * t) + noise(i)))
+    assert.equal(await asked(), true)
+    await fitted(page, 'degrees.csv', recording(20, (t, i) => 3 * Math.exp(-0.02 * t) * Math.cos(9 * t) + noise(i, 0.03), 'Time (s),Angle (deg)'))
+    assert.equal(await asked(), false)
+  })
   await check('the column used is shown after a second file', async () => {
     const two = (first, second) => recording(20, (t, i) => [0.2 + 0.03 * Math.cos(9 * t) + noise(i), 0.1 + 0.02 * Math.cos(9 * t) + noise(i + 7)], `Time (s),${first} (m),${second} (m)`)
     for (const [name, first, second] of [['one.csv', 'Position x', 'Position y'], ['two.csv', 'Position left', 'Position right'], ['three.csv', 'Position x', 'Position z']]) {

@@ -4,6 +4,7 @@ import { read, start } from '../../src/core/core'
 import type { Comparisons, Fits } from '../../src/core/types'
 import { percent } from '../../src/look/numbers'
 import { withUncertainty } from '../../src/measure/uncertain'
+import { airViscosity } from '../../src/teach/air'
 import { answerOf, check } from '../../src/teach/check'
 import { keyOfOne } from '../../src/teach/key_one'
 import { keyOfTwo as keyOf } from '../../src/teach/key_two'
@@ -11,6 +12,8 @@ import { tolerant } from '../../src/teach/options'
 import { oscillatorOf } from '../../src/teach/own_oscillator'
 import { questionsOf, type AskCore, type Expected } from '../../src/teach/questions'
 import { seedOf } from '../../src/teach/seed'
+import { teach as de } from '../../src/words/de/teach'
+import { teach as en } from '../../src/words/en/teach'
 import { massText, discText, recordingOptions, truthOf } from '../../src/teach/truth'
 
 const expected: Expected = {
@@ -104,7 +107,7 @@ function byHand(text: string, mass: [value: number, error: number], disc: number
   const spread = part.reduce((sum, [t]) => sum + (t - mid) ** 2, 0)
   const slope = part.reduce((sum, [t, l]) => sum + (t - mid) * (l - level), 0) / spread
   const left = Math.sqrt(part.reduce((sum, [t, l]) => sum + (l - level - slope * (t - mid)) ** 2, 0) / (part.length - 2) / spread)
-  const reynolds = (2 * Math.PI * frequency[0] * peaks[0]![1] * disc) / 1.516e-5
+  const reynolds = (2 * Math.PI * frequency[0] * peaks[0]![1] * disc) / airViscosity
   return {
     frequency,
     stiffness: [stiffness, stiffness * Math.hypot(mass[1] / mass[0], (2 * frequency[1]) / frequency[0])] as [number, number],
@@ -188,6 +191,25 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
     expect(check(String(early.value), '0.0001', key.rate)).toMatchObject({ verdict: 'notYet', slip: 'first' })
   })
 
+  it('asks for the Reynolds number with the viscosity of air that the core has', async () => {
+    const opened = await start(await WebAssembly.compile(readFileSync(core)))
+    const [amplitude, frequency, disc] = [0.03, 2, 0.1]
+    // undamped: the largest speed is 2πfA, and is among the samples
+    const made = read<'synthetic'>(opened.answer('synthetic', [
+      ['mass', '1 kg'], ['stiffness', String((2 * Math.PI * frequency) ** 2)], ['position', `${amplitude} m`], ['until', '20 s'], ['method', 'exact'],
+      ['step', '10 ms'], ['sensor-noise', '0.01 mm'], ['seed', '1'],
+    ]))
+    if (made.status === 2) throw new Error('refused')
+    const fitted = read<'fit'>(opened.answer('fit', [['law', 'viscous'], ['disc-diameter', `${disc} m`]], new TextEncoder().encode(made.document.text)))
+    if (fitted.status === 2) throw new Error('refused')
+    const viscosity = (2 * Math.PI * frequency * amplitude * disc) / fitted.document.fits[0]!.reynolds!.max!
+    expect(Math.abs(viscosity / airViscosity - 1)).toBeLessThan(3e-4)
+    for (const [words, told] of [[en, '1.506'], [de, '1,506']] as const) {
+      expect(words.two.map(({ byHand }) => byHand?.text ?? '').join()).toContain(`*ν* = ${told} · 10⁻⁵ m²/s`)
+      expect(Number(told.replace(',', '.'))).toBe(Number((airViscosity * 1e5).toPrecision(9)))
+    }
+  })
+
   it.each(recordings)('calls right what the page itself says of recording %s-%s, and a careful hand', { timeout: 240_000 }, async (course, student) => {
     const opened = await start(await WebAssembly.compile(readFileSync(core)))
     const ask: AskCore = async (task, options, asking) =>
@@ -216,6 +238,9 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
       const answer = answerOf(text, key[question].unit)
       expect([text, check(answer.value, answer.uncertainty!, key[question]).verdict]).toEqual([text, 'right'])
     }
+    // the text's formula from true values, whatever its ±
+    const formula = (2 * Math.PI * key.frequency.value * truth.start * truth.disc) / airViscosity
+    for (const value of [Math.round(formula), formula]) expect(check(String(value), String(0.0005 * value), key.reynolds).verdict).toBe('right')
     const off = percent(compared.comparisons[0]!.curves[0]!.amplitude_ratio_end! - 1, 3)
     expect([off, check(off, '0.1', key.off).verdict]).toEqual([off, 'right'])
     const hand = byHand(text, [truth.massRead, truth.massUncertainty], truth.disc)

@@ -207,7 +207,10 @@ export const measure: typeof en = {
     falls: (from, to) => `Sie fällt von ${from} auf ${to} 1/s, während die Schwingung abklingt; anzugeben ist das Gesetz.`,
     rises: (from, to) => `Sie steigt von ${from} auf ${to} 1/s, während die Schwingung abklingt; anzugeben ist das Gesetz.`,
     enough: 'Eine Abklingrate genügt.',
-    enoughWhy: (rate) => `Bei jeder Amplitude ist sie ${rate} im Rahmen ihrer Unsicherheit.`,
+    enoughWhy: (largest, smallest, most) => `Zwischen den Amplituden ${largest} und ${smallest} ändert sie sich um höchstens ${most} (95\u00a0%).`,
+    unseen: 'Keine Änderung der Abklingrate zu sehen.',
+    unseenWhy: (largest, smallest, most) =>
+      `Zwischen den Amplituden ${largest} und ${smallest} kann sie sich trotzdem um bis zu ${most} ändern; eine längere oder größere Schwingung gäbe Auskunft.`,
     limits: (of) => ['Die Masse begrenzt ', of, '.'],
     limitsWhy: (uncertainty, rest) => `Von ihren ± ${uncertainty} verursacht die Waage alles bis auf ${rest}.`,
     limitsAll: (uncertainty) => `Von ihren ± ${uncertainty} verursacht die Waage praktisch alles.`,

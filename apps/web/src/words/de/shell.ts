@@ -15,6 +15,8 @@ export const shell: typeof en = {
   close: 'Schließen',
   linkCopied: 'Der Link ist kopiert; er enthält alle Einstellungen.',
   cannotCopy: 'Der Browser hat das Kopieren nicht erlaubt. Der Text ist markiert: bitte von Hand kopieren.',
+  notPossible: (values) => `Nicht möglich in diesem Link: ${values.join('; ')}.`,
+  instead: (given, by) => `${given} (${by ? `stattdessen ${by}` : 'weggelassen'})`,
   saved: (name) => `Gesichert als ${name}.`,
   plot: {
     showNumbers: 'Zahlen zeigen',

@@ -120,6 +120,7 @@ export const simulate: typeof en = {
     takes: (method, asked, gets, loses, should) =>
       `${method} nimmt Dämpfung weg: aus ${asked} 1/s werden ${gets}. Eine freie Schwingung verliert ${loses} je Periode statt ${should}.`,
     fine: (method, off) => `Alle halten die Dämpfung ein. Der größte Frequenzfehler ist ${off}, bei ${method}.`,
+    lawGrows: 'Die Dämpfung ist negativ: Die Bewegung wächst nach dem Gesetz selbst.',
     creep: 'Das Gesetz kriecht zurück, ohne zu schwingen. Alle gezeigten Verfahren sind stabil.',
     exactOnly: 'Die exakte Lösung simuliert, was verlangt ist.',
   },

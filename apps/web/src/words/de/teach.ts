@@ -1,3 +1,4 @@
+import { airViscosity } from '../../teach/air'
 import type { StepWords, teach as en } from '../en/teach'
 
 export const teach: typeof en = {
@@ -191,7 +192,7 @@ export const teach: typeof en = {
       title: 'Die Reynolds-Zahl',
       predict: { ask: 'Die Scheibe bewegt sich um einige Zentimeter, etwa einmal in der Sekunde. Wie groß ist ihre Reynolds-Zahl höchstens?', options: ['etwa 1: ruhig, wie in Sirup', 'etwa 100', 'über 1000'], told: 'Über 1000: die Luft wird beiseitegeschoben, nicht geschert.' },
       byHand: {
-        text: 'Die **größte Reynolds-Zahl** ausrechnen: *Re* = *vD*/*ν*, mit der größten Geschwindigkeit *v* = 2π*f A* am Anfang, dem Durchmesser *D* und für Luft *ν* = 1,516 · 10⁻⁵ m²/s. Strömt die Luft ruhig um die Scheibe?',
+        text: `Die **größte Reynolds-Zahl** ausrechnen: *Re* = *vD*/*ν*, mit der größten Geschwindigkeit *v* = 2π*f A* am Anfang, dem Durchmesser *D* und für Luft *ν* = ${(airViscosity * 1e5).toFixed(3).replace('.', ',')} · 10⁻⁵ m²/s. Strömt die Luft ruhig um die Scheibe?`,
         goal: 'Zu tun: die Reynolds-Zahl angeben', done: 'Erledigt: die Reynolds-Zahl ist angegeben',
       },
       text: 'Wieder das Gesetz mit **Luftwiderstand** wählen und die **größte Reynolds-Zahl** ablesen. Strömt die Luft ruhig um die Scheibe?',

@@ -206,7 +206,10 @@ export const measure = {
     falls: (from: string, to: string) => `It falls from ${from} to ${to} 1/s as the swing dies down; quote the law instead.`,
     rises: (from: string, to: string) => `It rises from ${from} to ${to} 1/s as the swing dies down; quote the law instead.`,
     enough: 'One decay rate is enough.',
-    enoughWhy: (rate: string) => `At every amplitude it is ${rate} within its uncertainty.`,
+    enoughWhy: (largest: string, smallest: string, most: string) => `Between the amplitudes ${largest} and ${smallest} it changes by at most ${most} (95\u00a0%).`,
+    unseen: 'No change of the decay rate is seen.',
+    unseenWhy: (largest: string, smallest: string, most: string) =>
+      `Between the amplitudes ${largest} and ${smallest} it may still change by up to ${most}; a longer or larger swing would tell.`,
     limits: (of: string) => ['The mass limits ', of, '.'],
     limitsWhy: (uncertainty: string, rest: string) => `Of its ± ${uncertainty}, the balance causes all but ${rest}.`,
     limitsAll: (uncertainty: string) => `Of its ± ${uncertainty}, the balance causes practically all.`,

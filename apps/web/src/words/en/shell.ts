@@ -13,6 +13,8 @@ export const shell = {
   close: 'Close',
   linkCopied: 'The link is copied: it holds all settings.',
   cannotCopy: 'The browser did not allow copying. The text is selected: copy it by hand.',
+  notPossible: (values: string[]) => `Not possible in this link: ${values.join('; ')}.`,
+  instead: (given: string, by: string) => `${given} (${by ? `${by} instead` : 'left out'})`,
   saved: (name: string) => `Saved as ${name}.`,
   plot: {
     showNumbers: 'Show numbers',

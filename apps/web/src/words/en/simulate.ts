@@ -118,6 +118,7 @@ export const simulate = {
     takes: (method: string, asked: string, gets: string, loses: string, should: string) =>
       `${method} takes damping away: ${asked} 1/s becomes ${gets}. A free swing loses ${loses} every cycle instead of ${should}.`,
     fine: (method: string, off: string) => `All keep the damping. The largest frequency error is ${off}, of ${method}.`,
+    lawGrows: 'The damping is negative: the motion grows by the law itself.',
     creep: 'The law creeps back without swinging. All methods shown are stable.',
     exactOnly: 'The exact solution simulates what was asked for.',
   },

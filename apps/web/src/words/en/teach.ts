@@ -1,3 +1,5 @@
+import { airViscosity } from '../../teach/air'
+
 /// One step of a tour. **bold** and *italic* are marked.
 export interface StepWords {
   title: string
@@ -204,7 +206,7 @@ export const teach = {
       title: 'The Reynolds number',
       predict: { ask: 'The disc moves by some centimetres, about once a second. How large is its Reynolds number at most?', options: ['about 1: calm, as in syrup', 'about 100', 'above 1000'], told: 'Above 1000: the air is moved aside, not sheared.' },
       byHand: {
-        text: 'Work out the **largest Reynolds number**: *Re* = *vD*/*ν*, with the largest speed *v* = 2π*f A* at the start, the diameter *D* and, for air, *ν* = 1.516 · 10⁻⁵ m²/s. Is the air’s flow about the disc a calm one?',
+        text: `Work out the **largest Reynolds number**: *Re* = *vD*/*ν*, with the largest speed *v* = 2π*f A* at the start, the diameter *D* and, for air, *ν* = ${(airViscosity * 1e5).toFixed(3)} · 10⁻⁵ m²/s. Is the air’s flow about the disc a calm one?`,
         goal: 'To do: the Reynolds number is answered', done: 'Done: the Reynolds number is answered',
       },
       text: 'Choose the law with **drag** again and read the **largest Reynolds number**. Is the air’s flow about the disc a calm one?',
