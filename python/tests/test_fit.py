@@ -320,6 +320,35 @@ def test_progress_ends_the_work():
         cromer.fit(t, x, progress=failing)
 
 
+def test_progress_is_told_within_the_fit_of_one_law():
+    t, x = swing(seconds=300)
+    told = []
+
+    def third_word(done):
+        told.append(done)
+        return len(told) < 3
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        fit = cromer.fit(t, x, law="viscous+drag+cubic+hysteresis", progress=third_word)
+    assert len(told) == 3 and told == sorted(told) and told[-1] > 0
+    assert not fit.succeeded and "interrupted" in fit.message
+
+
+def test_ctrl_c_ends_the_fit_of_one_law():
+    t, x = swing(seconds=300)
+    told = []
+
+    def interrupt(done):
+        if not told:
+            signal.raise_signal(signal.SIGINT)
+        told.append(done)
+
+    with pytest.raises(KeyboardInterrupt):
+        cromer.fit(t, x, law="viscous+drag+cubic+hysteresis", progress=interrupt)
+    assert len(told) < 5
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
 def test_a_forked_process_works_on():
     t, x = swing()

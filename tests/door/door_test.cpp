@@ -294,6 +294,20 @@ TEST(DoorFit, ProgressEndsIt) {
   EXPECT_GE(calls, 1);
 }
 
+TEST(DoorFit, OneLawIsHeardOfAndEndedAsWell) {
+  const Swing made = swing(20000);
+  std::vector<double> shares;
+  const auto fit = cromer::fit(made.t, made.y, {.law = "viscous+drag", .progress = [&](double done) {
+                                                  shares.push_back(done);
+                                                  return false;
+                                                }});
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(shares.size(), 1u);
+  EXPECT_TRUE(fit->interrupted);
+  EXPECT_FALSE(fit->succeeded());
+  EXPECT_THAT(fit->message, testing::HasSubstr("interrupted"));
+}
+
 TEST(DoorFit, ThreadsDoNotDisturbEachOther) {
   const Swing made = swing();
   const std::string alone = cromer::json(*cromer::fit(made.t, made.y));

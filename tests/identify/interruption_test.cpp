@@ -3,6 +3,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/fit_settings.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
@@ -22,6 +23,28 @@ TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
   const LawChoice choice = choose_law(record.record(), {}, watch);
   EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
   EXPECT_THAT(in_words(choice.chosen.message), testing::StartsWith("interrupted"));
+}
+
+TEST(Interruption, AFitOfOneLawTellsOfItsPassesAndEndsWithinThem) {
+  const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
+  for (const Law& law : {law_of("viscous"), law_of("viscous+drag+cubic")}) {
+    std::atomic<bool> stop{false};
+    std::vector<double> shares;
+    std::size_t last = 0;
+    const Watch watch{&stop, [&](double share) {
+                        shares.push_back(share);
+                        stop = shares.size() == last;
+                      }};
+    EXPECT_EQ(fit_law(record.record(), {.law = law}, counting_passes(watch)).status, FitStatus::converged);
+    EXPECT_GE(shares.size(), 5u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_LT(shares.back(), 1);
+    last = 3;
+    shares.clear();
+    const LawFit fit = fit_law(record.record(), {.law = law}, counting_passes(watch));
+    EXPECT_THAT(in_words(fit.message), testing::StartsWith("interrupted"));
+    EXPECT_EQ(fit.angular_frequency().value, 0);
+  }
 }
 
 TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {

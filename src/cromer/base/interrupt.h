@@ -13,7 +13,8 @@ struct Watch {
   const std::atomic<bool>* interrupt =
       nullptr;  ///< set by the caller (a signal, a button); looked at every few hundred steps
   std::function<void(double fraction)>
-      progress{};  ///< called now and then with 0 to 1, from the working thread
+      progress{};                 ///< called now and then with 0 to 1, from the working thread
+  std::function<void()> pulse{};  ///< called at each look at interrupted(), from whatever thread works
   std::shared_ptr<std::atomic<double>>
       steps_left{};  ///< integration steps left before the work ends; empty: no limit
 
@@ -22,6 +23,7 @@ struct Watch {
   }
   bool out_of_steps() const { return steps_left && *steps_left < 0; }
   bool interrupted() const {
+    if (pulse) pulse();
     return (interrupt && interrupt->load(std::memory_order_relaxed)) || out_of_steps();
   }
 };
@@ -29,7 +31,7 @@ struct Watch {
 /// The Watch of the part of the work from share `from` to share `to`, 0 <= from <= to <= 1. `whole` must
 /// outlive it.
 inline Watch part_of(const Watch& whole, double from, double to) {
-  Watch part{whole.interrupt, {}};
+  Watch part{whole.interrupt, {}, whole.pulse};
   if (whole.progress)
     part.progress = [&whole, from, to](double fraction) { whole.progress(from + (to - from) * fraction); };
   return part;

@@ -497,9 +497,8 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
   if (held.force_offset && known.motion.force_offset != 0) known.motion = without_offset(known.motion);
   Motion values = known.motion;
   values.per_mass.hysteresis_exponent = options.hysteresis_exponent;
-  FittedParameters fitted = fitted_parameters(options.law, options.drive.kind, held, values);
-  if (const int at = fitted.place_of(Viscous::coefficients[0].parameter); options.may_grow && at >= 0)
-    fitted.of[at].may_be_negative = true;
+  const FittedParameters fitted =
+      fitted_parameters(options.law, options.drive.kind, held, values, options.may_grow);
   const Problem problem(record, options, fitted, watch);
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {

@@ -41,6 +41,17 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
   return bound;
 }
 
+Watch counting_passes(const Watch& whole) {
+  if (!whole.progress) return whole;
+  Watch counting = whole;
+  counting.pulse = [&whole, passes = 0]() mutable {
+    constexpr double to_half = 20;
+    ++passes;
+    whole.progress(passes / (passes + to_half));
+  };
+  return counting;
+}
+
 Notice why_ended(const Watch& watch) {
   return Notice{watch.out_of_steps() ? "too_many_steps" : "interrupted"};
 }

@@ -32,6 +32,10 @@ auto interruptible(Model model, const Watch& watch, double steps = 0) {
 /// periods between few samples would take minutes.
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
 
+/// The watch that tells of a fit of one law. How many passes it takes is known at its end only: the share
+/// done rises with each by ever less. `whole` must outlive it.
+Watch counting_passes(const Watch& whole);
+
 /// A fit without values: a half-finished minimum would look like a result.
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch);
 
@@ -66,13 +70,6 @@ Minimum minimise_both(const Model& model, const Parameters& start, const LeastSq
   minimum.bounded.iterations += beyond.iterations;
   if (beyond.reason == LeastSquaresReason::converged) minimum.free = beyond;
   return minimum;
-}
-
-/// Whether a swing of this law grows without a bound where its viscous damping is negative. Beside another
-/// damping, a negative one would only stand in for a shape that neither has.
-constexpr bool may_grow(Law law) {
-  return Law{law.terms & dampings.terms} == law_with<Viscous> && !law.shares(bounding_terms) &&
-         !law.has<Hysteresis>();
 }
 
 /// The fit or, where it ends at no damping at all and a negative one clearly does better, that of the swing

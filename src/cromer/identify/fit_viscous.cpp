@@ -16,12 +16,13 @@
 namespace cromer::core {
 namespace {
 
-// The viscous law in the phasor's own parameters, grown from a first part to the whole record.
-Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions& options,
+// The viscous law in the phasor's own parameters, grown from a first part to the whole record. `least` is the
+// lowest decay rate that may be.
+Minimum fit_phasor(const Record& record, StartValues start, double least, const LawFitOptions& options,
                    const Watch& watch) {
   Minimum minimum;
   double& decay_rate = start.phasor[DampedPhasor::decay_rate];
-  if (!options.may_grow) decay_rate = std::max(0.0, decay_rate);
+  decay_rate = std::max(least, decay_rate);
   int iterations = 0;
   for (;;) {
     if (start.samples < record.t.size()) start = grown(record, start);
@@ -29,7 +30,7 @@ Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions&
     LeastSquaresOptions settings = least_squares_options(part, options);
     const double duration = part.t.back() - part.t.front();
     settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
-    if (!options.may_grow) settings.lower[DampedPhasor::decay_rate] = 0;
+    settings.lower[DampedPhasor::decay_rate] = least;
     const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
     // Near critical damping the sum of squares is a long valley: many short steps lead to its minimum. The
@@ -116,12 +117,12 @@ LawFit fit_from(const StartValues& start, const Record& record, const LawFitOpti
                 const Watch& watch) {
   LawFit fit;
   fit.law = law_of("viscous");
-  const Minimum minimum = fit_phasor(record, start, options, watch);
+  const FittedParameters fitted = fitted_parameters(fit.law, DriveKind::none, {}, {}, options.may_grow);
+  const double least = fitted.lower_bounds()[fitted.place_of("decay_rate")];
+  const Minimum minimum = fit_phasor(record, start, least, options, watch);
   if (watch.interrupted()) return interrupted_fit(options, watch);
   fit.iterations = minimum.bounded.iterations;
   const Parameters& p = minimum.bounded.parameters;
-  FittedParameters fitted = fitted_parameters(fit.law);
-  fitted.of[fitted.place_of("decay_rate")].may_be_negative = options.may_grow;
   const Motion motion = motion_of_phasor(p, record.derivative);
 
   // The same covariance, for the motion's parameters.

@@ -61,14 +61,21 @@ constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law 
 
 /// Terms that pull a body back to rest. Every law has one of them.
 inline constexpr Law springs = law_with<Spring, Pendulum>;
-/// Terms that can only take energy away.
+/// Terms that take energy away where their coefficients are positive.
 inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
 /// Terms that bound a swing which negative damping feeds.
 inline constexpr Law bounding_terms = law_where([](const TermInfo& info) { return info.bounds; });
-/// Whether a coefficient may be negative in this law.
-constexpr bool may_be_negative(const CoefficientInfo& info, Law law) {
+/// Whether a coefficient may be negative in this law. One that feeds the swing may where another term bounds
+/// it, and in `growing`, a part of a motion that is not bounded while it is seen (see may_grow()).
+constexpr bool may_be_negative(const CoefficientInfo& info, Law law, bool growing = false) {
   return info.sign == Sign::any ||
-         (info.sign == Sign::not_negative_unless_bounded && law.shares(bounding_terms));
+         (info.sign == Sign::not_negative_unless_fed && (growing || law.shares(bounding_terms)));
+}
+/// Whether a swing of this law may grow without a bound: viscous damping is its only one. Beside another, a
+/// negative one would only stand in for a shape that neither has.
+constexpr bool may_grow(Law law) {
+  return Law{law.terms & dampings.terms} == law_with<Viscous> && !law.shares(bounding_terms) &&
+         !law.has<Hysteresis>();
 }
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;

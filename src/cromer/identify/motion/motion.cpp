@@ -25,8 +25,8 @@ Parameters FittedParameters::lower_bounds() const {
   return lower;
 }
 
-FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParameters held,
-                                   const Motion& values) {
+FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParameters held, const Motion& values,
+                                   bool growing) {
   FittedParameters fitted;
   fitted.held = values;
   fitted.held.law = law;
@@ -37,7 +37,7 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
       fitted.of[fitted.count++] = {.name = info.parameter,
                                    .coefficient = T::template members<double>[i],
                                    .as = info.fitted,
-                                   .may_be_negative = may_be_negative(info, law)};
+                                   .may_be_negative = may_be_negative(info, law, growing)};
     }
   });
   // A pendulum's frequency is listed where a spring's is.

@@ -118,8 +118,8 @@ struct HeldParameters {
 
 /// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then
 /// offset or equilibrium, position, velocity; the angular frequency first. Parameters marked in `held` keep
-/// their value from `values`; the motion's law becomes `law`.
+/// their value from `values`; the motion's law becomes `law`. `growing` as in may_be_negative().
 FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none,
-                                   HeldParameters held = {}, const Motion& values = {});
+                                   HeldParameters held = {}, const Motion& values = {}, bool growing = false);
 
 }  // namespace cromer::core

@@ -47,7 +47,7 @@ T from_fitted(FittedAs as, const T& fitted) {
 enum class Sign {
   any,
   not_negative,
-  not_negative_unless_bounded,  ///< below 0 it feeds the swing, which another term must bound
+  not_negative_unless_fed,  ///< below 0 it feeds the swing: law.h says where it may
 };
 
 /// One coefficient of a term.
@@ -69,7 +69,7 @@ struct TermInfo {
   std::string_view formula;  ///< "ka x|x|"
   std::string_view meaning;  ///< what makes such a force
   std::string_view source;
-  bool damps = false;        ///< takes energy and never gives any
+  bool damps = false;        ///< takes energy, at a positive coefficient, and never gives any
   bool acts_at_rest = true;  ///< its force depends on the position alone
   bool bounds = false;       ///< bounds the swing that a negative viscous damping feeds
 };

@@ -21,7 +21,7 @@ struct Viscous {
                                                            .meaning = "viscous damping c",
                                                            .length = -1,
                                                            .time = 1,
-                                                           .sign = Sign::not_negative_unless_bounded,
+                                                           .sign = Sign::not_negative_unless_fed,
                                                            .fitted = FittedAs::half}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::damping};

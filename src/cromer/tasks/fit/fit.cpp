@@ -11,6 +11,7 @@
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/second_mode.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
@@ -96,7 +97,7 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
                  {{"law", options.law}, {"column", series.column}, {"kind", kind_of(series.quantity)}}};
   decay.law = **law;
   LawChoice choice;
-  choice.chosen = fit_law(record, decay, watch);
+  choice.chosen = fit_law(record, decay, counting_passes(watch));
   choice.candidates = {choice.chosen};
   return choice;
 }
