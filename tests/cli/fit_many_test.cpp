@@ -112,7 +112,7 @@ TEST(FitMany, AFigureThatFailsLeavesTheResult) {
   path ? setenv("LD_LIBRARY_PATH", before.c_str(), 1) : unsetenv("LD_LIBRARY_PATH");
   for (const Finished& end : {fitted, compared}) {
     EXPECT_EQ(end.status, 2);
-    EXPECT_THAT(end.err, HasSubstr("apt install librsvg2-2; .svg does without it"));
+    EXPECT_THAT(end.err, HasSubstr("install it (Debian's package librsvg2-2) or write .svg"));
   }
   EXPECT_FALSE(folder.has("lab.png") || folder.has("lab.pdf"));
   EXPECT_THAT(fitted.out, HasSubstr("decay rate"));

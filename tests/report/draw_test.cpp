@@ -100,7 +100,7 @@ unsigned png_number(const std::string& png, std::size_t at) {
 }
 
 bool is_missing(const Result<std::string>& picture) {
-  return !picture && in_words(picture.error()).find("apt install librsvg2-2") != std::string::npos;
+  return !picture && picture.error().notice.code == "librsvg_is_missing";
 }
 
 TEST(Draw, APngHasTwoPxForEachOfTheFigures) {

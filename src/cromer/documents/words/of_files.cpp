@@ -39,10 +39,10 @@ constexpr Entry entries[] = {
     {"names_no_figure", error, "\"{path}\" names no figure: end it with .svg, .png or .pdf",
      "„{path}“ nennt keine Abbildung: bitte mit .svg, .png oder .pdf enden lassen"},
     {"librsvg_is_missing", error,
-     "PNG and PDF are drawn by librsvg, which cannot be loaded ({why}): install it, for instance with apt "
-     "install librsvg2-2; .svg does without it",
-     "PNG und PDF zeichnet librsvg, das sich nicht laden lässt ({why}): bitte installieren, zum Beispiel mit "
-     "apt install librsvg2-2; .svg geht ohne"},
+     "PNG and PDF are drawn by librsvg, which cannot be loaded ({why}): install it (Debian's package "
+     "librsvg2-2) or write .svg, which does without it",
+     "PNG und PDF zeichnet librsvg, das sich nicht laden lässt ({why}): bitte installieren (bei Debian das "
+     "Paket librsvg2-2) oder .svg schreiben, das ohne geht"},
     {"librsvg_failed", error, "librsvg could not draw the figure: {why}",
      "librsvg konnte die Abbildung nicht zeichnen: {why}"},
     {"no_reason_given", clause, "it gave no reason", "es nannte keinen Grund"},
