@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -48,8 +49,8 @@ TEST(MeasuredOscillator, TurningPointsKeepToTheirErrors) {
     const auto turns = turning_points(run(Exact{}, {.mass = 1, .stiffness = 36}, {0.6, 1.9}, 5, h));
     const double phase = std::atan2(1.9 / 6, 0.6) / 6;
     ASSERT_GE(turns.size(), 9u);
-    EXPECT_NEAR(turns[8].t, phase + 8 * half, 0.02 * std::pow(6 * h, 3) / 6);
-    EXPECT_NEAR(turns[8].x, std::hypot(0.6, 1.9 / 6), std::pow(6 * h, 4) / 300);
+    EXPECT_NEAR(turns[8].t, phase + 8 * half, std::pow(6 * h, 5) / 6 / 6);
+    EXPECT_NEAR(turns[8].x, std::hypot(0.6, 1.9 / 6), std::pow(6 * h, 6) / 700);
   }
 }
 
@@ -96,38 +97,79 @@ TEST(Recurrence, NeedsAnOscillation) {
   EXPECT_FALSE(measure_recurrence(std::vector<double>(100, 1.0), 0.1, 1));
 }
 
+// x = sum of c[k] u^k; the turning points of the polynomials are known.
+Trajectory along(const std::vector<double>& times, const std::array<double, 4>& c) {
+  Trajectory kept;
+  for (const double u : times) {
+    kept.t.push_back(10 + u);
+    kept.x.push_back(c[0] + u * (c[1] + u * (c[2] + u * c[3])));
+    kept.v.push_back(c[1] + u * (2 * c[2] + u * 3 * c[3]));
+  }
+  return kept;
+}
+
 TEST(TurningPoints, OfACubicAreExactHoweverFarApartTheStates) {
   // x = u^3 - 3 u turns at -1 and 1.
   for (const double sign : {1.0, -1.0})
-    for (const auto& places :
-         {std::vector<double>{-2, 0, 2}, {-1.1, 0.9, 1.1}, {-1.5, -0.95, 3}, {-4, -0.9, 1.001}}) {
-      Trajectory kept;
-      for (const double u : places) {
-        kept.t.push_back(10 + u);
-        kept.x.push_back(sign * (u * u * u - 3 * u));
-        kept.v.push_back(sign * (3 * u * u - 3));
-      }
-      const auto found = turning_points(kept);
+    for (const auto& places : {std::vector<double>{-4, -2, -1.5, -0.9, 0, 0.2, 2, 2.5, 4},
+                               {-1.3, -1.2, -1.1, 0.2, 0.3, 0.9, 1.1, 7, 8}}) {
+      const auto found = turning_points(along(places, {0, -3 * sign, 0, sign}));
       ASSERT_EQ(found.size(), 2u) << places[0];
       EXPECT_NEAR(found[0].t, 9, 1e-13) << places[0];
-      EXPECT_NEAR(found[0].x, 2 * sign, 1e-12);
+      EXPECT_NEAR(found[0].x, 2 * sign, 1e-11);
       EXPECT_NEAR(found[1].t, 11, 1e-13);
-      EXPECT_NEAR(found[1].x, -2 * sign, 1e-12);
+      EXPECT_NEAR(found[1].x, -2 * sign, 1e-11);
     }
 }
 
-TEST(TurningPoints, OfAParabolaAreExact) {
-  for (const double sign : {1.0, -1.0})
-    for (const double turn : {0.1, 1.0, 1.9}) {
-      // x = 3 + (t - turn)^2 from 0 to 2.
-      const Trajectory kept{{0, 2},
-                            {sign * (3 + turn * turn), sign * (3 + (2 - turn) * (2 - turn))},
-                            {-2 * sign * turn, 2 * sign * (2 - turn)}};
-      const auto found = turning_points(kept);
-      ASSERT_EQ(found.size(), 1u);
-      EXPECT_NEAR(found[0].t, turn, 1e-14);
-      EXPECT_NEAR(found[0].x, 3 * sign, 1e-14);
+TEST(TurningPoints, AreSeenByThreeStatesOnEitherSide) {
+  const std::array<double, 4> parabola{3.25, -1, 1, 0};  // turns at 0.5
+  for (const double sign : {1.0, -1.0}) {
+    std::array<double, 4> c = parabola;
+    for (double& each : c) each *= sign;
+    const auto found = turning_points(along({-2, -1, 0, 1, 2, 3}, c));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].t, 10.5, 1e-14);
+    EXPECT_NEAR(found[0].x, 3 * sign, 1e-14);
+    EXPECT_TRUE(turning_points(along({-1, 0, 1, 2, 3}, c)).empty());
+    EXPECT_TRUE(turning_points(along({-2, -1, 0, 1, 2}, c)).empty());
+  }
+}
+
+TEST(TurningPoints, OfAFirstOrderMethodAreThoseOfItsVelocity) {
+  // Without damping Euler-Cromer swings at 2/h asin(w h/2), with an even amplitude.
+  for (const double h : {0.1, 0.05}) {
+    const double wh = 6 * h, own = 2 / h * std::asin(wh / 2);
+    const Trajectory kept = run(EulerCromer{}, {.mass = 1, .stiffness = 36}, {1, 0}, 20.03, h);
+    const auto measured = measure_oscillator(kept);
+    ASSERT_TRUE(measured);
+    const double turns = measured->half_cycles;
+    EXPECT_NEAR(measured->angular_frequency, own, own * std::pow(wh, 5) / 3 / (turns * std::numbers::pi));
+    EXPECT_NEAR(measured->last_amplitude / measured->first_amplitude, 1, std::pow(wh, 4) / 300);
+    EXPECT_NEAR(measured->decay_rate, 0, std::pow(wh, 4) / 1000);
+  }
+}
+
+TEST(TurningPoints, FrictionDoesNotMoveThem) {
+  // From 1 m, each half swing about the place +-F/k where friction holds the spring.
+  for (const double h : {0.1, 0.05, 0.02}) {
+    Trajectory kept;
+    for (double t = 0.3 * h; t < 7; t += h) {
+      const double half = std::floor(6 * t / std::numbers::pi), sign = std::fmod(half, 2) == 0 ? 1 : -1;
+      const double A = 1 - 0.06 * half - 0.03, phase = 6 * t - half * std::numbers::pi;
+      kept.t.push_back(t);
+      kept.x.push_back(sign * (0.03 + A * std::cos(phase)));
+      kept.v.push_back(-6 * sign * A * std::sin(phase));
     }
+    const auto found = turning_points(kept);
+    ASSERT_EQ(found.size(), 13u);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double turn = static_cast<double>(i + 1);
+      EXPECT_NEAR(found[i].t, turn * std::numbers::pi / 6, std::pow(6 * h, 5) / 6 / 6) << h;
+      EXPECT_NEAR(std::abs(found[i].x), 1 - 0.06 * turn,
+                  0.06 * std::pow(6 * h, 2) / 60 + std::pow(6 * h, 6) / 700);
+    }
+  }
 }
 
 TEST(TurningPoints, AMassThatComesToRestTurnsOnce) {

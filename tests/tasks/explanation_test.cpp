@@ -183,6 +183,29 @@ TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
   EXPECT_EQ(energy({.start = 1, .end = 3, .drive = 2}, 0), "");
 }
 
+TEST(RunInWords, TellsWhatLastsFromWhatComesAndGoes) {
+  const auto words = [](const char* method, double until) {
+    SimulateOptions options;
+    options.mass = 0.2176;
+    options.natural_frequency = 8.849;
+    options.law.drag = 0.2;
+    options.position = 0.05;
+    options.method = {method};
+    options.step = 0.01;
+    options.until = until;
+    const auto result = simulate(options);
+    return result ? in_words(run_notice(result->runs.front())) : in_words(result.error());
+  };
+  // Its energy swings by w h/2 = 4.4 % of what is left, a fifth by now, up and down in turn.
+  for (const double until : {29.7, 29.9, 30.1, 30.3})
+    EXPECT_THAT(words("euler-cromer", until),
+                testing::ContainsRegex("the method itself (nothing|0.0[0-9]+ %|added 0.0[0-9]+ %), beside "
+                                       "[0-4].?[0-9]* % that come and go$"))
+        << until;
+  EXPECT_THAT(words("forward-euler", 30), testing::Not(testing::HasSubstr("come and go")));
+  EXPECT_THAT(words("rk4", 30), testing::Not(testing::HasSubstr("come and go")));
+}
+
 TEST(RunInWords, SaysWhetherALawThatKeepsItsEnergyDid) {
   const auto kept = [](double end, const char* method) {
     SimulatedRun run = run_of(method);

@@ -1,9 +1,11 @@
 #include "cromer/analysis/measured_oscillator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/line.h"
@@ -12,18 +14,51 @@
 namespace cromer::core {
 namespace {
 
-/// Where the cubic through two states (v of opposite signs) turns.
+/// The parabola through three samples, the nearest first.
+struct Parabola {
+  std::array<double, 3> t;
+  double value, slope, bend;  ///< at the first sample; of u = t - t[0]: value + slope u + bend u^2
+
+  Parabola(const std::vector<double>& times, const std::vector<double>& y,
+           const std::array<std::size_t, 3>& of)
+      : t{times[of[0]], times[of[1]], times[of[2]]}, value(y[of[0]]) {
+    const double first = (y[of[1]] - value) / (t[1] - t[0]), second = (y[of[2]] - value) / (t[2] - t[0]);
+    bend = (second - first) / (t[2] - t[1]);
+    slope = first - bend * (t[1] - t[0]);
+  }
+  double root() const {
+    const double part = std::sqrt(std::max(0.0, slope * slope - 4 * bend * value));
+    return t[0] - 2 * value / (slope + std::copysign(part, slope));
+  }
+  /// What an interpolation leaves out grows as this.
+  double distance(double at) const { return std::abs((at - t[0]) * (at - t[1]) * (at - t[2])); }
+};
+
+constexpr std::size_t beside = 3;  // states on either side of a turning point
+
+/// The polynomial through the states beside a turning point, of which state `i` is the last before it.
+double position_at(const Trajectory& kept, std::size_t i, double t) {
+  double sum = 0;
+  for (std::size_t a = i + 1 - beside; a <= i + beside; ++a) {
+    double part = kept.x[a];
+    for (std::size_t b = i + 1 - beside; b <= i + beside; ++b)
+      if (b != a) part *= (t - kept.t[b]) / (kept.t[a] - kept.t[b]);
+    sum += part;
+  }
+  return sum;
+}
+
+/// Where the velocity is zero between two states with opposite signs. Of a first-order method velocity and
+/// slope of the position differ by half a step: the velocity alone tells when, as it does of a release from
+/// rest. Dry friction bends it sharply at its zero: it is followed there from either side by itself, and
+/// what the two leave out cancels.
 TurningPoint turn_between(const Trajectory& kept, std::size_t i) {
-  const double h = kept.t[i + 1] - kept.t[i], rise = kept.x[i + 1] - kept.x[i];
-  const double v0 = h * kept.v[i], v1 = h * kept.v[i + 1];
-  // x(s) = x0 + v0 s + b s^2 + c s^3, s from 0 to 1; its slope changes sign once.
-  const double b = 3 * rise - 2 * v0 - v1, c = v0 + v1 - 2 * rise;
-  const double root = std::sqrt(std::max(0.0, b * b - 3 * c * v0));
-  // Of the two forms of the root, the one without cancellation.
-  double s = b >= 0 ? -v0 / (b + root) : (root - b) / (3 * c);
-  if (!(s >= 0 && s <= 1)) s = b >= 0 ? (-root - b) / (3 * c) : v0 / (root - b);
-  if (!(s >= 0 && s <= 1)) s = v0 / (v0 - v1);
-  return {kept.t[i] + s * h, kept.x[i] + s * (v0 + s * (b + s * c))};
+  const Parabola before(kept.t, kept.v, {i, i - 1, i - 2}), after(kept.t, kept.v, {i + 1, i + 2, i + 3});
+  const auto within = [&](double t) { return std::clamp(t, kept.t[i], kept.t[i + 1]); };
+  const double early = within(before.root()), late = within(after.root()), middle = (early + late) / 2;
+  const double share = after.distance(middle) / (after.distance(middle) + before.distance(middle));
+  const double t = late + share * (early - late);
+  return {t, position_at(kept, i, t)};
 }
 
 /// The turning point at a state whose velocity is zero. A mass that stays there came to rest between this
@@ -43,7 +78,7 @@ std::vector<TurningPoint> turning_points(const Trajectory& kept) {
   for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
     if (kept.v[i] == 0) {
       if (i == 0 ? kept.v[1] != 0 : kept.v[i - 1] != 0) found.push_back(rests_from(kept, i));
-    } else if (kept.v[i] * kept.v[i + 1] < 0) {
+    } else if (kept.v[i] * kept.v[i + 1] < 0 && i + 1 >= beside && i + beside < kept.size()) {
       found.push_back(turn_between(kept, i));
     }
   }

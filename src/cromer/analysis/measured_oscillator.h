@@ -17,9 +17,10 @@ struct TurningPoint {
   double x = 0;  // [m]
 };
 
-/// Where the velocity changes sign, each on the cubic through position and velocity of the states before and
-/// after. Error: about (w h)^3/100 of t in periods/2 pi, (w h)^4/400 of x in amplitudes. A mass that comes to
-/// rest turns there once.
+/// Where the velocity changes sign, seen by three states before and three after: one nearer to an end of the
+/// trajectory is left out. Error with h from state to state: about (w h)^5/6 of t in periods/2 pi, where
+/// friction acts as well; (w h)^6/700 of x in amplitudes, (w h)^2/60 of what friction takes of them in half a
+/// cycle. A mass that comes to rest turns there once.
 std::vector<TurningPoint> turning_points(const Trajectory& trajectory);
 
 /// A free motion's mean frequency and decay, from its turning points. Of any law; where the frequency changes

@@ -82,7 +82,9 @@ struct Described<Candidate> {
   static constexpr auto entries =
       members(field(
                   "law", [](const Candidate& c) { return to_text(c.law); }, "", "a law that was tried"),
-              field("rms", &Candidate::rms, unit_of_column, "rms of its residuals"),
+              field("rms", &Candidate::rms, unit_of_column,
+                    "rms of its residuals; of a law that is clearly worse, fitted in coarse steps, to about "
+                    "a thousandth"),
               field("bic", &Candidate::bic, "", "Bayesian information criterion; smaller is better"),
               field(
                   "between_samples", [](const Candidate& c) { return unless_empty(c.between_samples); }, "",

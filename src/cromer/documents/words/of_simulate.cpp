@@ -382,6 +382,8 @@ constexpr Entry entries[] = {
     {"nothing", clause, "nothing", "nichts"},
     {"took_percent", clause, "{percent:.2g} %", "{percent:.2g} %"},
     {"added_percent", clause, "added {percent:.2g} %", "fügte {percent:.2g} % hinzu"},
+    {"and_comes_and_goes", clause, "{lasting}, beside {percent:.2g} % that come and go",
+     "{lasting}, neben {percent:.2g} %, die kommen und gehen"},
 };
 
 }  // namespace

@@ -347,7 +347,7 @@ class LawSearch {
 
   // Fits the chosen law, and those that come close to it, as finely as the record asks for.
   void settle() {
-    constexpr double close = 30;  // of BIC: rough fits know it to about 1
+    constexpr double close = 30;  // of BIC: rough fits know it to about 10
     best_ = choose_candidate(candidates_, record_.resolution);
     for (std::optional<std::size_t> next = best_; next && !watch_.interrupted();) {
       LawFit& rough = candidates_[*next];

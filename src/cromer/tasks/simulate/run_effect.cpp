@@ -1,5 +1,6 @@
 #include "cromer/tasks/simulate/run_effect.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/tasks/simulate/drive_setup.h"
+#include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
@@ -50,8 +52,19 @@ Notice name_of_resistance() {
   return Notice{"term", {{"name", T::coefficients[0].option}}};
 }
 
+/// "24 %", "added 24 %", "nothing"; "added 0.1 %, and 2 % that come and go".
+Notice method_notice(const MethodEnergy& method, double there) {
+  const double made = method.lasting / there, swing = method.swing / there;
+  const Notice lasting =
+      std::abs(made) < nothing_to_speak_of
+          ? Notice{"nothing"}
+          : Notice{made < 0 ? "took_percent" : "added_percent", {{"percent", 100 * std::abs(made)}}};
+  if (swing < std::max(std::abs(made), nothing_to_speak_of)) return lasting;
+  return Notice{"and_comes_and_goes", {{"lasting", lasting}, {"percent", 100 * swing}}};
+}
+
 /// "had 0.5 J, of which drag took 75.6 %, the method itself 24 %".
-Notice energy_notice(const EnergyBalance& balance, bool symplectic) {
+Notice energy_notice(const EnergyBalance& balance, const MethodEnergy& method, bool symplectic) {
   double there = balance.start;
   Notice givers;
   const auto gain = [&](const Notice& what, double part) {
@@ -71,13 +84,9 @@ Notice energy_notice(const EnergyBalance& balance, bool symplectic) {
   for_each_resistance([&]<class T>() { add(name_of_resistance<T>(), balance.taken_by<T>()); });
   if (takers.empty()) return balance.drive == 0 ? kept_energy_notice(balance, symplectic) : Notice{};
   if (!givers.empty()) givers = Notice{"with_what_gave", {{"givers", givers}}};
-  const double made = balance.method() / there;
-  const Notice method =
-      std::abs(made) < nothing_to_speak_of
-          ? Notice{"nothing"}
-          : Notice{made < 0 ? "took_percent" : "added_percent", {{"percent", 100 * std::abs(made)}}};
-  return Notice{"energy_went_to",
-                {{"energy", there}, {"givers", givers}, {"takers", takers}, {"method", method}}};
+  return Notice{
+      "energy_went_to",
+      {{"energy", there}, {"givers", givers}, {"takers", takers}, {"method", method_notice(method, there)}}};
 }
 
 Notice joined(const Notice& first, const Notice& second) {
@@ -124,9 +133,12 @@ Notice step_notice(const SimulatedRun& run) {
 Notice effect_notice(const SimulatedRun& run) {
   if (run.effect) return effect_notice(*run.effect, linear_law(run.oscillator, run.drive));
   if (is_linear(law_of(run.oscillator))) return {};
-  return joined(run.measured ? swing_notice(*run.measured) : Notice{},
-                run.energy_balance ? energy_notice(*run.energy_balance, find_method(run.method)->symplectic)
-                                   : Notice{});
+  Notice energy;
+  if (run.energy_balance) {
+    const MethodEnergy method = method_energy_of(run).value_or(MethodEnergy{run.energy_balance->method(), 0});
+    energy = energy_notice(*run.energy_balance, method, find_method(run.method)->symplectic);
+  }
+  return joined(run.measured ? swing_notice(*run.measured) : Notice{}, energy);
 }
 
 Notice steady_notice(const SimulatedRun& run) {

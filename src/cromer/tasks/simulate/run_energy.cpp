@@ -10,6 +10,7 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/exact_energy_balance.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/law_force.h"
@@ -168,6 +169,18 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
         },
         *run.general);
   return std::nullopt;
+}
+
+std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
+  if (!run.measured || !run.energy_balance || run.trajectory.size() < 2) return std::nullopt;
+  const double made = run.energy_balance->method();
+  if (run.method == "exact") return MethodEnergy{made, 0};
+  const std::vector<double>& t = run.trajectory.t;
+  const double before = run.outcome.t - two_pi / 4 / run.measured->angular_frequency;
+  const auto i = std::lower_bound(t.begin(), t.end(), before) - t.begin();
+  const auto no_force = [](double) { return 0.0; };
+  const double earlier = from_states(run, no_force, 0, static_cast<std::size_t>(i)).method();
+  return MethodEnergy{(made + earlier) / 2, std::abs(made - earlier) / 2};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {

@@ -18,6 +18,16 @@ namespace cromer::core {
 /// than 20 states, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
+/// What the method made (+) or lost (-) by the end of a free motion under a law that is not linear. Within a
+/// half cycle it comes and goes: its values at the end and a quarter cycle before are `lasting` +- `swing`.
+struct MethodEnergy {
+  double lasting = 0;  // [J]
+  double swing = 0;    // [J] >= 0
+};
+
+/// From run.measured and run.energy_balance; empty without either.
+std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run);
+
 /// Kinetic plus potential energy of each kept state [J].
 std::vector<double> energies(const SimulatedRun& run);
 
