@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import signal
 import subprocess
 
 import numpy as np
@@ -11,6 +12,14 @@ from hypothesis import settings
 settings.register_profile("cromer", database=None, derandomize=True)
 settings.load_profile("cromer")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True)
+def ctrl_c_is_heard():
+    """Python does not hear it where the shell began the tests in the background."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture(scope="session")
