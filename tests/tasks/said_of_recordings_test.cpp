@@ -118,6 +118,19 @@ TEST(SaidOfRecordings, AMotionThatComesToRestIsNotLost) {
   }
 }
 
+TEST(SaidOfRecordings, OfACaughtSwingNoDecayIsKnownWhicheverTheLaw) {
+  for (const double caught : {27.0, 25.6})
+    for (const unsigned seed : {1u, 2u}) {
+      const auto bytes = recorded({.duration = 28, .rate = 36, .noise = 2e-4, .seed = seed}, [&](double t) {
+        const double then = std::min(t, caught);
+        return 0.2 + 0.05 * swing(then, 9, 0.02) * std::exp(-(t - then) / 0.03);
+      });
+      const auto said = in_words(fitted(bytes).notices);
+      EXPECT_THAT(said, Contains(HasSubstr("as when a hand catches it")));
+      EXPECT_THAT(said, Not(Contains(HasSubstr("whichever law is right"))));
+    }
+}
+
 TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
   for (unsigned seed = 1; seed <= cases(4u); ++seed)
     for (const double size : {0.3, 0.6, 0.8}) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "cromer/analysis/air.h"
 #include "cromer/base/interrupt.h"
@@ -102,6 +103,21 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
   return choice;
 }
 
+// What was stopped has not come to rest by friction, after whatever number of half swings. Of a record that
+// is no free swing of one law nothing is known whichever law is right.
+void drop_what_no_longer_holds(std::vector<Notice>& notices) {
+  const auto drop_beside = [&](std::initializer_list<std::string_view> said, std::string_view dropped) {
+    const auto is_said = [&](const Notice& each) {
+      return std::find(said.begin(), said.end(), each.code) != said.end();
+    };
+    if (std::any_of(notices.begin(), notices.end(), is_said))
+      std::erase_if(notices, [&](const Notice& each) { return each.code == dropped; });
+  };
+  drop_beside({"law_over_a_stop"}, "half_swings_before_rest_unsure");
+  drop_beside({"law_over_a_stop", "swing_stops", "zero_jumps", "zero_drifts", "no_law_describes"},
+              "rival_laws");
+}
+
 }  // namespace
 
 const Estimate* FittedRecording::find(std::string_view wanted) const {
@@ -194,12 +210,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
-  // What was stopped has not come to rest by friction, after whatever number of half swings.
-  const auto is = [](std::string_view code) {
-    return [code](const Notice& each) { return each.code == code; };
-  };
-  if (std::any_of(result.notices.begin(), result.notices.end(), is("law_over_a_stop")))
-    std::erase_if(result.notices, is("half_swings_before_rest_unsure"));
+  drop_what_no_longer_holds(result.notices);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;
