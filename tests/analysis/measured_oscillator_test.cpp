@@ -46,11 +46,11 @@ TEST(MeasuredOscillator, FindsTheLinearLaw) {
 TEST(MeasuredOscillator, TurningPointsKeepToTheirErrors) {
   const double half = std::numbers::pi / 6;
   for (const double h : {0.05, 0.025, 0.0125}) {
-    const auto turns = turning_points(run(Exact{}, {.mass = 1, .stiffness = 36}, {0.6, 1.9}, 5, h));
-    const double phase = std::atan2(1.9 / 6, 0.6) / 6;
+    const auto turns = turning_points(run(Exact{}, {.mass = 1, .stiffness = 36}, {0.6, -1.9}, 5, h));
+    const double phase = half - std::atan2(1.9 / 6, 0.6) / 6;
     ASSERT_GE(turns.size(), 9u);
     EXPECT_NEAR(turns[8].t, phase + 8 * half, std::pow(6 * h, 5) / 6 / 6);
-    EXPECT_NEAR(turns[8].x, std::hypot(0.6, 1.9 / 6), std::pow(6 * h, 6) / 700);
+    EXPECT_NEAR(turns[8].x, -std::hypot(0.6, 1.9 / 6), std::pow(6 * h, 6) / 300);
   }
 }
 
@@ -112,7 +112,7 @@ TEST(TurningPoints, OfACubicAreExactHoweverFarApartTheStates) {
   // x = u^3 - 3 u turns at -1 and 1.
   for (const double sign : {1.0, -1.0})
     for (const auto& places : {std::vector<double>{-4, -2, -1.5, -0.9, 0, 0.2, 2, 2.5, 4},
-                               {-1.3, -1.2, -1.1, 0.2, 0.3, 0.9, 1.1, 7, 8}}) {
+                               {-1.3, -1.2, -1.1, -0.9, 0.3, 0.9, 1.1, 7, 8}}) {
       const auto found = turning_points(along(places, {0, -3 * sign, 0, sign}));
       ASSERT_EQ(found.size(), 2u) << places[0];
       EXPECT_NEAR(found[0].t, 9, 1e-13) << places[0];
@@ -154,7 +154,7 @@ TEST(TurningPoints, FrictionDoesNotMoveThem) {
   // From 1 m, each half swing about the place +-F/k where friction holds the spring.
   for (const double h : {0.1, 0.05, 0.02}) {
     Trajectory kept;
-    for (double t = 0.3 * h; t < 7; t += h) {
+    for (double t = 0.3 * h; t < 7.3; t += h) {
       const double half = std::floor(6 * t / std::numbers::pi), sign = std::fmod(half, 2) == 0 ? 1 : -1;
       const double A = 1 - 0.06 * half - 0.03, phase = 6 * t - half * std::numbers::pi;
       kept.t.push_back(t);
@@ -167,7 +167,7 @@ TEST(TurningPoints, FrictionDoesNotMoveThem) {
       const double turn = static_cast<double>(i + 1);
       EXPECT_NEAR(found[i].t, turn * std::numbers::pi / 6, std::pow(6 * h, 5) / 6 / 6) << h;
       EXPECT_NEAR(std::abs(found[i].x), 1 - 0.06 * turn,
-                  0.06 * std::pow(6 * h, 2) / 60 + std::pow(6 * h, 6) / 700);
+                  0.06 * std::pow(6 * h, 2) / 60 + std::pow(6 * h, 6) / 300);
     }
   }
 }

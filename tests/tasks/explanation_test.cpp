@@ -188,7 +188,7 @@ TEST(RunInWords, TellsWhatLastsFromWhatComesAndGoes) {
     SimulateOptions options;
     options.mass = 0.2176;
     options.natural_frequency = 8.849;
-    options.law.drag = 0.2;
+    options.law.drag = 0.02;
     options.position = 0.05;
     options.method = {method};
     options.step = 0.01;
@@ -196,11 +196,11 @@ TEST(RunInWords, TellsWhatLastsFromWhatComesAndGoes) {
     const auto result = simulate(options);
     return result ? in_words(run_notice(result->runs.front())) : in_words(result.error());
   };
-  // Its energy swings by w h/2 = 4.4 % of what is left, a fifth by now, up and down in turn.
+  // Its energy swings by w h/2 = 4.4 % of what is left.
   for (const double until : {29.7, 29.9, 30.1, 30.3})
-    EXPECT_THAT(words("euler-cromer", until),
-                testing::ContainsRegex("the method itself (nothing|0.0[0-9]+ %|added 0.0[0-9]+ %), beside "
-                                       "[0-4].?[0-9]* % that come and go$"))
+    EXPECT_THAT(
+        words("euler-cromer", until),
+        testing::ContainsRegex("the method itself added about 0.[12] %, beside 1.[0-9]* % that come and go$"))
         << until;
   EXPECT_THAT(words("forward-euler", 30), testing::Not(testing::HasSubstr("come and go")));
   EXPECT_THAT(words("rk4", 30), testing::Not(testing::HasSubstr("come and go")));

@@ -19,7 +19,7 @@ struct TurningPoint {
 
 /// Where the velocity changes sign, seen by three states before and three after: one nearer to an end of the
 /// trajectory is left out. Error with h from state to state: about (w h)^5/6 of t in periods/2 pi, where
-/// friction acts as well; (w h)^6/700 of x in amplitudes, (w h)^2/60 of what friction takes of them in half a
+/// friction acts as well; (w h)^6/300 of x in amplitudes, (w h)^2/60 of what friction takes of them in half a
 /// cycle. A mass that comes to rest turns there once.
 std::vector<TurningPoint> turning_points(const Trajectory& trajectory);
 

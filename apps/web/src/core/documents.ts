@@ -149,7 +149,7 @@ export interface Residual {
 export interface Candidate {
   /** a law that was tried */
   law: string
-  /** [of the column] rms of its residuals */
+  /** [of the column] rms of its residuals; of a law that is clearly worse, fitted in coarse steps, to about a thousandth */
   rms: Maybe
   /** Bayesian information criterion; smaller is better */
   bic: Maybe

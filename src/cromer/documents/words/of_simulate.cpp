@@ -382,6 +382,8 @@ constexpr Entry entries[] = {
     {"nothing", clause, "nothing", "nichts"},
     {"took_percent", clause, "{percent:.2g} %", "{percent:.2g} %"},
     {"added_percent", clause, "added {percent:.2g} %", "fügte {percent:.2g} % hinzu"},
+    {"took_about", clause, "about {percent:.1g} %", "etwa {percent:.1g} %"},
+    {"added_about", clause, "added about {percent:.1g} %", "fügte etwa {percent:.1g} % hinzu"},
     {"and_comes_and_goes", clause, "{lasting}, beside {percent:.2g} % that come and go",
      "{lasting}, neben {percent:.2g} %, die kommen und gehen"},
 };

@@ -52,15 +52,17 @@ Notice name_of_resistance() {
   return Notice{"term", {{"name", T::coefficients[0].option}}};
 }
 
-/// "24 %", "added 24 %", "nothing"; "added 0.1 %, and 2 % that come and go".
+/// "24 %", "added 24 %", "nothing"; "added about 0.2 %, beside 1.9 % that come and go".
 Notice method_notice(const MethodEnergy& method, double there) {
   const double made = method.lasting / there, swing = method.swing / there;
-  const Notice lasting =
-      std::abs(made) < nothing_to_speak_of
-          ? Notice{"nothing"}
-          : Notice{made < 0 ? "took_percent" : "added_percent", {{"percent", 100 * std::abs(made)}}};
-  if (swing < std::max(std::abs(made), nothing_to_speak_of)) return lasting;
-  return Notice{"and_comes_and_goes", {{"lasting", lasting}, {"percent", 100 * swing}}};
+  const bool swings = swing >= std::max(std::abs(made), nothing_to_speak_of);
+  const auto percent = [&](const char* took, const char* added) {
+    if (std::abs(made) < nothing_to_speak_of) return Notice{"nothing"};
+    return Notice{made < 0 ? took : added, {{"percent", 100 * std::abs(made)}}};
+  };
+  if (!swings) return percent("took_percent", "added_percent");
+  return Notice{"and_comes_and_goes",
+                {{"lasting", percent("took_about", "added_about")}, {"percent", 100 * swing}}};
 }
 
 /// "had 0.5 J, of which drag took 75.6 %, the method itself 24 %".

@@ -176,11 +176,15 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   const double made = run.energy_balance->method();
   if (run.method == "exact") return MethodEnergy{made, 0};
   const std::vector<double>& t = run.trajectory.t;
-  const double before = run.outcome.t - two_pi / 4 / run.measured->angular_frequency;
-  const auto i = std::lower_bound(t.begin(), t.end(), before) - t.begin();
-  const auto no_force = [](double) { return 0.0; };
-  const double earlier = from_states(run, no_force, 0, static_cast<std::size_t>(i)).method();
-  return MethodEnergy{(made + earlier) / 2, std::abs(made - earlier) / 2};
+  const double quarter = two_pi / 4 / run.measured->angular_frequency;
+  const auto made_until = [&](double end) {
+    const auto last = std::lower_bound(t.begin(), t.end(), end) - t.begin();
+    const auto no_force = [](double) { return 0.0; };
+    return from_states(run, no_force, 0, static_cast<std::size_t>(last)).method();
+  };
+  const double ends = made + made_until(run.outcome.t - 2 * quarter);
+  const double between = 2 * made_until(run.outcome.t - quarter);
+  return MethodEnergy{(ends + between) / 4, std::abs(ends - between) / 4};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {

@@ -18,8 +18,8 @@ namespace cromer::core {
 /// than 20 states, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
-/// What the method made (+) or lost (-) by the end of a free motion under a law that is not linear. Within a
-/// half cycle it comes and goes: its values at the end and a quarter cycle before are `lasting` +- `swing`.
+/// What the method made (+) or lost (-) by the end of a free motion under a law that is not linear. It comes
+/// and goes with each half cycle: `lasting` +- `swing` in the last one, from its ends and its middle.
 struct MethodEnergy {
   double lasting = 0;  // [J]
   double swing = 0;    // [J] >= 0
