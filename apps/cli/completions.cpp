@@ -55,7 +55,7 @@ complete -c cromer -n 'string match -q -- "-*" (commandline -ct)' \
 }  // namespace
 
 int run_completions(const Arguments& arguments, std::span<const Command> commands) {
-  const std::string_view asked = arguments.size() == 1 ? arguments.front() : "";
+  const std::string_view asked = arguments.size() == 1 ? std::string_view(arguments.front()) : "";
   for (const Shell& shell : shells)
     if (asked == shell.name) return print_all(std::string(shell.script));
   if (asked == "commands") {
