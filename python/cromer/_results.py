@@ -310,7 +310,8 @@ class LawFit(_Motion):
         return Trajectory(motion["t"], motion["x"], motion["v"])
 
     def simulation(self) -> Dict[str, Any]:
-        """The arguments with which `simulate` runs this law from the first used sample on."""
+        """The arguments with which `simulate` runs this law from the first used sample on. Where no mass was given to the
+        fit, the body has 1 kg: motion and frequencies are the same, energies and forces are those of 1 kg."""
         command = self._document.get("simulate")
         if not command:
             raise InputError("this law cannot be simulated by itself", "fit", "fit_without_law")
