@@ -335,8 +335,8 @@ def test_progress_is_told_within_the_fit_of_one_law():
     assert not fit.succeeded and "interrupted" in fit.message
 
 
-def test_ctrl_c_ends_the_fit_of_one_law():
-    t, x = swing(seconds=300)
+def interrupted_by_ctrl_c(work):
+    """The shares that were told meanwhile."""
     told = []
 
     def interrupt(done):
@@ -345,7 +345,13 @@ def test_ctrl_c_ends_the_fit_of_one_law():
         told.append(done)
 
     with pytest.raises(KeyboardInterrupt):
-        cromer.fit(t, x, law="viscous+drag+cubic+hysteresis", progress=interrupt)
+        work(interrupt)
+    return told
+
+
+def test_ctrl_c_ends_the_fit_of_one_law():
+    t, x = swing(seconds=300)
+    told = interrupted_by_ctrl_c(lambda progress: cromer.fit(t, x, law="viscous+drag+cubic+hysteresis", progress=progress))
     assert len(told) < 5
 
 
@@ -372,16 +378,9 @@ def test_refusals_follow_the_language():
 
 
 def test_ctrl_c_ends_the_work():
-    told = []
-
-    def interrupt(done):
-        if not told:
-            signal.raise_signal(signal.SIGINT)
-        told.append(done)
-
-    with pytest.raises(KeyboardInterrupt):
-        cromer.sweep(stiffness=9, damping=0.01, cubic=5, method="rk4", step=0.001, drive_amplitude=1,
-                     drive_frequency=np.linspace(1, 5, 5000), progress=interrupt)
+    told = interrupted_by_ctrl_c(lambda progress: cromer.sweep(
+        stiffness=9, damping=0.01, cubic=5, method="rk4", step=0.001, drive_amplitude=1,
+        drive_frequency=np.linspace(1, 5, 5000), progress=progress))
     assert max(told) < 0.9
 
 
