@@ -231,8 +231,8 @@ def _numbers(name: str, values: Any) -> Numbers:
     if getattr(values, "tz", None) is not None:  # a DatetimeIndex of pandas with a time zone
         values = values.tz_convert(None)
     try:
-        if isinstance(values, np.ma.MaskedArray):
-            values = np.ma.filled(values.astype(np.float64), np.nan)  # type: ignore[no-untyped-call]
+        if hasattr(values, "filled"):  # a masked array
+            values = values.astype(np.float64).filled(np.nan)
         elif hasattr(values, "isna") and getattr(values.dtype, "kind", "O") in "fiu":  # pandas, with its own NA
             values = values.to_numpy(dtype=np.float64, na_value=np.nan)
         given = np.asarray(values)
