@@ -38,7 +38,7 @@ class Folder {
   pid_t start(const std::vector<std::string>& arguments) const;
   /// How many files the program may have open; 0 for as many as this one.
   rlim_t descriptors = 0;
-  /// At most 60 s; then the process is killed, and its status is -9.
+  /// At most a minute, ten under a sanitizer; then the process is killed, and its status is -9.
   Finished wait(pid_t process) const;
 
  private:
