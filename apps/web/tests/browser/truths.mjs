@@ -220,7 +220,7 @@ const go = async (page, hash) => {
     await go(page, '#teach?lab=two')
     await page.getByRole('button', { name: 'Make a class link' }).click()
     await page.getByLabel('Class', { exact: true }).fill('7F3A')
-    assert.match(await page.locator('.on-disk').innerText(), /open from a disk.*class 7F3A/)
+    await page.locator('.on-disk', { hasText: /open from a disk.*class 7F3A/ }).waitFor()
     await go(page, '#teach?lab=two&course=7F3A')
     const take = page.locator('.control button').first()
     assert.equal(await take.innerText(), 'Take your recording')
@@ -254,10 +254,12 @@ const go = async (page, hash) => {
   await check('a class link from a server is a QR code too', async () => {
     await page.getByRole('button', { name: 'Make a class link' }).click()
     await page.getByLabel('Class', { exact: true }).fill('7F3A')
-    const path = await page.getByRole('img', { name: 'The link as a QR code' }).locator('path').getAttribute('d')
+    // of one moment: a longer link may be on its way
+    const [path, box] = await page.getByRole('img', { name: 'The link as a QR code' }).evaluate((code) =>
+      [code.querySelector('path').getAttribute('d'), code.getAttribute('viewBox')])
     // the three squares at its corners, two modules from the edge
     const modules = new Set(path.match(/M\d+ \d+/g))
-    const size = Number((await page.getByRole('img', { name: 'The link as a QR code' }).getAttribute('viewBox')).split(' ')[2])
+    const size = Number(box.split(' ')[2])
     for (const [x, y] of [[2, 2], [size - 9, 2], [2, size - 9]]) for (let i = 0; i < 7; ++i) assert.ok(modules.has(`M${x + i} ${y}`) && modules.has(`M${x} ${y + i}`))
     assert.equal(await page.locator('.on-disk').count(), 0)
   })
