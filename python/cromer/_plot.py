@@ -3,7 +3,7 @@ method has its family's hue, measured is ink."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple, TypeVar
 
 import numpy as np
 
@@ -128,12 +128,19 @@ def fit(law: "LawFit", ax: Any = None) -> Any:
     return np.array(axes) if own else ax
 
 
+T = TypeVar("T")
+
+
+def _chosen(of: str, among: Dict[str, T]) -> T:
+    if of not in among:
+        raise ValueError(f"of={of!r}: it is one of {', '.join(among)}")
+    return among[of]
+
+
 def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
     axes = {"position": ("t", "x", "time t (s)", "position x (m)"), "velocity": ("t", "v", "time t (s)", "velocity v (m/s)"),
             "energy": ("t", "energy", "time t (s)", "energy E (J)"), "phase": ("x", "v", "position x (m)", "velocity v (m/s)")}
-    if of not in axes:
-        raise ValueError(f"of={of!r}: it is one of {', '.join(axes)}")
-    across, up, across_name, up_name = axes[of]
+    across, up, across_name, up_name = _chosen(of, axes)
     own = ax is None
     ax = _axes(ax, (4.8, 4.4) if of == "phase" else (7.6, 4.4))
     drawn = sorted(each_run, key=lambda each: each.method != "exact")  # the road lies under the others
@@ -146,8 +153,7 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
 
 def compared(found: "_Compared", of: str, ax: Any = None) -> Any:
     names = {"position": "displacement x", "residual": "measured less simulated", "phase_error": "phase error (rad)"}
-    if of not in names:
-        raise ValueError(f"of={of!r}: it is one of {', '.join(names)}")
+    name = _chosen(of, names)
     own = ax is None
     ax = _axes(ax)
     law = found.fit
@@ -159,7 +165,7 @@ def compared(found: "_Compared", of: str, ax: Any = None) -> Any:
             look["linestyle"] = DASHES
         _curve(ax, curve.t, curve.x if of == "position" else getattr(curve, of), swings,
                label=f"{curve.label},\nby {curve.method}", **look)
-    _styled(ax, "time t (s)", names[of] + ("" if of == "phase_error" else f" ({law._unit.strip()})" if law._unit else ""))
+    _styled(ax, "time t (s)", name + ("" if of == "phase_error" else f" ({law._unit.strip()})" if law._unit else ""))
     _name(ax, own)
     return ax
 
@@ -172,8 +178,7 @@ def _logarithmic(ax: Any, values: Any) -> None:
 
 def spectrum(found: "Spectrum", of: str, ax: Any = None) -> Any:
     names = {"psa": "pseudo-acceleration PSA (m/s²)", "psv": "pseudo-velocity PSV (m/s)", "sd": "displacement SD (m)"}
-    if of not in names:
-        raise ValueError(f"of={of!r}: it is one of {', '.join(names)}")
+    name = _chosen(of, names)
     own = ax is None
     ax = _axes(ax)
     hues = ["#00304D", "#005A8C", "#0072B2", "#2E86BE", "#5596C2"]
@@ -182,7 +187,7 @@ def spectrum(found: "Spectrum", of: str, ax: Any = None) -> Any:
         colour = hues[min(i, len(hues) - 1)] if len(rows) > 1 else hues[2]
         ax.plot(found.period, row, color=colour, linewidth=1.5, label=f"ζ = {ratio:g}")
     _logarithmic(ax, found.period)
-    _styled(ax, "period T (s)", names[of])
+    _styled(ax, "period T (s)", name)
     _name(ax, own)
     return ax
 

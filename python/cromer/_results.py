@@ -8,7 +8,7 @@ import json
 import shlex
 import warnings
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 
@@ -449,44 +449,60 @@ class Run(_Motion):
         return f"Run: {self.label}, {self.status}, {self.t.size} states\n  {self.in_words}".rstrip()
 
 
-class Runs(Result, Sequence[Run]):
+Named = TypeVar("Named", "Run", "Comparison")
+
+
+class _Several(Sequence[Named]):
+    """Results by number, or by name."""
+
+    _each: List[Named]
+
+    def _names(self, each: Named) -> Sequence[str]:
+        raise NotImplementedError
+
+    def keys(self) -> List[str]:
+        """Their names."""
+        return [self._names(each)[0] for each in self._each if self._names(each)]
+
+    @overload
+    def __getitem__(self, index: Union[int, str]) -> Named: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Named]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[Named, List[Named]]:
+        if isinstance(index, str):
+            for each in self._each:
+                if index in self._names(each):
+                    return each
+            raise KeyError(_unknown(index, self.keys(), "this"))
+        return self._each[index]
+
+    def __len__(self) -> int:
+        return len(self._each)
+
+    def __repr__(self) -> str:
+        return "\n".join(repr(each) for each in self._each)
+
+
+class Runs(Result, _Several[Run]):
     """Several runs of the same law: by number, or by the name of the method."""
 
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
         said = self._document.get("notices", [])
-        self._runs = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
+        self._each = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
 
-    @overload
-    def __getitem__(self, index: Union[int, str]) -> Run: ...
-    @overload
-    def __getitem__(self, index: slice) -> List[Run]: ...
-    def __getitem__(self, index: Union[int, str, slice]) -> Union[Run, List[Run]]:
-        if isinstance(index, str):
-            for each in self._runs:
-                if index in (each.label, each.method):
-                    return each
-            raise KeyError(_unknown(index, self.keys(), "this"))
-        return self._runs[index]
-
-    def __len__(self) -> int:
-        return len(self._runs)
-
-    def keys(self) -> List[str]:
-        return [each.label for each in self._runs]
+    def _names(self, each: Run) -> Sequence[str]:
+        return each.label, each.method
 
     def to_pandas(self) -> Any:
         """All states, one below the other, with the run's label."""
         import pandas
-        return pandas.concat([each.to_pandas().assign(run=each.label) for each in self._runs])
+        return pandas.concat([each.to_pandas().assign(run=each.label) for each in self._each])
 
     def plot(self, of: str = "position", ax: Any = None) -> Any:
         """All runs in one picture, as Run.plot draws one."""
         from . import _plot
-        return _plot.runs(self._runs, of, ax)
-
-    def __repr__(self) -> str:
-        return "\n".join(repr(each) for each in self._runs)
+        return _plot.runs(self._each, of, ax)
 
 
 def _phase(t: Numbers, x: Numbers) -> Numbers:
@@ -602,7 +618,7 @@ class Comparison(_Compared, Result):
         return f"Comparison: {self.status}, {len(self.curves)} curves\n  {self.explanation or self.message}"
 
 
-class Comparisons(_Compared, Sequence[Comparison]):
+class Comparisons(_Compared, _Several[Comparison]):
     """A Comparison for each method: by number, or by the name of the method. `curves` and `explanation` are those of all,
     `fit` is of the record. Each Comparison has its document, table and figure (`to_dict()`, ...)."""
 
@@ -616,27 +632,8 @@ class Comparisons(_Compared, Sequence[Comparison]):
         """The fit of the record, as `fit` finds it; made when it is first asked for."""
         return self._each[0].fit
 
-    @overload
-    def __getitem__(self, index: Union[int, str]) -> Comparison: ...
-    @overload
-    def __getitem__(self, index: slice) -> List[Comparison]: ...
-    def __getitem__(self, index: Union[int, str, slice]) -> Union[Comparison, List[Comparison]]:
-        if isinstance(index, str):
-            for each in self._each:
-                if each.curves and each.curves[0].method == index:
-                    return each
-            raise KeyError(_unknown(index, self.keys(), "this"))
-        return self._each[index]
-
-    def __len__(self) -> int:
-        return len(self._each)
-
-    def keys(self) -> List[str]:
-        """The names of the methods."""
-        return [each.curves[0].method for each in self._each if each.curves]
-
-    def __repr__(self) -> str:
-        return "\n".join(repr(each) for each in self._each)
+    def _names(self, each: Comparison) -> Sequence[str]:
+        return [curve.method for curve in each.curves[:1]]
 
     def __str__(self) -> str:
         return "\n\n".join(str(each) for each in self._each)
