@@ -32,6 +32,13 @@ TEST(Student, QuantilesMeetTheirClosedForms) {
     EXPECT_NEAR(student_quantile(0.975, n), z + (z * z * z + z) / (4 * n), 3 / (n * n) + 1e-10) << n;
 }
 
+TEST(Student, IntervalsTakeItsQuantile) {
+  for (const double degrees : {1.0, 1.5, 4.0, 30.0, 1000.0, 1e6})
+    EXPECT_NEAR(student_95(degrees), student_quantile(0.975, degrees), 1e-11) << degrees;
+  // z + (z^3 + z)/(4 degrees), z of the normal distribution
+  EXPECT_NEAR(student_95(1e9), 1.959963984540054 + 2.3722712e-9, 1e-8);
+}
+
 TEST(Student, QuantileAndProbabilityUndoEachOther) {
   for (const double degrees : {1.0, 1.3, 2.7, 8.0, 33.3, 79.9, 80.1, 1234.5, 1e5})
     for (const double p : {0.5, 0.6, 0.975, 0.9999})

@@ -83,6 +83,10 @@ TEST(Rounding, WildValuesTellNothing) {
   EXPECT_EQ(rounding_step(Values{0.1, 0.2, 1e30}), 0);
 }
 
+TEST(Rounding, ValuesFarFromZeroAreNotWild) {
+  EXPECT_NEAR(rounding_step(made(400, [](int i) { return 2e6 + scattered(i) * 1e-4; })), 1e-4, 1e-9);
+}
+
 TEST(Rounding, AQuantumIsTheSmallestDifference) {
   const auto of = [](std::size_t distinct, double quantum) {
     return rounding_step(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/extent.h"
+
 namespace cromer::core {
 namespace {
 
@@ -69,8 +71,8 @@ std::optional<LineWithErrors> fit_line_with_errors(const std::vector<UncertainPo
     error_free += !(p.x_error > 0 || p.y_error > 0);
   }
   if (n < 2 || (n == 2 && error_free > 0)) return std::nullopt;
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  if (!(*high > *low)) return std::nullopt;
+  const auto [low, high] = extent_of(x);
+  if (!(high > low)) return std::nullopt;
 
   const Line plain = fit_line(x, y);
   double rest = 0;

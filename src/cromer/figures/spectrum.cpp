@@ -1,3 +1,4 @@
+#include "cromer/base/extent.h"
 #include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
@@ -61,8 +62,8 @@ Curve curve_of(const std::vector<double>& x, std::string name, std::string role,
 
 /// Whether the values are spread so widely that the axis is to be logarithmic.
 bool wide(const std::vector<double>& x) {
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  return *high > 8 * *low;
+  const auto [low, high] = extent_of(x);
+  return high > 8 * low;
 }
 
 /// Periods or frequencies, as the oscillators were asked for.

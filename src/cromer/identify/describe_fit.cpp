@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/extent.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/least_squares/noise.h"
@@ -274,8 +275,8 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   // Of noise that is correlated as well, the intervals are known less well than the sentence says.
   const bool is_white = noise.correlation.coefficients.empty();
   if (!noise.scale.empty() && is_white && is_filtered(minimum, inverse, noise)) {
-    const auto [low, high] = std::minmax_element(noise.scale.begin(), noise.scale.end());
-    fit.notices.push_back(Notice{"noise_is_uneven", {{"times", *high / *low}}});
+    const auto [low, high] = extent_of(noise.scale);
+    fit.notices.push_back(Notice{"noise_is_uneven", {{"times", high / low}}});
   }
 }
 

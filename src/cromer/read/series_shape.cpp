@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "cromer/base/even_steps.h"
+#include "cromer/base/extent.h"
 #include "cromer/base/quantile.h"
 
 namespace cromer::core::dialects {
@@ -54,8 +56,8 @@ std::vector<double> even_choice(std::span<const double> values) {
 std::vector<double> sorted(std::vector<double> values) {
   if (values.empty()) return values;
   const auto n = static_cast<std::ptrdiff_t>(values.size());
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  const double low = *lowest, scale = static_cast<double>(n - 1) / (*highest - low);
+  const auto [lowest, highest] = extent_of(values);
+  const double low = lowest, scale = static_cast<double>(n - 1) / (highest - low);
   if (!std::isfinite(scale)) {  // all alike
     std::sort(values.begin(), values.end());
     return values;
@@ -70,6 +72,21 @@ std::vector<double> sorted(std::vector<double> values) {
   for (std::size_t k = 0; k < values.size(); ++k)
     if (begin[k + 1] - begin[k] > 1) std::sort(result.begin() + begin[k], result.begin() + begin[k + 1]);
   return result;
+}
+
+/// The median distance of sorted values from one of them: half of all lie in the narrowest window about it.
+double usual_distance(const std::vector<double>& ordered, double middle) {
+  const std::size_t half = ordered.size() / 2;
+  std::size_t first = 0, end = ordered.size() - half;
+  while (first < end) {
+    const std::size_t i = (first + end) / 2;
+    if (ordered[i + half] - middle < middle - ordered[i])
+      first = i + 1;
+    else
+      end = i;
+  }
+  const double above = first + half < ordered.size() ? ordered[first + half] - middle : HUGE_VAL;
+  return first > 0 ? std::min(above, middle - ordered[first - 1]) : above;
 }
 
 /// The lower quartile of the changes from sample to sample, zeros left out: the flicker of a signal at rest.
@@ -122,6 +139,7 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
 
 double median_seen(std::span<const double> sizes) {
   std::vector<double> seen;
+  seen.reserve(sizes.size());
   std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(seen), [](double s) { return s != unseen; });
   return seen.empty() ? 0 : median(std::move(seen));
 }
@@ -130,10 +148,9 @@ double rounding_step(std::span<const double> all) {
   std::vector<double> values = even_choice(all), distinct = sorted(values);
   // A stray value of 1e30 says nothing about the decimals of the others.
   constexpr double wild = 1e9;  // times the usual distance from the middle
-  const double middle = median(distinct);
-  std::vector<double> distances = values;
-  for (double& each : distances) each = std::fabs(each - middle);
-  if (const double usual = median(std::move(distances)); usual > 0)
+  if (values.size() < 3) return 0;
+  const double middle = distinct[distinct.size() / 2];
+  if (const double usual = usual_distance(distinct, middle); usual > 0)
     for (auto* some : {&values, &distinct})
       std::erase_if(*some, [&](double value) { return std::fabs(value - middle) > wild * usual; });
   if (values.size() < 3) return 0;
@@ -178,17 +195,17 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   std::vector<std::size_t> found;
   const std::size_t n = y.size();
   if (n < 2 * reach) return found;
-  std::vector<double> distance(n, 0), size(n, unseen);
-  for (std::size_t i = 2; i + 2 < n; ++i) {
-    const bool even = are_even(t.subspan(i - 2, 5), step);
-    distance[i] = even ? distance_from_cubic(y, i) : 0;
-    size[i] = even ? std::fabs(distance[i]) : unseen;
-  }
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  std::vector<double> size(n, unseen);
+  for (std::size_t i = 2; i + 2 < n; ++i) size[i] = std::fabs(distance_from_cubic(y, i));
+  const EvenSteps all_steps = even_steps(t);
+  if (all_steps.mean - all_steps.farthest < 0.5 * step || all_steps.mean + all_steps.farthest > 1.2 * step)
+    for (std::size_t i = 2; i + 2 < n; ++i)
+      if (!are_even(t.subspan(i - 2, 5), step)) size[i] = unseen;
+  const auto [low, high] = extent_of(y);
   const double everywhere = robust * median_seen(size);
-  if (*low == *high) return found;
+  if (low == high) return found;
   const double floor = std::max(
-      {deviations * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
+      {deviations * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (high - low)});
   // A spike at an end spoils the distances next to it.
   found = spikes_at_the_ends(t, y, step, size, floor);
   const auto spoilt = [&, at_ends = found](std::size_t i) {
@@ -222,8 +239,8 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
 bool tops_cut_off(std::span<const double> y, double step, double resolution) {
   constexpr std::size_t fewest = 32, fewest_crossings = 4;
   if (y.size() < fewest) return false;
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  const double amplitude = 0.5 * (*high - *low), middle = 0.5 * (*high + *low);
+  const auto [low, high] = extent_of(y);
+  const double amplitude = 0.5 * (high - low), middle = 0.5 * (high + low);
   if (!(amplitude > 0) || resolution >= amplitude) return false;
   // Crossings from well below to well above the middle, which noise does not make.
   std::size_t crossings = 0;
@@ -237,7 +254,7 @@ bool tops_cut_off(std::span<const double> y, double step, double resolution) {
   if (crossings < fewest_crossings) return false;
   const double half_period = static_cast<double>(y.size()) * step / static_cast<double>(crossings);
   const double dwell = 2 * std::acos(1 - resolution / amplitude) * half_period / std::numbers::pi;
-  for (const double top : {*low, *high}) {
+  for (const double top : {low, high}) {
     std::size_t run = 0, longest = 0, plateaus = 0;
     for (std::size_t i = 0; i <= y.size(); ++i) {
       if (i < y.size() && y[i] == top) {

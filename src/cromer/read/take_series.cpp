@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
@@ -126,9 +127,8 @@ void describe_values(Series& series, const std::vector<double>& as_written) {
   if (series.rate > 0 && is_motion(series) &&
       dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution))
     series.notices.push_back(Notice{"column_tops_cut_off", {{"column", series.column}}});
-  const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
-  if (!series.y.empty() && *low == *high)
-    series.notices.push_back(Notice{"column_never_changes", {{"column", series.column}}});
+  const auto [low, high] = extent_of(series.y);
+  if (low == high) series.notices.push_back(Notice{"column_never_changes", {{"column", series.column}}});
 }
 
 /// Why the only column of times cannot be the motion, and which columns may be.
@@ -215,7 +215,8 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     return refuse(Notice{"in_column", {{"column", series.time_column}, {"what", rising.error().notice}}});
   series.notices.insert(series.notices.end(), rising->notices.begin(), rising->notices.end());
   const auto keep = [&](auto& values) {
-    for (std::size_t k = 0; k < rising->kept.size(); ++k) values[k] = values[rising->kept[k]];
+    if (rising->kept.size() < values.size())
+      for (std::size_t k = 0; k < rising->kept.size(); ++k) values[k] = values[rising->kept[k]];
     values.resize(rising->kept.size());
     return std::move(values);
   };

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "cromer/base/even_steps.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
@@ -114,6 +115,7 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
   if (falling > rising) return Error{"time_mostly_backward"};
 
   RisingTimes result;
+  result.kept.reserve(t.size());
   LeftOut repeated, backward;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (result.kept.empty()) {
@@ -304,6 +306,10 @@ Steps describe_steps(std::span<const double> t) {
   constexpr double gap_of_steps = 1.5, lost_of_steps = 0.5;
   Steps result;
   if (t.size() < 2) return result;
+  if (const EvenSteps even = even_steps(t); even.farthest <= noise_of(t) && noise_of(t) < 1e-6 * even.mean) {
+    result.rate = round_within(1 / even.mean, noise_of(t) / even.mean);
+    return result;
+  }
   const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
   const std::optional<EvenClock> clock = even_clock(t, step);
   const std::span<const double> at = clock ? clock->t : t;

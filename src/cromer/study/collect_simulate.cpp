@@ -5,6 +5,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/analysis/steady_state.h"
+#include "cromer/base/extent.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/model/law_force.h"
 #include "cromer/study/collect.h"
@@ -27,13 +28,13 @@ void collect_energy(const std::string& name, const SimulatedRun& run, const std:
   const double period = natural_period(run.oscillator);
   if (run.drive.amplitude > 0 || run.general || !(period > 0) || !(energy.front() > 0)) return;
   const EnergyGrowth growth = energy_growth(run.oscillator, run.trajectory);
-  const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
+  const auto [least, most] = extent_of(energy);
   results.set(name + ".energy_start", energy.front(), "J");
   results.set(name + ".energy_end", energy.back(), "J");
   results.set(name + ".energy_ratio", energy.back() / energy.front());
   results.set(name + ".energy_factor_per_cycle", growth.factor_per_cycle(period));
   results.set(name + ".energy_doubling_time", growth.doubling_time(), "s");
-  results.set(name + ".energy_swing", (*most - *least) / (*most + *least));
+  results.set(name + ".energy_swing", (most - least) / (most + least));
   results.set(name + ".energy_drift", std::expm1(growth.rate * run.outcome.t));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
@@ -161,13 +162,13 @@ Notice few_samples(const Record& record, double w) {
 
 Notice turning_over(const Record& record) {
   if (record.derivative != 0 || record.t.size() < 2) return {};
-  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
-  if (*high - *low <= 2 * pi) return {};
+  const auto [low, high] = extent_of(record.y);
+  if (high - low <= 2 * pi) return {};
   // It swings about the last multiple of a turn once it has stayed within half a turn of it.
   const double rest = 2 * pi * std::round(record.y.back() / (2 * pi));
   std::size_t last = record.t.size();
   while (last > 0 && std::abs(record.y[last - 1] - rest) < pi) --last;
-  const double turns = (*high - *low) / (2 * pi);
+  const double turns = (high - low) / (2 * pi);
   if (last == record.t.size()) return Notice{"turns_over", {{"turns", turns}}};
   return Notice{"turns_over_at_first", {{"turns", turns}, {"time", record.t[last]}}};
 }
@@ -271,8 +272,8 @@ Notice steadiness(const Record& record, const LawFit& fit, double period) {
 // A motion of a step or two, whose decay the noise does not blur into view.
 Notice coarseness(const Record& record, const LawFit& fit, std::string_view unit) {
   if (!(record.resolution > 0) || fit.residual.rms > 0.36 * record.resolution) return {};
-  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
-  const double levels = std::round((*high - *low) / record.resolution) + 1;
+  const auto [low, high] = extent_of(record.y);
+  const double levels = std::round((high - low) / record.resolution) + 1;
   if (levels > 4) return {};
   return Notice{"coarse_levels", {{"levels", levels}, {"resolution", record.resolution}, {"unit", unit}}};
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/normal_equations.h"
@@ -184,10 +184,8 @@ std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& s
   std::vector<double> distances;
   distances.reserve(record.y.size());
   for (const double y : record.y) distances.push_back(std::abs(y - swing.centre));
-  const auto few =
-      distances.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(2, distances.size() / 200));
-  std::nth_element(distances.begin(), few, distances.end(), std::greater<>());
-  const double amplitude = *few;
+  const auto n = static_cast<double>(distances.size());
+  const double amplitude = quantile(distances, 1 - std::max(2.5 / n, 0.005));
   // A first value alone may be off by noise: the mean of the first quarter period.
   double held = 0;
   std::size_t quarter = 0;
@@ -254,8 +252,8 @@ Liveliness liveliness_of(std::span<const double> y) {
   for (std::size_t i = 1; i < y.size(); ++i)
     found.change += (y[i] - y[i - 1]) * (y[i] - y[i - 1]) / static_cast<double>(y.size() - 1);
   found.change = std::sqrt(found.change);
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  found.amplitude = 0.5 * (*high - *low);
+  const auto [low, high] = extent_of(y);
+  found.amplitude = 0.5 * (high - low);
   return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/noise.h"
 
@@ -38,8 +39,8 @@ Spread overall(std::span<const double> r, double& noise) {
 }
 
 double largest_of(std::span<const double> y) {
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  return std::max(std::abs(*low), std::abs(*high));
+  const auto [low, high] = extent_of(y);
+  return std::max(std::abs(low), std::abs(high));
 }
 
 Spread beside(std::span<const double> r, std::size_t i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
@@ -32,8 +33,8 @@ Plateaus plateaus_at(std::span<const double> y, double level, double width) {
 // How many levels, one resolution apart, the values span; 0 where they are not rounded.
 double levels_of(const Record& record) {
   if (!(record.resolution > 0)) return 0;
-  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
-  return std::round((*high - *low) / record.resolution) + 1;
+  const auto [low, high] = extent_of(record.y);
+  return std::round((high - low) / record.resolution) + 1;
 }
 
 // So few levels show no tops.
@@ -46,10 +47,10 @@ bool is_clipped(const Record& record, double amplitude, double w) {
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
   const double depth = std::clamp(1 - record.resolution / amplitude, -1.0, 1.0);
   const double dwell = 2 * std::acos(depth) / w;
-  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  const auto [low, high] = extent_of(record.y);
   const double width = 0.01 * record.resolution;
   // Half as long again, for tops that are not quite a sinusoid's, and a sample or two at either end.
-  for (double level : {*low, *high}) {
+  for (double level : {low, high}) {
     const Plateaus plateaus = plateaus_at(record.y, level, width);
     if (plateaus.count >= 2 && static_cast<double>(plateaus.longest) * h > 1.5 * dwell + 3 * h) return true;
   }
@@ -59,8 +60,8 @@ bool is_clipped(const Record& record, double amplitude, double w) {
 // Whether the last third's range is under 5 % of the whole: a turning point at the end has more.
 bool comes_to_rest(const Record& record) {
   const auto range = [](std::span<const double> y) {
-    const auto [low, high] = std::minmax_element(y.begin(), y.end());
-    return *high - *low;
+    const auto [low, high] = extent_of(y);
+    return high - low;
   };
   return range(record.y.last(std::max<std::size_t>(1, record.y.size() / 3))) < 0.05 * range(record.y);
 }
@@ -112,8 +113,8 @@ std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& 
     return Refusal{FitStatus::too_short,
                    Notice{"too_few_samples",
                           {{"samples", record.t.size()}, {"law", to_text(options.law)}, {"fewest", fewest}}}};
-  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
-  if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, Notice{"nothing_moves"}};
+  const auto [low, high] = extent_of(record.y);
+  if (!(high > low)) return Refusal{FitStatus::no_oscillation, Notice{"nothing_moves"}};
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/analysis/swing.h"
+#include "cromer/base/even_steps.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/identify/fit_settings.h"
@@ -18,6 +19,7 @@ constexpr std::size_t most_residuals = 1U << 17;
 
 // The residuals at even times.
 std::vector<double> even(std::span<const double> t, const std::vector<double>& r, double h) {
+  if (even_steps(t).farthest < 1e-6 * h) return r;
   std::vector<double> values;
   values.reserve(t.size());
   std::size_t i = 0;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <unsupported/Eigen/FFT>
 
+#include "cromer/base/extent.h"
+
 namespace cromer::core {
 namespace {
 
@@ -219,8 +221,8 @@ double chi_squared(double degrees, double deviations) {
 std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, samples / 2); }
 
 bool is_arithmetic(double rms, std::span<const double> y) {
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  return y.empty() || rms < 1e-9 * (*high - *low);
+  const auto [low, high] = extent_of(y);
+  return y.empty() || rms < 1e-9 * (high - low);
 }
 
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
+#include "cromer/base/even_steps.h"
 #include "cromer/base/quantile.h"
 
 namespace cromer::core {
 
 double median_step(std::span<const double> t) {
-  const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-  // The step farthest from the mean, in four strands.
-  constexpr std::size_t lanes = 4;
-  double farthest[lanes]{};
-  std::size_t i = 1;
-  for (; i + lanes <= t.size(); i += lanes)
-    for (std::size_t l = 0; l < lanes; ++l)
-      farthest[l] = std::max(farthest[l], std::abs(t[i + l] - t[i + l - 1] - mean));
-  for (; i < t.size(); ++i) farthest[0] = std::max(farthest[0], std::abs(t[i] - t[i - 1] - mean));
   // Equal steps to rounding: the mean is the more accurate.
-  if (*std::max_element(std::begin(farthest), std::end(farthest)) < 1e-6 * mean) return mean;
+  if (const EvenSteps even = even_steps(t); even.farthest < 1e-6 * even.mean) return even.mean;
   std::vector<double> steps(t.size() - 1);
-  for (i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
+  for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
   return upper_median(steps);
 }
 

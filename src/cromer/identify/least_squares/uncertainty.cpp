@@ -59,9 +59,10 @@ double student_cdf(double t, double degrees) {
   return t < 0 ? above : 1 - above;
 }
 
-double student_quantile(double p, double degrees) {
-  // The tail is convex: from 0 Newton's iteration climbs to the root and never passes it.
-  double t = 0;
+namespace {
+
+// The tail is convex: from anywhere below it Newton's iteration climbs to the root and never passes it.
+double climb(double t, double p, double degrees) {
   for (int i = 0; i < 200; ++i) {
     const Tail at = tail(t, degrees);
     const double step = (at.above - (1 - p)) / at.density;
@@ -71,9 +72,17 @@ double student_quantile(double p, double degrees) {
   return t;
 }
 
+}  // namespace
+
+double student_quantile(double p, double degrees) { return climb(0, p, degrees); }
+
 double student_95(double degrees) {
-  if (degrees > 1e6) return 1.959964;
-  return student_quantile(0.975, std::max(1.0, degrees));
+  constexpr double z = 1.959963984540054;  // of infinitely many degrees of freedom
+  if (degrees > 1e6) return z;
+  // The quantile's series in 1/degrees (Abramowitz and Stegun 26.7.5), broken off, lies below it.
+  const double n = std::max(1.0, degrees), square = z * z;
+  const double below = z * (1 + ((square + 1) / 4 + (square * (5 * square + 16) + 3) / (96 * n)) / n);
+  return climb(below, 0.975, n);
 }
 
 Estimate make_estimate(double value, double standard_error, double t) {

@@ -154,7 +154,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
       FitOptions later = options;
       later.from = part->from;
       const std::size_t before = result.series.t.size();
-      result.series = *used_part(result.series, later);
+      result.series = *used_part(std::move(result.series), later);
       samples = without_outliers(result.series);
       result.notices.push_back(
           Notice{"free_part_taken",
@@ -167,7 +167,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     later.from = samples.t.front();
     std::vector<Outlier> aside = std::move(result.series.outliers);
     result.series.outliers.clear();
-    result.series = *used_part(result.series, later);
+    result.series = *used_part(std::move(result.series), later);
     result.series.outliers = std::move(aside);
   }
   const Record record{samples.t, samples.y, result.series.resolution,

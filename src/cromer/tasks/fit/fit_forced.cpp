@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/choose_law.h"
@@ -33,9 +34,8 @@ struct ForceGrid {
 /// An Error if the force has gaps, uneven times, or one value throughout.
 Result<ForceGrid> grid_of(const Series& force) {
   if (force.t.size() < 2) return Error{"force_is_too_short", {{"column", force.column}}};
-  const auto [low, high] = std::minmax_element(force.y.begin(), force.y.end());
-  if (*low == *high)
-    return Error{"force_never_changes", {{"column", force.column}, {"value", shortest(*low)}}};
+  const auto [low, high] = extent_of(force.y);
+  if (low == high) return Error{"force_never_changes", {{"column", force.column}, {"value", shortest(low)}}};
   if (!force.gaps.empty())
     return Error{Notice{force.gaps.size() == 1 ? "force_has_a_gap" : "force_has_gaps",
                         {{"column", force.column},
@@ -189,7 +189,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   FitOptions cut;
   cut.from = t.front();
   if (fitted < t.size()) cut.to = t[fitted - 1];
-  result.series = *used_part(result.series, cut);
+  result.series = *used_part(std::move(result.series), cut);
   LawFitOptions settings{.drive = Drive::recorded(recorded),
                          .hysteresis_exponent = options.hysteresis_exponent};
   if (options.no_spring) settings.law = settings.law.without(law_with<Spring>);
@@ -241,7 +241,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   if (series.t.front() < t.front()) {
     FitOptions later;
     later.from = t.front();
-    result.series = *used_part(result.series, later);
+    result.series = *used_part(std::move(result.series), later);
   }
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;

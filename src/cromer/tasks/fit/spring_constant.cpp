@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/residual.h"
@@ -63,14 +64,14 @@ double middle_value(const std::vector<double>& y, std::size_t first, std::size_t
 /// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks.
 std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   const std::size_t n = series.y.size(), block = std::max<std::size_t>(5, n / (50 * masses));
-  const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
-  const double whole = *high - *low;
+  const auto [low, high] = extent_of(series.y);
+  const double whole = high - low;
   std::vector<Plateau> blocks;
   std::vector<double> spans;
   for (std::size_t first = 0; first + block <= n; first += block) {
     const auto begin = series.y.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto [least, most] = std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(block));
-    spans.push_back(*most - *least);
+    const auto [least, most] = extent_of({begin, block});
+    spans.push_back(most - least);
     blocks.push_back({first, first + block, middle_value(series.y, first, first + block)});
   }
   if (spans.empty()) return {};
@@ -126,9 +127,9 @@ Result<std::vector<Series>> runs_of(const Recording& recording, const FitOptions
   if (!timed && read.rate == 0) read.rate = 1;
   std::vector<Series> found;
   for (const int run : options.run ? std::vector<int>{*options.run} : runs(recording)) {
-    const auto series = take_series(recording, options.column, run, read);
+    auto series = take_series(recording, options.column, run, read);
     if (!series) return series.error();
-    auto part = used_part(*series, options);
+    auto part = used_part(*std::move(series), options);
     if (!part) return part.error();
     found.push_back(*std::move(part));
   }

@@ -43,7 +43,7 @@ void cut_lost_motion(Series& series) {
   FitOptions before;
   before.to = series.t[lost->seen - 1];
   const double from = series.t[lost->seen];
-  series = *used_part(series, before);
+  series = *used_part(std::move(series), before);
   series.notices.push_back(Notice{"sensor_loses_motion",
                                   {{"from", from},
                                    {"value", lost->value},
@@ -55,8 +55,9 @@ void cut_lost_motion(Series& series) {
 
 /// Adds drop-outs, flat runs far outside the motion, to the outliers, with a notice.
 void set_drop_outs_aside(Series& series) {
-  const FittedSamples kept = without_outliers(series);
   const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
+  if (found.empty()) return;
+  const FittedSamples kept = without_outliers(series);
   std::size_t added = 0, first = 0;
   for (std::size_t i : found) {
     if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
@@ -71,28 +72,29 @@ void set_drop_outs_aside(Series& series) {
 
 }  // namespace
 
-Result<Series> used_part(const Series& series, const FitOptions& options) {
-  if (series.t.empty()) return Error{"column_has_no_values", {{"column", series.column}}};
+Result<Series> used_part(Series series, const FitOptions& options) {
+  const std::size_t n = series.t.size();
+  if (n == 0) return Error{"column_has_no_values", {{"column", series.column}}};
   const double from = options.from.value_or(-HUGE_VAL), to = options.to.value_or(HUGE_VAL);
   const double slack = series.rate > 0 ? 1e-6 / series.rate : 0;  // 30 s as typed and as printed by a logger
   const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
   const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
   if (first >= last) return nothing_left(series, options);
   if (const Result<void> good = check_size(series); !good) return good.error();
-  Series used = series;
   const auto cut = [&](auto& values) {
-    if (values.size() != series.t.size()) return;
+    if (values.size() != n) return;
     values.erase(values.begin() + last, values.end());
     values.erase(values.begin(), values.begin() + first);
   };
-  cut(used.y);
-  cut(used.lines);
-  used.t.assign(series.t.begin() + first, series.t.begin() + last);
-  const auto outside = [&](const auto& mark) { return mark.t < used.t.front() || mark.t > used.t.back(); };
-  used.gaps.erase(std::remove_if(used.gaps.begin(), used.gaps.end(), outside), used.gaps.end());
-  used.outliers.erase(std::remove_if(used.outliers.begin(), used.outliers.end(), outside),
-                      used.outliers.end());
-  return used;
+  cut(series.t);
+  cut(series.y);
+  cut(series.lines);
+  const auto outside = [&](const auto& mark) {
+    return mark.t < series.t.front() || mark.t > series.t.back();
+  };
+  std::erase_if(series.gaps, outside);
+  std::erase_if(series.outliers, outside);
+  return series;
 }
 
 FittedRecording row_to_fit(const Series& series, Series used, std::string_view file,
@@ -120,8 +122,8 @@ FittedSamples without_outliers(const Series& series) {
   return kept;
 }
 
-Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
-  Result<Series> used = used_part(series, options);
+Result<Series> samples_in_use(Series series, const FitOptions& options) {
+  Result<Series> used = used_part(std::move(series), options);
   if (!used) return used;
   if (!options.from && !options.to) cut_lost_motion(*used);
   set_drop_outs_aside(*used);

@@ -12,11 +12,11 @@
 namespace cromer::core {
 
 /// The samples from --from to --to, both included; an Error if none is left.
-Result<Series> used_part(const Series& series, const FitOptions& options);
+Result<Series> used_part(Series series, const FitOptions& options);
 
 /// The samples from --from to --to. If neither is given, the series ends where a sensor has lost the motion
 /// for good. Drop-outs join the outliers. An Error if no sample is left.
-Result<Series> samples_in_use(const Series& series, const FitOptions& options);
+Result<Series> samples_in_use(Series series, const FitOptions& options);
 
 /// The row of a fit before it is fitted: `used` are the samples in use of `series`, with their notices.
 FittedRecording row_to_fit(const Series& series, Series used, std::string_view file,
