@@ -233,7 +233,7 @@ def _numbers(name: str, values: Any) -> Numbers:
     try:
         if hasattr(values, "filled"):  # a masked array
             values = values.astype(np.float64).filled(np.nan)
-        elif hasattr(values, "isna") and getattr(values.dtype, "kind", "O") in "fiu":  # pandas, with its own NA
+        elif hasattr(values, "isna") and values.ndim == 1 and values.dtype.kind in "fiu":  # pandas, with its own NA
             values = values.to_numpy(dtype=np.float64, na_value=np.nan)
         given = np.asarray(values)
         if given.dtype.kind in "mM":

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple, TypeVar
 
 import numpy as np
 
+from ._core import InputError
+
 if TYPE_CHECKING:
     from ._core import Numbers
     from ._results import LawFit, Run, Spectrum, Sweep, _Compared
@@ -133,7 +135,7 @@ T = TypeVar("T")
 
 def _chosen(of: str, among: Dict[str, T]) -> T:
     if of not in among:
-        raise ValueError(f"of={of!r}: it is one of {', '.join(among)}")
+        raise InputError(f"of must be one of {', '.join(among)}, not {of!r}", "of", "word_not_known", {"word": of})
     return among[of]
 
 

@@ -749,13 +749,17 @@ class Sweep(Result):
         self.status = "interrupted" if self._document.get("interrupted") else "done"
 
     def __getitem__(self, name: str) -> Numbers:
-        return self.columns[name]
+        if name in self.columns:
+            return self.columns[name]
+        raise KeyError(_unknown(name, list(self.columns), "this sweep"))
 
     def __getattr__(self, name: str) -> Numbers:
-        columns: Dict[str, Numbers] = self.__dict__.get("columns", {})
-        if name in columns:
-            return columns[name]
-        raise AttributeError(_unknown(name, list(columns), "this sweep"))
+        if "columns" not in self.__dict__:  # not yet: it is being unpickled
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
 
     def to_pandas(self) -> Any:
         return _frame(self.columns)

@@ -10,5 +10,5 @@ import numpy as np
 Value = Union[float, str, Any]
 #: A Value, or (value, standard uncertainty), a text with ± ("217.6 ± 0.3 g"), or a number of `uncertainties`.
 Uncertain = Union[float, str, Tuple[float, float], Any]
-#: A Value, a text that is a grid ("0.5..5 / 200"), or an array.
+#: A Value, a text that is a grid ("0.5:5:200", "0.1:10:50:log", "2,5,10 Hz"), or an array.
 Grid = Union[float, str, Sequence[float], "np.ndarray[Any, Any]", Any]

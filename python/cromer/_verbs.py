@@ -56,16 +56,21 @@ def _shown(progress: Union[None, bool, Progress], what: str) -> Optional[Progres
     return shown
 
 
-def _motion(verb: str, t: Any, y: Any, force: Any) -> Tuple[Dict[str, Any], Dict[str, Any]]:
-    """What a recorded motion is: of a request its file, or arrays."""
-    if isinstance(t, Recording):
-        if y is not None:
-            raise InputError("a recording has its own columns: name one with column=", "y", "file_and_arrays")
-        return {"file": t.file, **t.options}, {}
-    if isinstance(t, (str, os.PathLike)):
-        if y is not None:
-            raise InputError("a file has its own columns: name one with column=", "y", "file_and_arrays")
-        return {"file": os.fspath(t)}, {}
+def _of_file(source: Any) -> Optional[Dict[str, Any]]:
+    """What a request says of a file or a recording; None of anything else."""
+    if isinstance(source, Recording):
+        return {"file": source.file, **source.options}
+    return {"file": os.fspath(source)} if isinstance(source, (str, os.PathLike)) else None
+
+
+def _motion(verb: str, t: Any, y: Any, force: Any = None) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+    """The request and the arrays that a recorded motion is."""
+    request = _of_file(t)
+    if request is not None:
+        for name, values, cure in (("y", y, "column"), ("force", force, "force_column")):
+            if values is not None:
+                raise InputError(f"a file has its own columns: name one with {cure}=", name, "file_and_arrays")
+        return request, {}
     if hasattr(t, "columns"):  # a DataFrame
         raise InputError(f"a table does not say which of its columns is the time: {verb}(table[TIME], table[POSITION]), "
                          f"in SI units; it has {', '.join(map(str, t.columns))}", "t", "no_numbers")
@@ -169,15 +174,15 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
     Parameters
     ----------
     law : LawFit, optional
-        A fitted law, from its first used sample on; what else is given takes the place of its own.
+        A fitted law, from its first used sample on; an option that is given replaces the law's own.
     method : str or list of str
-        Which methods (euler-cromer if not given, rk4 of a fitted law); `methods()` lists them. "exact" is the closed form of a linear law.
-    force : array, optional
+        euler-cromer if not given, rk4 of a fitted law; `methods()` lists them. "exact" is the closed form of a linear law.
+    force : array of shape (n,), optional
         Recorded force [N] that drives it, with `spacing`.
-    acceleration : array, optional
-        Recorded acceleration [m/s²] of the ground, with `spacing`.
+    acceleration : array of shape (n,), optional
+        Recorded acceleration [m/s²] of the ground, with `spacing`; the motion is then relative to the ground.
     spacing : float, optional
-        [s] between their samples.
+        Time between their samples [s].
     language, strict, progress
         As of `fit`.
     {options}
@@ -199,22 +204,22 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
 
 
 @overload
-def compare(t: Any, y: Any = None, *, method: Optional[str] = ..., force: Any = None, observed: Optional[str] = None,
+def compare(t: Any, y: Any = None, *, method: Optional[str] = ..., observed: Optional[str] = None,
             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
             **options: "Unpack[CompareOptions]") -> Comparison: ...
 @overload
-def compare(t: Any, y: Any = None, *, method: Union[List[str], Tuple[str, ...]], force: Any = None, observed: Optional[str] = None,
+def compare(t: Any, y: Any = None, *, method: Union[List[str], Tuple[str, ...]], observed: Optional[str] = None,
             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
             **options: "Unpack[CompareOptions]") -> Comparisons: ...
 @_documented
-def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, force: Any = None, observed: Optional[str] = None,
+def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, observed: Optional[str] = None,
             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
             **options: "Unpack[CompareOptions]") -> Union[Comparison, Comparisons]:
     """A recorded motion beside the simulation of its law, and of one constant decay rate.
 
     Parameters
     ----------
-    t, y, force, observed, language, strict, progress
+    t, y, observed, language, strict, progress
         As of `fit`.
     method : str or list of str
         Of the simulation (euler-cromer if not given); `methods()` lists them. Of several, each has a comparison.
@@ -224,7 +229,7 @@ def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[
     -------
     Comparison of one method, Comparisons of a list of methods
     """
-    request, arrays = _motion("compare", t, y, force)
+    request, arrays = _motion("compare", t, y)
     request.update(request_of({**options, "observed": observed, "language": language}, "compare"))
     made: List[Comparison] = []
     for each in method if isinstance(method, (list, tuple)) else [method]:
@@ -266,11 +271,11 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
     acceleration : array of shape (n,), str, path or Recording
         Acceleration of the ground [m/s²]; or a file.
     spacing : float
-        [s] between the samples of an array.
+        Time between the samples of an array [s].
     second : array of shape (n,), optional
         The other horizontal component, for RotD50 and RotD100.
-    periods : array, optional
-        Natural periods [s], increasing; as text a grid.
+    periods : array of shape (periods,) or str, optional
+        Natural periods [s], increasing; as text a grid, "0.05:5:200:log".
     language, strict, progress
         As of `fit`.
     {options}
@@ -279,15 +284,17 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
     -------
     Spectrum
     """
-    arrays: Dict[str, Any] = {}
+    arrays: Dict[str, Any] = {"second": second}
     given: Dict[str, Any] = {**options, "language": language}
-    if isinstance(acceleration, Recording):
-        given.update(file=acceleration.file, **acceleration.options)
-    elif isinstance(acceleration, (str, os.PathLike)):
-        given.update(file=os.fspath(acceleration))
-    else:
+    of_file = _of_file(acceleration)
+    if of_file is None:
         given.update(spacing=spacing)
-        arrays.update(acceleration=acceleration, second=second)
+        arrays.update(acceleration=acceleration)
+    elif spacing is not None:
+        raise InputError("a file has its own times: leave spacing out, or give rate= where it has none", "spacing",
+                         "file_and_arrays")
+    else:
+        given.update(of_file)
     if isinstance(periods, str):
         given.update(periods=periods)
     elif periods is not None:
@@ -301,7 +308,10 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
 @_documented
 def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
           **options: "Unpack[SweepOptions]") -> Sweep:
-    """Amplitude and phase of the steady motion over grids of any options, by the closed form or by steps.
+    """Amplitude and phase of the steady motion, or what `measure` asks for, over grids of options.
+
+    An array is a grid, and so is a text ("1:5:400", "0.1:10:50:log", "2,5,10 Hz"); several grids give every
+    combination. A linear law is answered in closed form, any other by steps (docs/sweep.md).
 
     Parameters
     ----------

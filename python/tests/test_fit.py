@@ -215,6 +215,8 @@ def test_files_and_what_read_gave():
 @pytest.mark.parametrize("arguments, options, argument, code", [
     (([0, 1, 2], [0, 1]), {}, None, None),
     (([0, 1, 2], None), {}, "y", "array_is_missing"),
+    ((RECORDING, "position"), {}, "y", "file_and_arrays"),
+    ((RECORDING,), {"force": np.ones(9)}, "force", "file_and_arrays"),
     (([[0, 1]], [0, 1]), {}, "t", "not_one_dimension"),
     ((["a", "b"], [0, 1]), {}, "t", "no_numbers"),
     (("no_such_file.csv", None), {}, None, None),

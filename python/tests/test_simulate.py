@@ -152,6 +152,22 @@ def test_wrong_input_is_said(wrong, argument):
     assert refused.value.argument == argument
 
 
+@pytest.mark.parametrize("wrong, argument", [({"spacing": 0.01}, "spacing"), ({"second": np.ones(9)}, "second")])
+def test_what_goes_with_arrays_is_refused_of_a_file(wrong, argument):
+    ground = str(ROOT / "data" / "ground" / "shaking.csv")
+    for source in (ground, cromer.read(ground)):
+        with pytest.raises(cromer.InputError) as refused:
+            cromer.spectrum(source, column="east", **wrong)
+        assert refused.value.argument == argument
+
+
+def test_a_table_of_pandas_has_too_many_dimensions():
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(cromer.InputError) as refused:
+        cromer.spectrum(pandas.DataFrame({"east": np.ones(100)}), 0.01)
+    assert (refused.value.argument, refused.value.code) == ("acceleration", "not_one_dimension")
+
+
 def test_a_symbol_is_told_its_name():
     with pytest.raises(cromer.InputError, match="did you mean step"):
         cromer.simulate(stiffness=9, until=1, h=0.01)
@@ -207,8 +223,9 @@ def test_pictures():
     assert len({each.get_color() for each in legend.get_texts()}) == 2
     ax.figure.canvas.draw()
     assert legend.get_window_extent().y0 >= ax.get_window_extent().y1 - 1  # not across the data
-    with pytest.raises(ValueError, match="phase"):
+    with pytest.raises(cromer.InputError, match="phase") as refused:
         runs.plot("poition")
+    assert refused.value.argument == "of"
     widths = [each.get_linewidth() for each in cromer.simulate(stiffness=9, method=["euler-cromer", "rk4"], step=0.01,
                                                                until=5).plot().lines]
     assert widths[0] >= widths[1] + 1  # curves that coincide are both seen
@@ -216,8 +233,11 @@ def test_pictures():
     for each in (compared, compared[0]):
         for of in ("position", "residual", "phase_error"):
             assert len(each.plot(of).get_legend().get_texts()) == len(each.curves) + (of == "position")
-    with pytest.raises(ValueError, match="residual"):
+    with pytest.raises(cromer.InputError, match="residual"):
         compared.plot("energy")
-    cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5)).plot()
+    swept = cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5))
+    swept.plot()
+    with pytest.raises(KeyError, match="did you mean 'amplitude'"):
+        swept.plot("amplitud")
     cromer.spectrum(np.sin(t), 0.01, periods=np.geomspace(0.1, 5, 20), damping_ratio=[0.02, 0.05]).plot("psv")
     plt.close("all")
