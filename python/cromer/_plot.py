@@ -3,7 +3,7 @@ method has its family's hue, measured is ink."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, TypeVar
 
 import numpy as np
 
@@ -178,16 +178,20 @@ def _logarithmic(ax: Any, values: Any) -> None:
         ax.set_xscale("log")
 
 
-def spectrum(found: "Spectrum", of: str, ax: Any = None) -> Any:
-    names = {"psa": "pseudo-acceleration PSA (m/s²)", "psv": "pseudo-velocity PSV (m/s)", "sd": "displacement SD (m)"}
+def spectrum(found: "Spectrum", of: Optional[str], ax: Any = None) -> Any:
+    from ._results import SHOCK
+    names = {"psa": "pseudo-acceleration PSA (m/s²)", "psv": "pseudo-velocity PSV (m/s)", "sd": "displacement SD (m)",
+             **{each: f"acceleration, {each} (m/s²)" for each in SHOCK}}
+    names = {each: name for each, name in names.items() if getattr(found, each).size}
+    of = of or next(iter(names), "")
     name = _chosen(of, names)
     own = ax is None
     ax = _axes(ax)
     hues = ["#00304D", "#005A8C", "#0072B2", "#2E86BE", "#5596C2"]
     rows = np.atleast_2d(getattr(found, of))
-    for i, (ratio, row) in enumerate(zip(found.damping_ratio, rows)):
+    for i, (label, row) in enumerate(zip(found._damping(), rows)):
         colour = hues[min(i, len(hues) - 1)] if len(rows) > 1 else hues[2]
-        ax.plot(found.period, row, color=colour, linewidth=1.5, label=f"ζ = {ratio:g}")
+        ax.plot(found.period, row, color=colour, linewidth=1.5, label=label)
     _logarithmic(ax, found.period)
     _styled(ax, "period T (s)", name)
     _name(ax, own)

@@ -74,14 +74,15 @@ class Result:
         return json.loads(json.dumps(self._document))  # type: ignore[no-any-return]
 
     def to_json(self) -> str:
+        """What `to_dict` gives, as JSON."""
         return json.dumps(self._document, indent=2, ensure_ascii=False)
 
     def to_csv(self) -> str:
-        """The table that the program writes."""
+        """The table that the program writes; InputError of methods, which have none."""
         return self._answer.written_as("csv")
 
     def to_svg(self) -> str:
-        """The figure that the program draws."""
+        """The figure that the program draws; InputError of methods and recordings, which have none."""
         return self._answer.written_as("svg")
 
     def __str__(self) -> str:
@@ -128,6 +129,7 @@ class Trajectory:
     v: Numbers
 
     def to_pandas(self) -> Any:
+        """The states: t as the index, x and v."""
         return _frame({"t": self.t, "x": self.x, "v": self.v}, "t")
 
 
@@ -430,6 +432,7 @@ class Run(_Motion):
         return self._array("sensor")
 
     def to_pandas(self) -> Any:
+        """The states: t as the index, x, v and energy."""
         return _frame({"t": self.t, "x": self.x, "v": self.v, "energy": self.energy}, "t")
 
     def to_csv(self) -> str:
@@ -665,6 +668,7 @@ class Methods(Result, Sequence[Dict[str, Any]]):
         return [each["name"] for each in self._document["methods"]]
 
     def to_pandas(self) -> Any:
+        """A row for each method."""
         import pandas
         return pandas.json_normalize(self._document["methods"]).set_index("name")
 
@@ -672,27 +676,32 @@ class Methods(Result, Sequence[Dict[str, Any]]):
         return f"Methods: {', '.join(self.names)}"
 
 
+#: the curves of a shock spectrum
+SHOCK = ("maximax", "primary", "residual", "positive", "negative")
+
+
 class Spectrum(Result):
     """Response spectrum: `period` [s], `sd` [m], `psv` [m/s] and `psa` [m/s²] of the first component, and of two
-    components `rotd50` and `rotd100` [m]. Of shape (periods,), with several damping ratios (ratios, periods)."""
+    components `rotd50` and `rotd100` [m]. Of a shock (shock=True) `maximax`, `primary`, `residual`, `positive` and
+    `negative` [m/s²] instead. Of shape (periods,), with several damping ratios (ratios, periods); what was not asked
+    for is empty. `damping_ratio` and `loss_factor` [1] have a number for each spectrum, NaN where it has none. With
+    in_g=True table, figure and document are in g; the arrays stay in m/s²."""
 
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
-        found = answer.arrays.get("displacement", answer.arrays.get("1.displacement", np.empty(0)))
-        self.period = answer.arrays.get("period", np.empty(0))[:found.size]  # fewer where it was interrupted
+        self.maximax, self.primary, self.residual, self.positive, self.negative = map(self._of, SHOCK)
+        found = max(self.sd.shape[-1], self.maximax.shape[-1])
+        self.period = answer.arrays.get("period", np.empty(0))[:found]  # fewer where it was interrupted
         self.status = "interrupted" if answer.status == NO_SUCCESS else "done"
+        spectra = self._document["spectra"]
+        self.damping_ratio: Numbers = np.array([_number(each.get("damping_ratio")) for each in spectra])
+        self.loss_factor: Numbers = np.array([_number(each.get("loss_factor")) for each in spectra])
 
     def _of(self, name: str) -> Numbers:
-        arrays = self._answer.arrays
-        if name in arrays:
-            return arrays[name]
-        rows = [arrays[key] for key in arrays if key.partition(".")[2] == name]
-        return np.array(rows) if rows else np.empty(0)
-
-    @property
-    def damping_ratio(self) -> Numbers:
-        """Of each spectrum [1]."""
-        return np.array([each["damping_ratio"] for each in self._document["spectra"]])
+        rows = [values for key, values in self._answer.listed if key.rpartition(".")[2] == name]
+        unit = 9.80665 if self._document["units"].get("acceleration") == "g" else 1  # the document follows in_g
+        rows = rows or [unit * np.array(each[name]) for each in self._document["spectra"] if name in each]
+        return rows[0] if len(rows) == 1 else np.array(rows)
 
     @property
     def sd(self) -> Numbers:
@@ -720,17 +729,24 @@ class Spectrum(Result):
         return self._of("rotd100")
 
     def to_pandas(self) -> Any:
-        """The first damping ratio's SD, PSV and PSA against the period."""
-        first = {"SD": self.sd, "PSV": self.psv, "PSA": self.psa}
-        return _frame({"period": self.period, **{key: np.atleast_2d(each)[0] for key, each in first.items()}}, "period")
+        """The first damping ratio's SD, PSV and PSA against the period; of a shock what it has instead."""
+        curves = {"SD": self.sd, "PSV": self.psv, "PSA": self.psa, **{name: self._of(name) for name in SHOCK}}
+        first = {name: np.atleast_2d(each)[0] for name, each in curves.items() if each.size}
+        return _frame({"period": self.period, **first}, "period")
 
-    def plot(self, of: str = "psa", ax: Any = None) -> Any:
-        """`of`: "psa", "psv" or "sd" against the period. Returns the axes."""
+    def plot(self, of: Optional[str] = None, ax: Any = None) -> Any:
+        """`of`: "psa" (if not given), "psv" or "sd" against the period; of a shock "maximax" (if not given), "primary",
+        "residual", "positive" or "negative". Returns the axes."""
         from . import _plot
         return _plot.spectrum(self, of, ax)
 
+    def _damping(self) -> List[str]:
+        """Of each spectrum, as the curves are named."""
+        return [f"ζ = {ratio:g}" if np.isfinite(ratio) else f"η = {loss:g}"
+                for ratio, loss in zip(self.damping_ratio, self.loss_factor)]
+
     def __repr__(self) -> str:
-        return f"Spectrum: {self.period.size} periods, damping ratios {', '.join(f'{z:g}' for z in self.damping_ratio)}"
+        return f"Spectrum: {self.period.size} periods, {', '.join(self._damping())}"
 
 
 class Sweep(Result):
@@ -762,6 +778,7 @@ class Sweep(Result):
             raise AttributeError(error.args[0]) from None
 
     def to_pandas(self) -> Any:
+        """A row for each point: what was swept, and what was found."""
         return _frame(self.columns)
 
     def plot(self, of: str = "amplitude", ax: Any = None) -> Any:

@@ -98,6 +98,34 @@ def test_a_spectrum_beside_scipy():
     assert several.sd.shape == (2, 3) and np.array_equal(several.sd[1], found.sd)
 
 
+def test_a_shock_spectrum_beside_scipy():
+    signal = pytest.importorskip("scipy.signal")
+    dt, length = 1e-4, 0.02
+    t = np.arange(0, 0.4, dt)
+    shock = np.where(t <= length, np.sin(np.pi * t / length), 0)
+    during = round(length / dt) + 1
+    periods, zeta = np.array([0.01, 0.03, 0.08]), 0.05
+    found = cromer.spectrum(shock[:during], dt, periods=periods, damping_ratio=zeta, shock=True)
+    for i, period in enumerate(periods):
+        w = 2 * np.pi / period
+        _, a, _ = signal.lsim(signal.lti([2 * zeta * w, w * w], [1, 2 * zeta * w, w * w]), shock, t)
+        for name, truth in (("primary", np.abs(a[:during]).max()), ("residual", np.abs(a[during:]).max()),
+                            ("maximax", np.abs(a).max()), ("positive", a.max()), ("negative", -a.min())):
+            assert getattr(found, name)[i] == pytest.approx(truth, rel=2e-3), (name, period)
+    assert not found.psa.size and list(found.to_pandas().columns)[0] == "maximax" and found.period.size == 3
+    assert "3 periods, ζ = 0.05" in repr(found)
+    in_g = cromer.spectrum(shock[:during], dt, periods=periods, damping_ratio=zeta, shock=True, in_g=True)
+    assert np.allclose(in_g.maximax, found.maximax, rtol=1e-14) and "maximax (g)" in in_g.to_csv()
+    several = cromer.spectrum(shock[:during], dt, periods=periods, damping_ratio=[0.02, zeta], shock=True)
+    assert several.maximax.shape == (2, 3) and np.array_equal(several.maximax[1], found.maximax)
+
+
+def test_hysteretic_damping_has_no_damping_ratio():
+    found = cromer.spectrum(np.sin(9 * np.arange(0, 5, 0.01)), 0.01, periods=[0.5, 1.0], loss_factor=[0.04, 0.1])
+    assert np.array_equal(found.loss_factor, [0.04, 0.1]) and np.isnan(found.damping_ratio).all()
+    assert found.psa.shape == (2, 2) and "η = 0.04, η = 0.1" in repr(found)
+
+
 def test_a_comparison_says_what_the_method_adds():
     t, x = swing(noise=1e-5)
     found = cromer.compare(t, x)
@@ -240,4 +268,8 @@ def test_pictures():
     with pytest.raises(KeyError, match="did you mean 'amplitude'"):
         swept.plot("amplitud")
     cromer.spectrum(np.sin(t), 0.01, periods=np.geomspace(0.1, 5, 20), damping_ratio=[0.02, 0.05]).plot("psv")
+    shock = cromer.spectrum(np.sin(t[:100] * np.pi), 0.01, periods=[0.5, 1.0], shock=True)
+    assert np.array_equal(shock.plot().lines[0].get_ydata(), shock.maximax)
+    with pytest.raises(cromer.InputError, match="maximax, primary"):
+        shock.plot("psa")
     plt.close("all")
