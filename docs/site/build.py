@@ -150,7 +150,9 @@ def header_pages():
 
 def python_page():
     import cromer
-    out = "# The Python interface\n\n[Cromer in Python](../python.md) shows it at work.\n"
+    out = "# The Python interface\n\n[Cromer in Python](../python.md) shows it at work. In brackets beside an argument: first its unit, last its default.\n\n"
+    types = re.findall(r"^#: (.*)\n(\w+) = ", (ROOT / "python/cromer/_types.py").read_text(), re.M)
+    out += "| type | what it may be |\n|---|---|\n" + "".join(f"| `{name}` | {text} |\n" for text, name in types)
     verbs = [name for name in cromer.__all__ if inspect.isfunction(getattr(cromer, name))]
     verbs.sort(key=lambda name: inspect.unwrap(getattr(cromer, name)).__code__.co_firstlineno)
     for title, names in (("The verbs", verbs), ("What they give back", [n for n in cromer.__all__ if n not in verbs and n != "__version__"])):

@@ -20,15 +20,25 @@ if TYPE_CHECKING:
 
 File = Union[str, "os.PathLike[str]", Recording]
 Verb = TypeVar("Verb", bound=Callable[..., Any])
+#: what many verbs take beside their options: the type, and what it is
+_COMMON = {
+    "language": ("str, optional", 'Of the sentences: "en" (if not given) or "de".'),
+    "strict": ("bool", "Raise NoSuccess where the computation does not succeed, rather than warn."),
+    "progress": ("bool or callable, optional",
+                 "True shows a bar where tqdm is installed; a callable gets the share done, 0 to 1, and ends the\n"
+                 "    work by returning False."),
+}
 
 
 def _documented(verb: Verb) -> Verb:
-    """Adds the verb's options, from the table that the program has, to its docstring and its signature."""
+    """Adds to the verb's docstring what many verbs take, and its options from the table that the program has; the
+    options to its signature as well."""
     table = ARGUMENTS[verb.__name__.replace("fit_all", "fit")]
-    lines = [f"{name} : {kind}\n    {text}" for name, (kind, text) in table.items()]
+    signature = inspect.signature(verb)
+    common = {name: each for name, each in _COMMON.items() if name in signature.parameters}
+    lines = [f"{name} : {kind}\n    {text}" for name, (kind, text) in {**common, **table}.items()]
     begin, _, end = (inspect.cleandoc(verb.__doc__ or "") + "\n").partition("{options}")
     verb.__doc__ = begin + "\n".join(lines) + end
-    signature = inspect.signature(verb)
     own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
     options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in table
                if name not in signature.parameters]
@@ -100,13 +110,6 @@ def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = N
         Recorded force [N] that drives the motion.
     observed : str, optional
         "position" (if not given), "angle", "velocity", "angular_velocity" or "acceleration".
-    language : str, optional
-        Of the sentences: "en" (if not given) or "de".
-    strict : bool
-        Raise NoSuccess where the fit does not converge, rather than warn.
-    progress : bool or callable, optional
-        True shows a bar where tqdm is installed; a callable gets the share done, 0 to 1, and ends the work by
-        returning False.
     {options}
 
     Returns
@@ -136,8 +139,6 @@ def fit_all(t: File, *, language: Optional[str] = None, strict: bool = False,
     ----------
     t : str, path or Recording
         A file, or what `read` gave.
-    language, strict, progress
-        As of `fit`.
     {options}
 
     Returns
@@ -183,8 +184,6 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
         Recorded acceleration [m/s²] of the ground, with `spacing`; the motion is then relative to the ground.
     spacing : float, optional
         Time between their samples [s].
-    language, strict, progress
-        As of `fit`.
     {options}
 
     Returns
@@ -219,7 +218,7 @@ def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[
 
     Parameters
     ----------
-    t, y, observed, language, strict, progress
+    t, y, observed
         As of `fit`.
     method : str or list of str
         Of the simulation (euler-cromer if not given); `methods()` lists them. Of several, each has a comparison.
@@ -246,8 +245,6 @@ def methods(*, language: Optional[str] = None, **options: "Unpack[MethodsOptions
 
     Parameters
     ----------
-    language : str, optional
-        As of `fit`.
     {options}
 
     Returns
@@ -276,8 +273,6 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
         The other horizontal component, for RotD50 and RotD100.
     periods : array of shape (periods,) or str, optional
         Natural periods [s], increasing; as text a grid, "0.05:5:200:log".
-    language, strict, progress
-        As of `fit`.
     {options}
 
     Returns
@@ -315,8 +310,6 @@ def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Uni
 
     Parameters
     ----------
-    language, strict, progress
-        As of `fit`.
     {options}
 
     Returns
@@ -346,8 +339,6 @@ def read(file: Union[str, "os.PathLike[str]"], *, language: Optional[str] = None
     ----------
     file : str or path
         Its format is found by what is in it.
-    language : str, optional
-        As of `fit`.
     {options}
 
     Returns

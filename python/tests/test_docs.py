@@ -50,6 +50,8 @@ def test_every_verb_has_its_section_of_arguments():
         section = said.split("----------\n")[1].split("\n\n")[0].splitlines()
         margins = {len(line) - len(line.lstrip()) for line in section}
         assert margins == {0, 4}, verb
+        assert set(inspect.signature(getattr(cromer, verb)).parameters) == set(re.findall(r"\w+", " ".join(
+            line.split(" : ")[0] for line in section if not line.startswith(" ")))), verb
 
 
 def test_what_a_class_promises_it_has():
