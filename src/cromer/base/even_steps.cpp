@@ -9,7 +9,7 @@ namespace cromer::core {
 
 EvenSteps even_steps(std::span<const double> t) {
   const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-  // In four strands, as each comparison waits for the last.
+  // In lanes, as each comparison waits for the one before it.
   constexpr std::size_t lanes = 4;
   double farthest[lanes]{};
   std::size_t i = 1;

@@ -6,7 +6,7 @@
 namespace cromer::core {
 
 Extent extent_of(std::span<const double> values) {
-  // In eight strands, as each comparison waits for the last.
+  // In lanes, as each comparison waits for the one before it.
   constexpr std::size_t lanes = 8;
   constexpr Extent nothing;
   double low[lanes], high[lanes];

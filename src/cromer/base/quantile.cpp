@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "cromer/base/extent.h"
@@ -12,9 +11,8 @@
 namespace cromer::core {
 namespace {
 
-// Drawers of equal width from the lowest value to the highest.
-constexpr std::size_t drawers = 1024;
-constexpr std::size_t fewest = 512;  // values, below which it does not pay to count them
+constexpr std::size_t bins = 1024;   // of equal width, from the lowest value to the highest
+constexpr std::size_t fewest = 512;  // values; it does not pay to count less
 
 double by_order(std::span<double> values, std::size_t place) {
   const auto there = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -22,26 +20,26 @@ double by_order(std::span<double> values, std::size_t place) {
   return *there;
 }
 
-/// Of the sorted values that at this place. Only those in its drawer are put in order: that takes a quarter of
-/// the time where the values are spread out, and hardly more than before where one drawer has them all.
+/// The value at this place of the sorted ones. Only those in its bin are put in order: that takes a quarter
+/// of the time where the values are spread out, and hardly more than by_order where one bin has them all.
 double at_place(std::span<double> values, std::size_t place) {
   if (values.size() < fewest) return by_order(values, place);
   const auto [lowest, highest] = extent_of(values);
-  const double width = highest - lowest, scale = (drawers - 1) / width;
+  const double width = highest - lowest, scale = (bins - 1) / width;
   if (!std::isfinite(width) || !std::isfinite(scale)) return by_order(values, place);
-  const auto drawer = [low = lowest, scale](double value) {
+  const auto bin_of = [low = lowest, scale](double value) {
     const double number = (value - low) * scale;
-    return number < drawers ? static_cast<std::size_t>(number) : 0;  // NaN in any
+    return number < bins ? static_cast<std::size_t>(number) : 0;  // NaN in any
   };
-  std::array<std::size_t, drawers> count{};
-  for (const double value : values) ++count[drawer(value)];
+  std::array<std::size_t, bins> count{};
+  for (const double value : values) ++count[bin_of(value)];
   std::size_t chosen = 0, below = 0;
   while (below + count[chosen] <= place) below += count[chosen++];
   std::vector<double> within(count[chosen] + 1);  // one place more to write what is not kept
   std::size_t kept = 0;
   for (const double value : values) {
     within[kept] = value;
-    kept += drawer(value) == chosen;
+    kept += bin_of(value) == chosen;
   }
   return by_order(std::span(within).first(kept), place - below);
 }
@@ -58,7 +56,7 @@ double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double upper = upper_median(values);
   if (values.size() % 2 == 1) return upper;
-  // The lower of the two is the largest of those below, unless it is as large.
+  // The lower of the two is the largest of those below, unless both are equal.
   std::size_t less = 0;
   double lower = -std::numeric_limits<double>::infinity();
   for (const double value : values) {

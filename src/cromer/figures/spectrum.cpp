@@ -1,4 +1,3 @@
-#include "cromer/base/extent.h"
 #include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/described/spectrum.h"

@@ -74,7 +74,8 @@ std::vector<double> sorted(std::vector<double> values) {
   return result;
 }
 
-/// The median distance of sorted values from one of them: half of all lie in the narrowest window about it.
+/// The median distance of sorted values from one of them. The nearest half are neighbours; the nearest of the
+/// others has that distance.
 double usual_distance(const std::vector<double>& ordered, double middle) {
   const std::size_t half = ordered.size() / 2;
   std::size_t first = 0, end = ordered.size() - half;
@@ -197,6 +198,7 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   if (n < 2 * reach) return found;
   std::vector<double> size(n, unseen);
   for (std::size_t i = 2; i + 2 < n; ++i) size[i] = std::fabs(distance_from_cubic(y, i));
+  // Only where some step may be too short or too long is each looked at.
   const EvenSteps all_steps = even_steps(t);
   if (all_steps.mean - all_steps.farthest < 0.5 * step || all_steps.mean + all_steps.farthest > 1.2 * step)
     for (std::size_t i = 2; i + 2 < n; ++i)

@@ -306,6 +306,7 @@ Steps describe_steps(std::span<const double> t) {
   constexpr double gap_of_steps = 1.5, lost_of_steps = 0.5;
   Steps result;
   if (t.size() < 2) return result;
+  // Steps that differ by rounding alone need no search for a clock.
   if (const EvenSteps even = even_steps(t); even.farthest <= noise_of(t) && noise_of(t) < 1e-6 * even.mean) {
     result.rate = round_within(1 / even.mean, noise_of(t) / even.mean);
     return result;
