@@ -13,7 +13,7 @@ recording = cromer.read("data/recording2.csv")
 fit = cromer.fit(recording, mass="217.6 ± 0.3 g", disc_diameter="12 cm")
 print(f"try: imported in {1000 * seconds:.0f} ms; {fit.law}: {fit['frequency']}", file=sys.stderr)
 
-program = [sys.executable, "-m", "cromer._program", "fit", "data/recording2.csv", "--mass", "217.6 ± 0.3 g",
+program = [sys.executable, "-m", "cromer", "fit", "data/recording2.csv", "--mass", "217.6 ± 0.3 g",
            "--disc-diameter", "12 cm", "--json"]
 theirs = json.loads(subprocess.run(program, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout)
 for name, one in theirs["parameters"].items():

@@ -1,4 +1,4 @@
-"""Puts library and program into the wheel of a platform: CROMER_LIBRARY and CROMER_PROGRAM name them, CROMER_PLATFORM is
+"""Puts library, program and licence into the wheel of a platform: CROMER_LIBRARY and CROMER_PROGRAM name them, CROMER_PLATFORM is
 the wheel's tag ("manylinux_2_28_x86_64"; this machine's if not given)."""
 
 import os
@@ -16,6 +16,7 @@ class CustomBuildHook(BuildHookInterface):
         build_data["pure_python"] = False
         build_data["tag"] = f"py3-none-{platform}"
         carried = build_data["force_include"]
+        carried[str(pathlib.Path(self.root).parent / "LICENSE")] = "cromer/LICENSE"
         library = pathlib.Path(os.environ["CROMER_LIBRARY"]).resolve()
         carried[str(library)] = "cromer/" + next(name for end, name in NAMES.items() if end in library.name)
         if program := os.environ.get("CROMER_PROGRAM"):
