@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import decimal
 import math
+import numbers
 import os
 import re
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, Mapping, Optional
 
 import numpy as np
 
@@ -13,8 +15,10 @@ from ._core import InputError
 from ._estimate import Estimate
 from ._options import ARGUMENTS
 
-_COUNTED = {"hertz", "kilohertz", "megahertz", "revolutions_per_minute", "rpm"}  # cycles: the core multiplies by 2 pi
-
+#: arrays of SI units, and of what was observed
+_ARRAYS = {"t": "s", "periods": "s", "force": "N", "acceleration": "m/s^2", "second": "m/s^2"}
+_OBSERVED = {"position": "m", "angle": "rad", "velocity": "m/s", "angular_velocity": "rad/s", "acceleration": "m/s^2"}
+_SPACING = ("Value", "[s]")  # no option of the program
 
 _STEPS = {"dt": ("step", "spacing"), "h": ("step", "spacing")}  # a symbol, and what a verb may call it
 
@@ -26,8 +30,15 @@ def request_of(options: Mapping[str, Any], verb: str) -> Dict[str, Any]:
         if name:
             raise InputError(f'{verb} has no argument "{symbol}"; did you mean {name}?', symbol, "unknown_argument_but",
                              {"argument": symbol, "verb": verb, "near": name})
-    return {name.rstrip("_"): _plain(name, value, *ARGUMENTS[verb].get(name, ("", "")))
+    return {name.rstrip("_"): _plain(name, value, *ARGUMENTS[verb].get(name, _SPACING if name == "spacing" else ("", "")))
             for name, value in options.items() if value is not None}
+
+
+def arrays_of(arrays: Mapping[str, Any], observed: Optional[str] = None) -> Dict[str, Any]:
+    """The arrays, quantities of pint in SI units."""
+    units = {**_ARRAYS, "y": _OBSERVED.get(observed or "position", "")}
+    return {name: _of_pint(name, values, units[name]) if hasattr(values, "to_base_units") else values
+            for name, values in arrays.items()}
 
 
 def _plain(name: str, value: Any, kind: str, text: str) -> Any:
@@ -42,7 +53,8 @@ def _plain(name: str, value: Any, kind: str, text: str) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if hasattr(value, "to_base_units"):  # pint
-        return _plain(name, _of_pint(name, value, text), kind, text)
+        unit = re.match(r"\[([^]]+)\]", text)
+        return _plain(name, _of_pint(name, value, unit[1] if unit else "dimensionless"), kind, text)
     if isinstance(value, Estimate):  # with its unit, which the core checks
         number = f"{value.value!r} ± {value.standard_error!r}" if uncertain else repr(value.value)
         return number if value.unit in ("", "1") else f"{number} {value.unit}"
@@ -51,17 +63,19 @@ def _plain(name: str, value: Any, kind: str, text: str) -> Any:
         return _plain(name, both if uncertain else both[0], kind, text)
     if isinstance(value, (np.ndarray, np.generic)) or hasattr(value, "__array__"):
         return _plain(name, np.asarray(value).tolist(), kind, text)
+    if isinstance(value, (numbers.Real, decimal.Decimal)):
+        return _plain(name, float(value), kind, text)
     if isinstance(value, (list, tuple, range)):
         return [_plain(name, each, kind, text) for each in value]
     raise InputError(f"{name} must be a number, a text or a list of them, not {type(value).__name__}", name, "must_be_value")
 
 
-def _of_pint(name: str, value: Any, text: str) -> Any:
-    """Its magnitude in the argument's unit; cycles as a text, since the core multiplies them by 2 pi."""
-    if str(value.units) in _COUNTED:
-        return f"{float(value.to('hertz').magnitude)!r} Hz"
-    unit = re.match(r"\[([^]]+)\]", text)
+def _of_pint(name: str, value: Any, unit: str) -> Any:
+    """Its magnitude in this unit; cycles as texts, since the core multiplies them by 2 pi, and pint does not."""
     try:
-        return value.to(unit[1] if unit else "dimensionless").magnitude
+        if "hertz" in str(value.units):
+            cycles = np.asarray(value.to("hertz").magnitude)
+            return [f"{each!r} Hz" for each in cycles.tolist()] if cycles.ndim else f"{cycles.item()!r} Hz"
+        return value.to(unit).magnitude
     except Exception as error:
-        raise InputError(f"{name}: {error}", name, "wrong_unit", {"unit": unit[1] if unit else ""}) from None
+        raise InputError(f"{name}: {error}", name, "wrong_unit", {"unit": unit}) from None

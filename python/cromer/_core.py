@@ -195,7 +195,8 @@ def _called(verb: str, request: str, arrays: Dict[str, Numbers], progress: Optio
 
     def told(done: float, _: Any) -> int:
         try:
-            if progress is not None and progress(done) is False:
+            going_on = None if progress is None else progress(done)
+            if isinstance(going_on, (bool, np.bool_)) and not going_on:
                 stopped.set()
         except BaseException as error:  # it ends the work and is raised again where the call was made
             raised.append(error)
@@ -228,9 +229,9 @@ def _called(verb: str, request: str, arrays: Dict[str, Numbers], progress: Optio
 
 def _numbers(name: str, values: Any) -> Numbers:
     """One-dimensional doubles: a masked or missing value is NaN, times of the calendar are seconds from the first."""
-    if getattr(values, "tz", None) is not None:  # a DatetimeIndex of pandas with a time zone
-        values = values.tz_convert(None)
     try:
+        if getattr(getattr(values, "dtype", None), "tz", None) is not None:  # times of pandas with a time zone
+            values = getattr(values, "dt", values).tz_convert(None)
         if hasattr(values, "filled"):  # a masked array
             values = values.astype(np.float64).filled(np.nan)
         elif hasattr(values, "isna") and values.ndim == 1 and values.dtype.kind in "fiu":  # pandas, with its own NA

@@ -22,6 +22,9 @@ LINES: Dict[str, Tuple[str, Any, float]] = {
     "dormand-prince": ("#A06A00", (0, (8, 3, 2, 3)), 1.3), "implicit-midpoint": ("#009E73", (0, (8, 3)), 1.3),
     "newmark": ("#009E73", (0, (3, 3)), 1.3), "generalized-alpha": ("#009E73", (0, (8, 3, 2, 3)), 1.3),
     "gauss-legendre4": ("#009E73", (0, (2, 2)), 1.3)}
+#: of lines of one family
+SHADES = ["#00304D", "#005A8C", "#0072B2", "#2E86BE", "#5596C2"]
+MANY_LINES = 12  # more than these have no names
 DASHES = (0, (6, 4))  # of one constant decay rate
 LOGARITHMIC_FROM = 30  # a grid that spans more than this is drawn on a logarithmic axis
 MANY_SWINGS = 30  # more than these are drawn as their envelope
@@ -187,10 +190,9 @@ def spectrum(found: "Spectrum", of: Optional[str], ax: Any = None) -> Any:
     name = _chosen(of, names)
     own = ax is None
     ax = _axes(ax)
-    hues = ["#00304D", "#005A8C", "#0072B2", "#2E86BE", "#5596C2"]
     rows = np.atleast_2d(getattr(found, of))
     for i, (label, row) in enumerate(zip(found._damping(), rows)):
-        colour = hues[min(i, len(hues) - 1)] if len(rows) > 1 else hues[2]
+        colour = SHADES[min(i, len(SHADES) - 1)] if len(rows) > 1 else SHADES[2]
         ax.plot(found.period, row, color=colour, linewidth=1.5, label=label)
     _logarithmic(ax, found.period)
     _styled(ax, "period T (s)", name)
@@ -199,12 +201,29 @@ def spectrum(found: "Spectrum", of: Optional[str], ax: Any = None) -> Any:
 
 
 def sweep(found: "Sweep", of: str, ax: Any = None) -> Any:
-    first = next(iter(found.columns))
+    grids = [name for name in found.swept if name != "direction" and np.unique(found[name]).size > 1] or found.swept
+    across = grids[-1]
+    others = [name for name in found.swept if name != across]
+    of_line = np.column_stack([np.zeros(len(found.statuses)), *(found[name] for name in others)])
+    own = ax is None
     ax = _axes(ax)
-    ax.plot(found[first], found[of], color=LINES["euler-cromer"][0], linewidth=1.5)
-    _logarithmic(ax, found[first])
 
     def title(name: str) -> str:
         return name.replace("_", " ") + (f" ({found.units[name]})" if found.units[name] else "")
 
-    return _styled(ax, title(first), title(of))
+    def value(name: str, each: float) -> str:
+        return ("up" if each > 0 else "down") if name == "direction" else f"{name.replace('_', ' ')} = {each:g} {found.units[name]}"
+
+    lines, place = np.unique(of_line, axis=0, return_inverse=True)
+    lines, place = lines[::-1], len(lines) - 1 - place.ravel()  # upwards before downwards
+    for i, each in enumerate(lines):
+        names = [value(name, number) for name, number in zip(others, each[1:])]
+        points = np.flatnonzero(place == i)
+        points = points[np.argsort(found[across][points], kind="stable")]
+        ax.plot(found[across][points], found[of][points], color=SHADES[i % len(SHADES)] if len(lines) > 1 else SHADES[2],
+                linewidth=1.5, label=", ".join(names).strip())
+    _logarithmic(ax, found[across])
+    _styled(ax, title(across), title(of))
+    if 1 < len(lines) <= MANY_LINES:
+        _name(ax, own)
+    return ax

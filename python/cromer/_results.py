@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, 
 
 import numpy as np
 
+from ._arguments import arrays_of
 from ._core import NO_SUCCESS, Answer, InputError, Numbers, _numbers
 from ._estimate import Estimate, with_error
 
@@ -308,7 +309,10 @@ class LawFit(_Motion):
 
         InputError of a motion that a recorded force drives: it is known at the samples only.
         """
-        motion = self._answer.motion_at(self.run, _numbers("t", t))
+        if getattr(getattr(t, "dtype", None), "kind", "") == "M":
+            raise InputError("t must be seconds after the first time of the record, which the fit has as 0: give "
+                             "(times - first).total_seconds()", "t", "no_numbers")
+        motion = self._answer.motion_at(self.run, _numbers("t", arrays_of({"t": t})["t"]))
         return Trajectory(motion["t"], motion["x"], motion["v"])
 
     def simulation(self) -> Dict[str, Any]:
@@ -330,6 +334,8 @@ class LawFit(_Motion):
     def to_uncertainties(self) -> Dict[str, Any]:
         """The fitted parameters as numbers of the package `uncertainties`, with their correlations."""
         from uncertainties import correlated_values
+        if not self.fitted:
+            return {}
         values = [self.parameters[name].value for name in self.fitted]
         return dict(zip(self.fitted, correlated_values(values, self.covariance, tags=self.fitted)))
 
@@ -751,7 +757,8 @@ class Spectrum(Result):
 
 class Sweep(Result):
     """What was swept and what was found, one value for each point: `amplitude` [m], `phase` [rad], ... as
-    attributes and by name; `columns` has them all, `units` their units, `statuses` how each point ended."""
+    attributes and by name; `columns` has them all, `units` their units, `swept` the names of what was swept, `statuses` how each point ended, and
+    `status` is "done" or "interrupted"."""
 
     def __init__(self, answer: Answer) -> None:
         super().__init__(answer)
@@ -762,7 +769,8 @@ class Sweep(Result):
             self.columns[name] = values
             self.units[name] = unit[:-1]
         self.statuses: List[str] = self._document.get("statuses", [])
-        self.status = "interrupted" if self._document.get("interrupted") else "done"
+        self.swept: List[str] = [each["column"].partition(" (")[0] for each in self._document["swept"]]
+        self.status = "interrupted" if "not_reached" in self.statuses else "done"
 
     def __getitem__(self, name: str) -> Numbers:
         if name in self.columns:
@@ -782,7 +790,7 @@ class Sweep(Result):
         return _frame(self.columns)
 
     def plot(self, of: str = "amplitude", ax: Any = None) -> Any:
-        """`of` against the first swept option. Returns the axes."""
+        """`of` against the last swept option, with a line for each value of the others. Returns the axes."""
         from . import _plot
         return _plot.sweep(self, of, ax)
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import os
 import warnings
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 
-from ._arguments import request_of
+from ._arguments import arrays_of, request_of
 from ._core import Answer, InputError, Progress, call
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
                        SpectrumOptions, SweepOptions)
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 File = Union[str, "os.PathLike[str]", Recording]
 Verb = TypeVar("Verb", bound=Callable[..., Any])
+#: an argument, and the one of a fitted law that it stands for
+_IN_PLACE_OF = {"natural_frequency": "stiffness", "damping_ratio": "damping", "quality_factor": "damping", "accuracy": "step"}
 #: what many verbs take beside their options: the type, and what it is
 _COMMON = {
     "language": ("str, optional", 'Of the sentences: "en" (if not given) or "de".'),
@@ -46,31 +49,41 @@ def _documented(verb: Verb) -> Verb:
     return verb
 
 
-def _shown(progress: Union[None, bool, Progress], what: str) -> Optional[Progress]:
-    """A function of the share done, for True a bar of tqdm where that is installed."""
-    if progress is None or progress is False:
-        return None
-    if progress is not True:
-        return progress
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return None
-    bar = tqdm(total=100, desc=what, unit="%", leave=False)
+@contextlib.contextmanager
+def _shown(progress: Union[None, bool, Progress], what: str) -> Iterator[Optional[Progress]]:
+    """A function of the share done, for True a bar of tqdm where that is installed; the bar is full when all went well."""
+    if progress is None or isinstance(progress, bool):
+        bar: Any = None
+        if progress:
+            with contextlib.suppress(ImportError):
+                from tqdm.auto import tqdm
+                bar = tqdm(total=100, desc=what, unit="%", leave=False)
+        if bar is None:
+            yield None
+            return
+        with contextlib.closing(bar) as shown:
+            yield lambda done: shown.update(round(100 * done) - shown.n)
+            shown.update(shown.total - shown.n)
+        return
+    if not callable(progress):
+        raise InputError(f"progress must be True or a function of the share done, not {progress!r}", "progress", "must_be_value")
+    yield progress
 
-    def shown(done: float) -> None:
-        bar.update(round(100 * done) - bar.n)
-        if done >= 1:
-            bar.close()
 
-    return shown
+def _names(method: Any) -> Any:
+    """One method's name or none, or a list of names."""
+    if isinstance(method, np.ndarray):
+        method = method.tolist()
+    if isinstance(method, (list, tuple)) and not method:
+        raise InputError("method is an empty list: name a method, or leave it out", "method", "must_be_value")
+    return method
 
 
 def _of_file(source: Any) -> Optional[Dict[str, Any]]:
     """What a request says of a file or a recording; None of anything else."""
     if isinstance(source, Recording):
         return {"file": source.file, **source.options}
-    return {"file": os.fspath(source)} if isinstance(source, (str, os.PathLike)) else None
+    return {"file": os.fsdecode(source)} if isinstance(source, (str, os.PathLike)) else None
 
 
 def _motion(verb: str, t: Any, y: Any, force: Any = None) -> Tuple[Dict[str, Any], Dict[str, Any]]:
@@ -154,7 +167,8 @@ def _fits(t: Any, y: Any, force: Any, observed: Optional[str], language: Optiona
           progress: Union[None, bool, Progress], options: Mapping[str, Any]) -> Tuple[Fits, Answer]:
     request, arrays = _motion("fit", t, y, force)
     request.update(request_of({**options, "observed": observed, "language": language}, "fit"))
-    answer = call("fit", request, arrays, _shown(progress, "fit"))
+    with _shown(progress, "fit") as shown:
+        answer = call("fit", request, arrays_of(arrays, observed), shown)
     return Fits(answer), answer
 
 
@@ -190,12 +204,20 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
     -------
     Run of one method, Runs of a list of methods
     """
-    given: Dict[str, Any] = {**(law.simulation() if law is not None else {}), **options, "spacing": spacing,
-                             "language": language}
+    if law is not None and not isinstance(law, LawFit):
+        raise InputError(f"law must be a fit, what cromer.fit(...) gives, not {type(law).__name__}; the terms of a law have "
+                         "arguments of their own: stiffness=9, damping=0.2", "law", "must_be_value")
+    method = _names(method)
+    own = law.simulation() if law is not None else {}
+    for name in (each for each, value in options.items() if value is not None):
+        own.pop(_IN_PLACE_OF.get(name, name), None)
+    given: Dict[str, Any] = {**own, **options, "spacing": spacing, "language": language}
     if method is not None:
         given["method"] = method
     request = request_of(given, "simulate")
-    answer = call("simulate", request, {"force": force, "acceleration": acceleration}, _shown(progress, "simulate"))
+    arrays = arrays_of({"force": force, "acceleration": acceleration})
+    with _shown(progress, "simulate") as shown:
+        answer = call("simulate", request, arrays, shown)
     runs = Runs(answer)
     states = ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
     told(runs, answer, strict, states)
@@ -231,11 +253,18 @@ def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[
     request, arrays = _motion("compare", t, y)
     request.update(request_of({**options, "observed": observed, "language": language}, "compare"))
     made: List[Comparison] = []
-    for each in method if isinstance(method, (list, tuple)) else [method]:
-        asked = request if each is None else {**request, "method": each}
-        answer = call("compare", asked, arrays, _shown(progress, "compare"))
-        made.append(Comparison(answer, made[0] if made else None))
-        told(made[-1], answer, strict, made[-1].message or made[-1].status)
+    method = _names(method)
+    names: Sequence[Optional[str]] = method if isinstance(method, (list, tuple)) else [method]
+    with _shown(progress, "compare") as shown:
+
+        def part(done: float) -> Any:
+            return shown((len(made) + done) / len(names)) if shown else None
+
+        for each in names:
+            asked = request if each is None else {**request, "method": each}
+            answer = call("compare", asked, arrays_of(arrays, observed), part)
+            made.append(Comparison(answer, made[0] if made else None))
+            told(made[-1], answer, strict, made[-1].message or made[-1].status)
     return Comparisons(made) if isinstance(method, (list, tuple)) else made[0]
 
 
@@ -294,10 +323,18 @@ def spectrum(acceleration: Any, spacing: Optional[float] = None, *, second: Any 
         given.update(periods=periods)
     elif periods is not None:
         arrays.update(periods=periods)
-    answer = call("spectrum", request_of(given, "spectrum"), arrays, _shown(progress, "spectrum"))
+    with _shown(progress, "spectrum") as shown:
+        answer = call("spectrum", request_of(given, "spectrum"), arrays_of(arrays), shown)
     made = Spectrum(answer)
     told(made, answer, strict, "interrupted")
     return made
+
+
+def _is_grid(value: Any) -> bool:
+    """Whether it is an array of plain numbers; texts and numbers with units go into the request."""
+    if hasattr(value, "to_base_units") or isinstance(value, (list, tuple)) and any(hasattr(each, "to_base_units") for each in value):
+        return False
+    return np.ndim(value) == 1 and np.asarray(value).dtype.kind in "iuf"
 
 
 @_documented
@@ -317,13 +354,13 @@ def sweep(*, language: Optional[str] = None, strict: bool = False, progress: Uni
     Sweep
     """
     given: Dict[str, Any] = dict(options)
-    grids = {name: value for name, value in given.items()
-             if not isinstance(value, (str, tuple)) and np.ndim(value) == 1 and name != "method"}
+    grids = {name: value for name, value in given.items() if _is_grid(value)}
     rest = {name: value for name, value in given.items() if name not in grids}
-    answer = call("sweep", request_of({**rest, "language": language}, "sweep"), grids, _shown(progress, "sweep"))
+    with _shown(progress, "sweep") as shown:
+        answer = call("sweep", request_of({**rest, "language": language}, "sweep"), grids, shown)
     made = Sweep(answer)
     unsettled = made.to_dict().get("not_settled", 0)
-    told(made, answer, strict, "not every point succeeded: see statuses")
+    told(made, answer, strict, "interrupted" if made.status == "interrupted" else "not every point succeeded: see statuses")
     if unsettled:
         text = f"{unsettled} of {len(made.statuses)} points have no steady motion: see statuses"
         warnings.warn(FitWarning(text, "not_settled", {"points": unsettled}), stacklevel=2)
@@ -346,7 +383,10 @@ def read(file: Union[str, "os.PathLike[str]"], *, language: Optional[str] = None
     Recording
     """
     given = request_of(options, "read")
-    answer = call("read", {"file": os.fspath(file), **given, **request_of({"language": language}, "read")}, {})
-    made = Recording(answer, os.fspath(file), given)
+    if not isinstance(file, (str, bytes, os.PathLike)):
+        raise InputError(f"file must be a path, not {type(file).__name__}", "file", "must_be_value")
+    path = os.fsdecode(file)
+    answer = call("read", {"file": path, **given, **request_of({"language": language}, "read")}, {})
+    made = Recording(answer, path, given)
     told(made, answer, False)
     return made

@@ -6,6 +6,8 @@ import re
 import signal
 import threading
 import warnings
+from decimal import Decimal
+from fractions import Fraction
 
 import cromer
 import numpy as np
@@ -53,7 +55,8 @@ def test_the_law_between_and_after_the_samples():
     assert refused.value.argument == "t" and refused.value.code == "times_before_the_first"
 
 
-@pytest.mark.parametrize("given", ["217.6 ± 0.3 g", (0.2176, 0.0003), [0.2176, 0.0003], np.array([0.2176, 0.0003])])
+@pytest.mark.parametrize("given", ["217.6 ± 0.3 g", (0.2176, 0.0003), [0.2176, 0.0003], np.array([0.2176, 0.0003]),
+                                   (Decimal("0.2176"), Fraction(3, 10000))])
 def test_masses_as_people_have_them(given):
     t, x = swing()
     fit = cromer.fit(t, x, mass=given, law="viscous")
@@ -71,8 +74,32 @@ def test_uncertainties_and_pint():
         cromer.fit(t, x, mass=5 * unit.newton)
     cycles = cromer.methods(natural_frequency=2 * unit.hertz, step=0.01)["rk4"]["effective"]["angular_frequency"]
     assert cycles == pytest.approx(4 * np.pi, rel=1e-4)
+    for turns, each in ((60, unit.rpm), (1000, unit.millihertz), (2 * np.pi, unit.radian / unit.second)):
+        driven = cromer.simulate(drive_amplitude=1, drive_frequency=turns * each, step=0.01, until=1)
+        assert driven.to_dict()["parameters"]["drive_frequency"] == pytest.approx(2 * np.pi, rel=1e-12), each
     grams = cromer.fit(t, x, mass=217.6 * unit.gram, law="viscous")
     assert grams["stiffness"].value == pytest.approx(fit["stiffness"].value, rel=1e-12)
+
+
+def test_arrays_with_units_are_taken_in_them():
+    unit = pytest.importorskip("pint").UnitRegistry()
+    t, x = swing()
+    fit = cromer.fit(t, x, law="viscous")
+    scaled = cromer.fit(1000 * t * unit.millisecond, 1000 * x * unit.millimetre, law="viscous")
+    for name in ("angular_frequency", "position"):
+        assert scaled[name].value == pytest.approx(fit[name].value, rel=1e-9)
+    assert scaled.at([2000] * unit.millisecond).x == pytest.approx(fit.at([2]).x)
+    angles = cromer.fit(t, np.degrees(x) * unit.degree, observed="angle", law="viscous")
+    assert angles["position"].value == pytest.approx(fit["position"].value, rel=1e-9)
+    with pytest.raises(cromer.InputError, match="radian") as refused:
+        cromer.fit(t, x * unit.radian / unit.second)
+    assert refused.value.argument == "y"
+    plain = cromer.spectrum(9.80665 * x, 0.01, periods=[0.5])
+    assert cromer.spectrum(x * unit.standard_gravity, 10 * unit.millisecond, periods=[500] * unit.millisecond).psa == \
+        pytest.approx(plain.psa, rel=1e-12)
+    swept = cromer.sweep(stiffness=9, damping=0.2, method="exact", drive_amplitude=1, mass=[900, 1000] * unit.gram,
+                         drive_frequency=[0.2 * unit.hertz, 0.5 * unit.hertz])
+    assert np.allclose(swept.mass, [0.9, 0.9, 1, 1]) and np.allclose(swept.drive_frequency, np.pi * np.array([0.4, 1, 0.4, 1]))
 
 
 def test_series_of_pandas():
@@ -92,8 +119,12 @@ def test_times_of_the_calendar_are_seconds():
     for index in (stamps, stamps.tz_localize("Europe/Berlin"), stamps - stamps[0]):
         found = cromer.fit(pandas.Series(x, index=index), law="viscous")["angular_frequency"].value
         assert found == pytest.approx(truth, rel=1e-9)
+    column = pandas.Series(stamps.tz_localize("Europe/Berlin"))
+    assert cromer.fit(column, x, law="viscous")["angular_frequency"].value == pytest.approx(truth, rel=1e-9)
     with pytest.raises(cromer.InputError, match="not times"):
         cromer.fit(t, stamps)
+    with pytest.raises(cromer.InputError, match="seconds"):  # it does not know when the record began
+        cromer.fit(pandas.Series(x, index=stamps), law="viscous").at(stamps[100:])
 
 
 def test_masked_and_missing_values_are_missing():
@@ -208,6 +239,7 @@ def test_files_and_what_read_gave():
     assert of_file["angular_frequency"] == cromer.fit(recording)["angular_frequency"]
     of_arrays = cromer.fit(recording["time"], recording["position"])
     assert of_arrays["angular_frequency"].value == pytest.approx(of_file["angular_frequency"].value, rel=1e-12)
+    assert cromer.read(os.fsencode(RECORDING)).columns == recording.columns
     every = cromer.fit_all(recording)
     assert len(every) == 1 and repr(every) == repr(every[0])
 
@@ -241,6 +273,7 @@ def test_what_does_not_succeed_warns_or_raises():
     with pytest.warns(cromer.FitWarning):
         fit = cromer.fit(t, noise)
     assert not fit.succeeded and fit.message and fit.message in repr(fit)
+    assert fit.to_uncertainties() == {}
     with pytest.raises(cromer.NoSuccess) as none, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         cromer.fit(t, noise, strict=True)
@@ -301,13 +334,14 @@ def test_other_threads_go_on_and_give_the_same():
     assert len(found) == 4 and len(set(found)) == 1
 
 
-def test_progress_ends_the_work():
+@pytest.mark.parametrize("false", [False, np.False_])
+def test_progress_ends_the_work(false):
     t, x = swing(seconds=600)
     told = []
 
     def first_word(done):
         told.append(done)
-        return False
+        return false
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

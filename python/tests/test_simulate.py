@@ -80,6 +80,19 @@ def test_a_sweep_is_the_closed_form():
     assert np.array_equal(found.drive_frequency, w)
     assert np.allclose(found.amplitude, 1 / np.hypot(9 - w**2, 0.2 * w), rtol=1e-12)
     assert found.units["amplitude"] == "m" and set(found.statuses) == {"settled"}
+    given = {"stiffness": 9, "damping": 0.2, "method": "exact", "drive_amplitude": 1}
+    assert list(cromer.sweep(**given, drive_frequency=w, measure=["peak", "rms"]).columns)[1:] == ["peak", "rms"]
+    cycles = cromer.sweep(**given, drive_frequency=["0.2 Hz", "0.5 Hz"])
+    assert np.allclose(cycles.drive_frequency, 2 * np.pi * np.array([0.2, 0.5]))
+    fitted = cromer.fit(*swing(), law="viscous")["frequency"]
+    assert cromer.sweep(**given, drive_frequency=[fitted]).drive_frequency == pytest.approx(2 * np.pi * fitted.value)
+
+
+def test_a_sweep_that_was_ended_says_so():
+    with pytest.warns(cromer.FitWarning, match="interrupted"):
+        found = cromer.sweep(stiffness=9, cubic=1, damping=0.2, method="rk4", drive_amplitude=1,
+                             drive_frequency=np.linspace(1, 5, 500), progress=lambda done: False)
+    assert found.status == "interrupted" and "not_reached" in found.statuses
 
 
 def test_a_spectrum_beside_scipy():
@@ -166,6 +179,9 @@ def test_a_comparison_of_several_methods():
     assert found["rk4"].curves[-1].rms == cromer.compare(t, x, method="rk4", step=0.01).curves[-1].rms
     assert found.fit is found["rk4"].fit is found[0].fit
     table = found.to_pandas()
+    told = []
+    cromer.compare(t, x, law="viscous", method=["euler-cromer", "rk4"], progress=told.append)
+    assert told == sorted(told) and max(told) > 0.5
     assert table.loc["rk4"].rms.iloc[-1] == found["rk4"].curves[-1].rms < table.loc["forward-euler"].rms.iloc[-1]
     assert found["rk4"].explanation in found.explanation and "rk4" in found._repr_html_()
     with pytest.raises(KeyError, match="did you mean 'rk4'"):
@@ -194,6 +210,34 @@ def test_a_table_of_pandas_has_too_many_dimensions():
     with pytest.raises(cromer.InputError) as refused:
         cromer.spectrum(pandas.DataFrame({"east": np.ones(100)}), 0.01)
     assert (refused.value.argument, refused.value.code) == ("acceleration", "not_one_dimension")
+
+
+@pytest.mark.parametrize("verb", [cromer.simulate, lambda **given: cromer.compare(*swing(), law="viscous", **given)])
+def test_methods_are_a_list_of_any_kind(verb):
+    names = ["euler-cromer", "rk4"]
+    assert verb(method=np.array(names)).keys() == verb(method=tuple(names)).keys() == names
+    with pytest.raises(cromer.InputError) as refused:
+        verb(method=[])
+    assert refused.value.argument == "method"
+
+
+@pytest.mark.parametrize("given", ["data/recording1.csv", {"stiffness": 9}])
+def test_only_a_fit_is_a_law(given):
+    with pytest.raises(cromer.InputError, match="fit") as refused:
+        cromer.simulate(given)
+    assert refused.value.argument == "law"
+
+
+@pytest.mark.parametrize("given, replaced", [
+    ({"natural_frequency": 3}, {"stiffness": 9}), ({"damping_ratio": 0.02}, {"damping": 0.04 * 8.9}),
+    ({"quality_factor": 25}, {"damping": 0.04 * 8.9}), ({"accuracy": 0.01}, None)])
+def test_what_is_given_replaces_what_the_fitted_law_has(given, replaced):
+    fit = cromer.fit(*swing(noise=1e-9), law="viscous")
+    run = cromer.simulate(fit, until=5, **given)
+    if replaced is None:
+        assert run.step > cromer.simulate(fit, until=5).step
+    else:
+        assert np.allclose(run.x, cromer.simulate(fit, until=5, **replaced).x, atol=1e-7)
 
 
 def test_a_symbol_is_told_its_name():
@@ -265,6 +309,17 @@ def test_pictures():
         compared.plot("energy")
     swept = cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5))
     swept.plot()
+    lines = cromer.sweep(stiffness=[9, 10], damping=[0.1, 0.2, 0.3], drive_amplitude=1, method="exact",
+                         drive_frequency=2).plot().lines
+    assert [list(line.get_xdata()) for line in lines] == [[0.1, 0.2, 0.3]] * 2
+    line, = cromer.sweep(stiffness=9, damping=0.1, drive_amplitude=1, method="exact", drive_frequency=[3, 1, 2]).plot().lines
+    assert list(line.get_xdata()) == [1, 2, 3]
+    both = cromer.sweep(stiffness=1, cubic=1, damping=0.1, drive_amplitude=0.5, method="rk4", direction="both",
+                        drive_frequency=np.linspace(0.8, 2, 7))
+    axes = both.plot()
+    assert axes.get_xlabel().startswith("drive frequency")
+    assert [list(line.get_ydata()) for line in axes.lines] == [list(both.amplitude[:7]), list(both.amplitude[7:])]
+    assert [each.get_text() for each in axes.get_legend().get_texts()] == ["up", "down"]
     with pytest.raises(KeyError, match="did you mean 'amplitude'"):
         swept.plot("amplitud")
     cromer.spectrum(np.sin(t), 0.01, periods=np.geomspace(0.1, 5, 20), damping_ratio=[0.02, 0.05]).plot("psv")
