@@ -55,11 +55,11 @@ class Estimate:
 
 
 def with_error(value: float, error: float) -> str:
-    """17.04 ± 0.02: the error at two digits if it begins with 1 or 2, else at one, the value to the same place."""
+    """17.04 ± 0.03: the error at two digits if it begins with 1 or 2, else at one, the value to the same place."""
     if not (np.isfinite(error) and error > 0 and np.isfinite(value)):
         return f"{value:.7g}"
-    exponent = int(np.floor(np.log10(error)))
-    digits = (1 if float(f"{error / 10.0**exponent:.0f}") < 3 and error / 10.0**exponent < 2.95 else 0) - exponent
+    first = f"{error:.1e}" if f"{error:.1e}"[0] in "12" else f"{error:.0e}"
+    digits = (1 if first[0] in "12" else 0) - int(first.partition("e")[2])
     if -4 <= np.floor(np.log10(max(abs(value), error))) < 7:
         return f"{value:.{max(digits, 0)}f} ± {error:.{max(digits, 0)}f}"
     power = int(np.floor(np.log10(max(abs(value), error))))

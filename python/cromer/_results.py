@@ -813,11 +813,11 @@ class Recording(Result):
 
     def __getitem__(self, key: Union[str, Tuple[str, int]]) -> Numbers:
         """recording["position"], of the first run that has it; recording["position", 2] of run 2."""
-        name, run = (key, None) if isinstance(key, str) else key
+        name, run = key if isinstance(key, tuple) and len(key) == 2 else (key, None)
         for spelled in range(3):
             for about, (_, values) in zip(self._about, self._answer.listed):
                 names: List[str] = [about["name"], about["name"].partition(" (")[0], about["quantity"]]
-                if names[spelled].lower() == name.lower() and run in (None, about["run"]):
+                if names[spelled].lower() == str(name).lower() and run in (None, about["run"]):
                     return values
         raise KeyError(_unknown(key, self.columns, f"this recording, of runs {self.runs},"))
 

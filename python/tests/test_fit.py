@@ -240,6 +240,8 @@ def test_files_and_what_read_gave():
     of_arrays = cromer.fit(recording["time"], recording["position"])
     assert of_arrays["angular_frequency"].value == pytest.approx(of_file["angular_frequency"].value, rel=1e-12)
     assert cromer.read(os.fsencode(RECORDING)).columns == recording.columns
+    with pytest.raises(KeyError, match="Position"):
+        recording[1]
     every = cromer.fit_all(recording)
     assert len(every) == 1 and repr(every) == repr(every[0])
 
@@ -292,6 +294,14 @@ def test_notices_are_warnings_with_codes():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         cromer.simulate(stiffness=9, method="euler-cromer", step=0.01, until=1)  # its notices, if any, are details
+
+
+def test_errors_have_as_many_digits_as_the_program_gives_them():
+    t, x = swing()
+    for error in np.geomspace(1e-3, 1e-2, 30):
+        fit = cromer.fit(t, x, mass=(1, error), law="viscous")
+        shown = re.search(r"spring constant +(.*?) N/m", str(fit).replace("\xa0", " "))[1]
+        assert str(fit["stiffness"]).startswith(shown + " N/m")
 
 
 def test_the_same_as_the_program(program):
