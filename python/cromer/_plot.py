@@ -28,6 +28,7 @@ MANY_LINES = 12  # more than these have no names
 DASHES = (0, (6, 4))  # of one constant decay rate
 LOGARITHMIC_FROM = 30  # a grid that spans more than this is drawn on a logarithmic axis
 MANY_SWINGS = 30  # more than these are drawn as their envelope
+SMOOTH = 40  # points in a period
 FEW_SWINGS = 5  # are drawn beside it
 
 
@@ -64,12 +65,17 @@ def _name(ax: Any, own: bool) -> None:
 
 
 def _envelope(t: "Numbers", y: "Numbers", swings: float) -> "Tuple[Numbers, Numbers, Numbers]":
-    """Times, least and largest values, of pieces of one and a half swings or more."""
-    pieces = int(max(2, min(swings / 1.5, 240)))
-    starts = np.unique(np.linspace(0, t.size, pieces, endpoint=False).astype(int))
-    middle = (t[starts] + t[np.append(starts[1:], t.size) - 1]) / 2
-    middle[0], middle[-1] = t[0], t[-1]
-    return middle, np.minimum.reduceat(y, starts), np.maximum.reduceat(y, starts)
+    """Times, least and largest values, of pieces of one and a half swings or more; NaN between them in a gap of that length."""
+    piece = float(np.ptp(t)) * max(1.5 / swings, 1 / 240)
+    gaps = np.flatnonzero(np.diff(t) > piece) + 1
+    found = []
+    for u, z in zip(np.split(t, gaps), np.split(y, gaps)):
+        starts = np.unique(np.linspace(0, u.size, int(max(2.0, float(np.ptp(u)) / piece)), endpoint=False).astype(int))
+        middle = (u[starts] + u[np.append(starts[1:], u.size) - 1]) / 2
+        middle[0], middle[-1] = u[0], u[-1]
+        found += [[middle, np.minimum.reduceat(z, starts), np.maximum.reduceat(z, starts)], [[np.nan]] * 3]
+    times, low, high = (np.concatenate(each) for each in zip(*found[:-1]))
+    return times, low, high
 
 
 def _measured(ax: Any, t: "Numbers", y: "Numbers", swings: float) -> None:
@@ -102,27 +108,39 @@ def _swings(law: "LawFit") -> float:
     return float(law["frequency"].value * (law.t[-1] - law.t[0])) if "frequency" in law and law.t.size else 0
 
 
+def _law(law: "LawFit") -> "Tuple[Numbers, Numbers]":
+    """The law as it is drawn: at the samples, and where these are few in a period, between them as well."""
+    observed = law.recording.get("observed", "position").replace(" ", "_")
+    states = {"position": "x", "angle": "x", "velocity": "v", "angular_velocity": "v"}
+    points = int(SMOOTH * _swings(law))
+    if not law.residuals.size or law.t.size > points or observed not in states or law.simulate is None:
+        return law.t[:law.residuals.size], law.measured[:law.residuals.size] - law.residuals
+    t = np.unique(np.append(np.linspace(law.t[0], law.t[-1], points), law.t))
+    level = law["equilibrium"].value if "equilibrium" in law else 0
+    return t, getattr(law.at(t), states[observed]) + level
+
+
 def fit(law: "LawFit", ax: Any = None) -> Any:
     quantity = law.recording.get("observed", "position").replace("_", " ")
     unit = f" ({law._unit.strip()})" if law._unit else ""
     swings = _swings(law)
-    few = law.t - law.t[:1] <= FEW_SWINGS * np.ptp(law.t) / swings if swings > MANY_SWINGS else None
+    end = law.t[0] + FEW_SWINGS * np.ptp(law.t) / swings if swings > MANY_SWINGS else None
     own = ax is None
     axes = [ax]
     if own:
         import matplotlib.pyplot as plt
-        heights = [3, 1] if few is None else [3, 2, 1]
+        heights = [3, 1] if end is None else [3, 2, 1]
         axes = list(plt.subplots(len(heights), 1, figsize=(7.6, 1.8 * len(heights) + 1.8), layout="constrained",
                                  gridspec_kw={"height_ratios": heights})[1])
     look = {"color": LAW, "linewidth": 1.3, "label": law.law}
-    fitted = law.measured - law.residuals if law.residuals.size else law.measured[:0]
+    t, fitted = _law(law)
     for i, each in enumerate(axes[:-1] if own else axes):
-        seen = few if i == 1 and few is not None else slice(None)
+        until = end if i == 1 and end is not None else np.inf
         # axes that were given may be zoomed into, so they have every swing
         dense = swings if own and i == 0 else 0
         if fitted.size:
-            _curve(each, law.t[seen], fitted[seen], dense, zorder=2.5 if dense else 1.5, **look)
-        _measured(each, law.t[seen], law.measured[seen], dense)
+            _curve(each, t[t <= until], fitted[t <= until], dense, zorder=2.5 if dense else 1.5, **look)
+        _measured(each, law.t[law.t <= until], law.measured[law.t <= until], dense)
         _styled(each, "", quantity + unit)
         _name(each, own)
     if own:

@@ -278,6 +278,33 @@ def test_many_swings_are_an_envelope_and_a_few_of_them():
     plt.close("all")
 
 
+def test_a_gap_is_left_empty():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    t, x = swing(seconds=60)
+    seen = (t < 10) | (t > 20)
+    whole = cromer.fit(t[seen], x[seen], law="viscous").plot()[0]
+    band, = whole.collections
+    assert len(band.get_paths()) == 2
+    for path in band.get_paths():
+        assert not np.any((path.vertices[:, 0] > 10.1) & (path.vertices[:, 0] < 19.9))
+    plt.close("all")
+
+
+@pytest.mark.parametrize("observed, each", [("position", "x"), ("velocity", "v")])
+def test_a_law_is_drawn_between_samples_too(observed, each):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    t, x = swing(step=0.27, seconds=12)
+    fit = cromer.fit(t, x, observed=observed, law="viscous")
+    line = fit.plot()[0].lines[0]
+    assert line.get_xdata().size > 20 * fit["frequency"].value * 12 and line.get_xdata()[-1] == fit.t[-1]
+    assert np.allclose(line.get_ydata(), getattr(fit.at(line.get_xdata()), each) + fit["equilibrium"].value)
+    plt.close("all")
+
+
 def test_pictures():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
