@@ -55,7 +55,7 @@ class SharedProgress {
   SharedProgress(const Watch& watch, std::size_t files) : watch_(watch), parts_(files, 0.0) {}
 
   Watch of(std::size_t file) {
-    Watch part{watch_.interrupt, {}};
+    Watch part = without_progress(watch_);
     if (watch_.progress) part.progress = [this, file](double fraction) { tell(file, fraction); };
     return part;
   }

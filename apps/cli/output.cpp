@@ -11,6 +11,7 @@
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
 #include "message.h"
+#include "syntax.h"
 
 namespace cromer::core::cli {
 
@@ -23,10 +24,18 @@ void add_output_options(std::vector<Option>& options, OutputOptions& output, Out
   if (kinds.plot)
     options.push_back(
         {"plot", &output.plot, "", Range::any, "draw a figure: .svg, .png or .pdf", "none", group});
+  if (kinds.provenance)
+    options.push_back({"provenance", &output.provenance, "", Range::any,
+                       "what made a CSV file stands at its head, in lines that begin with #",
+                       "the first line has the names of the columns", group});
   options.push_back({"quiet", &output.quiet, "", Range::any, "no warnings, no progress",
                      "warnings on standard error, after the answer", group});
   options.push_back({"verbose", &output.verbose, "", Range::any, "all warnings and notes, on a terminal too",
                      "on a terminal the three worst", group});
+}
+
+std::string provenance(const OutputOptions& output, std::string_view command, const Arguments& arguments) {
+  return output.provenance ? command_line(command, arguments) : "";
 }
 
 Result<FileFormat> file_format(const std::string& path, bool hdf5) {

@@ -17,6 +17,7 @@ struct OutputOptions {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
+  bool provenance = false;
   std::string output;  ///< "" none
   std::string plot;    ///< "" none
   bool hdf5 = false;   ///< whether .h5 is offered; not an option
@@ -26,9 +27,10 @@ struct OutputOptions {
 struct OutputKinds {
   bool files = true;
   bool plot = true;
+  bool provenance = false;  ///< of CSV files that hold one table of numbers
 };
 
-/// Appends --json, -o, --plot, --quiet and --verbose, with `what` as the help of -o.
+/// Appends --json, -o, --plot, --provenance, --quiet and --verbose, with `what` as the help of -o.
 void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
                         std::string_view what);
 
@@ -42,6 +44,10 @@ Result<FileFormat> file_format(const std::string& path, bool hdf5 = false);
 /// inputs. `option` is what messages call `output`.
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {},
                            const char* option = "-o");
+
+/// "cromer COMMAND ...", for the head of a CSV file; "" unless it was asked for.
+std::string provenance(const OutputOptions& output, std::string_view command,
+                       const std::vector<std::string>& arguments);
 
 /// Says the notices on standard error, unless --quiet.
 void tell(const std::vector<Notice>& notices, const OutputOptions& output);

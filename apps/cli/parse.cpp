@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "completions.h"
 #include "cromer/base/nearest.h"
@@ -48,6 +49,43 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   const std::string near = nearest(name, names);
   return refuse(fmt::format("unknown option {}{} See cromer {} --help", typed,
                             near.empty() ? "." : fmt::format("; did you mean --{}?", near), syntax.command));
+}
+
+/// Grams or kilograms? The refusal of a value without a unit that is large for what the option takes it for.
+std::string unit_in_doubt(const Option& option, std::string_view text) {
+  const auto bare = parse_quantity(text, "1");
+  if (!bare || bare->value < option.doubtful_from) return "";
+  return fmt::format("--{0} {1}: would be {2}, which is much; write --{0} \"{1} {3}\" or --{0} \"{1} {2}\"",
+                     option.name, text, option.unit, option.unit == "kg" ? "g" : "cm");
+}
+
+bool is_there(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none);
+}
+
+/// The refusal of a value in several words: `--mass 217.6 g` without its quotes.
+std::string value_without_quotes(const Syntax& syntax, const Arguments& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::size_t equals = arguments[i].find('=');
+    const std::string name = arguments[i].substr(0, equals);
+    const auto option = std::find_if(syntax.options.begin(), syntax.options.end(), [&](const Option& each) {
+      return name == "--" + std::string(each.name);
+    });
+    if (option == syntax.options.end() || option->unit.empty() || option->is_text()) continue;
+    std::size_t next = i + 1;
+    std::string value = equals < name.npos        ? arguments[i].substr(equals + 1)
+                        : next < arguments.size() ? arguments[next++]
+                                                  : "";
+    std::string whole;  // the most words that make a quantity
+    for (; next < arguments.size() && !is_option(arguments[next]) && !is_there(arguments[next]); ++next) {
+      value += " " + arguments[next];
+      if (parse_quantity(value, option->unit)) whole = value;
+    }
+    if (!whole.empty())
+      return fmt::format("{0} {1}: put a value of several words in quotes: {0} \"{1}\"", name, whole);
+  }
+  return "";
 }
 
 Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
@@ -110,6 +148,8 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     if (left.size() > 1 && left.front() == '-') return unknown_option(syntax, left);
     files.push_back(left);
   }
+  if (!files.empty())
+    if (const std::string why = value_without_quotes(syntax, arguments); !why.empty()) return refuse(why);
   if (syntax.files.empty() && !files.empty())
     return refuse(fmt::format("{} takes no file, but \"{}\" is given", syntax.command, files.front()));
   if (!syntax.files.empty() && files.empty())
@@ -117,6 +157,9 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   if (syntax.files == "FILE" && files.size() > 1)
     return refuse(fmt::format("{} takes one file, but {} are given", syntax.command, files.size()));
   if (auto good = assign_all(syntax, typed); !good) return refuse(good.error());
+  for (const auto& [option, texts, flag] : typed)
+    for (const auto& text : texts)
+      if (const std::string why = unit_in_doubt(*option, text); !why.empty()) return refuse(why);
   return std::nullopt;
 }
 

@@ -98,7 +98,7 @@ int run_record(const Arguments& arguments) {
                 .example =
                     "  cromer record --from serial:/dev/ttyACM0:115200 --for \"60 s\" -o swing.csv\n"
                     "  cromer record --from phyphox:192.168.1.7 --for \"20 s\" -o phone.csv"};
-  add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
+  add_output_options(syntax.options, output, {.files = false, .plot = false, .provenance = true}, "");
   std::vector<std::string> none;
   if (const auto status = parse(syntax, arguments, none)) return *status;
   if (options.from.empty()) return refuse("cromer record needs --from SOURCE; see cromer record --help");
@@ -107,7 +107,7 @@ int run_record(const Arguments& arguments) {
 
   const Watch watch = watching(true);
   const auto recorder =
-      make_recorder(*setup, options.duration, options.output, command_line("record", arguments),
+      make_recorder(*setup, options.duration, options.output, provenance(output, "record", arguments),
                     [](const Notice& notice) { return in_words(notice); });
   if (auto good = recorder->start(); !good) return refuse(good.error());
   watch_it(*recorder, options.column, watch, output.quiet);

@@ -101,7 +101,7 @@ int run_serve(const Arguments& arguments) {
   } else if (const auto bytes = read_file(options.page); !bytes) {
     return refuse("--page: " + in_words(bytes.error()));
   }
-  LiveSession session(*std::move(setup), options.recording, command_line("serve", arguments));
+  LiveSession session(*std::move(setup), options.recording);
   return serve_lab(options.address, options.port, options.page, session);
 }
 

@@ -26,7 +26,7 @@ int run_simulate(const Arguments& arguments) {
       .example =
           "  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 \\\n"
           "    --method exact --method euler-cromer --step 0.01 --until 50 -o run.csv --plot run.svg"};
-  add_output_options(syntax.options, output, {}, "the kept states as .csv, .json or .h5");
+  add_output_options(syntax.options, output, {.provenance = true}, "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error());
@@ -38,7 +38,7 @@ int run_simulate(const Arguments& arguments) {
   if (!result) return refuse(result.error());
   Answer answer{.text = [&] { return simulate_text(*result); },
                 .json = [&] { return to_json(*result, false); },
-                .csv = [&] { return simulate_csv(*result, command_line("simulate", arguments)); },
+                .csv = [&] { return simulate_csv(*result, provenance(output, "simulate", arguments)); },
                 .whole_json = [&] { return to_json(*result, true); },
                 .tables = [&] { return simulate_tables(*result, command_line("simulate", arguments)); },
                 .figure = [&] { return simulate_figure(*result); },

@@ -82,17 +82,17 @@ int run_spectrum(const Arguments& arguments) {
     tell(result->notices, output.common);
     return no_success;
   }
-  const std::string command = command_line("spectrum", arguments);
+  const std::string head = provenance(output.common, "spectrum", arguments);
   return give(
       {.text = [&] { return spectrum_text(*result); },
        .json = [&] { return to_json(*result, false); },
-       .csv = [&] { return spectrum_csv(*result, command); },
+       .csv = [&] { return spectrum_csv(*result, head); },
        .whole_json = [&] { return to_json(*result, true); },
-       .tables = [&] { return spectrum_tables(*result, command); },
+       .tables = [&] { return spectrum_tables(*result, command_line("spectrum", arguments)); },
        .figure = [&] { return output.tripartite ? tripartite_figure(*result) : spectrum_figure(*result); },
        .other_files = [&]() -> Result<void> {
          if (output.fourier.empty()) return {};
-         return write_file(output.fourier, fourier_csv(*result, command));
+         return write_file(output.fourier, fourier_csv(*result, head));
        },
        .notices = result->notices},
       output.common);

@@ -150,7 +150,7 @@ int run_sweep(const Arguments& arguments) {
           "  cromer sweep --cubic 0.05 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 0.5:2:400 \\\n"
           "    --direction up --plot jump.svg",
       .refusal = sweep_refusal};
-  add_output_options(syntax.options, output, {}, "the rows as .csv, .json or .h5");
+  add_output_options(syntax.options, output, {.provenance = true}, "the rows as .csv, .json or .h5");
   bool resume = false;
   syntax.options.push_back({"resume", &resume, "", Range::any, "go on with what FILE.h5 lacks",
                             "an unfinished file is left alone", "Output"});
@@ -189,9 +189,9 @@ int run_sweep(const Arguments& arguments) {
   }
   const auto finish = [&](const SweepResult& result) {
     if (result.interrupted) size.clear();  // none are written
-    const int status = show(result, output, command_line("sweep", arguments), size);
+    const int status = show(result, output, provenance(output, "sweep", arguments), size);
     if (size.empty()) return status;
-    const auto said = write_trajectories(result.plan, trajectories, command_line("sweep", arguments), watch);
+    const auto said = write_trajectories(result.plan, trajectories, provenance(output, "sweep", arguments), watch);
     clear_progress();
     if (!said) return refuse(said.error());
     if (said->empty()) return status;

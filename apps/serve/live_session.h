@@ -16,8 +16,8 @@ namespace cromer::core::serve {
 class LiveSession {
  public:
   /// Without a setup nothing can be recorded. `command` heads the files.
-  LiveSession(std::optional<RecordSetup> setup, RecordOptions options, std::string command)
-      : setup_(std::move(setup)), options_(std::move(options)), command_(std::move(command)) {}
+  LiveSession(std::optional<RecordSetup> setup, RecordOptions options)
+      : setup_(std::move(setup)), options_(std::move(options)) {}
 
   /// Begins a recording into -o, or into NAME-2.csv, NAME-3.csv, ... if that is taken, and returns its name.
   /// Without a `duration` [s], that of the command line counts. Connecting may take seconds.
@@ -46,7 +46,6 @@ class LiveSession {
 
   std::optional<RecordSetup> setup_;
   RecordOptions options_;
-  std::string command_;
   mutable std::mutex mutex_;  ///< over what follows
   std::shared_ptr<Active> active_;
   std::map<std::string, std::string> paths_;

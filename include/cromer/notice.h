@@ -46,8 +46,7 @@ struct NoticeValue {
   template <std::floating_point Number>
   NoticeValue(const char* value_name, Number number) : name(value_name), value(double{number}) {}
   template <std::integral Count>
-  NoticeValue(const char* value_name, Count count)
-      : name(value_name), value(static_cast<long long>(count)) {}
+  NoticeValue(const char* value_name, Count count) : name(value_name), value(static_cast<long long>(count)) {}
   template <std::convertible_to<std::string_view> Text>
   NoticeValue(const char* value_name, const Text& text)
       : name(value_name), value(std::string(std::string_view(text))) {}

@@ -181,15 +181,14 @@ _FROM = {"stiffness": ("angular_frequency", "mass="), "damping": ("decay_rate", 
 _ASKED_BY = {"reynolds": "disc_diameter=", "keulegan_carpenter": "disc_diameter=", "decay_segments": "segment=",
              "decay_rate_mean": "segment=", "decay_rate_mean_standard_error": "segment=", "stiffness_budget": "mass=",
              "monte_carlo": "monte_carlo=", "plan": "goal=", "textbook": "textbook=True", "held_out": "hold_out="}
-#: what is shown first
-_FIRST = ("frequency", "stiffness", "quality_factor", "at_amplitude")
 
 
 class LawFit(_Motion):
     """The law of one recorded motion.
 
-    `fit["decay_rate"]` is an Estimate, as is each of `parameters` and `derived` (names to Estimates, SI); `keys()` has
-    the names. `fitted` and `covariance` are names and a square array in their order.
+    `fit["decay_rate"]` is an Estimate, as is each of `headline`, `parameters` and `derived` (names to Estimates, SI);
+    `keys()` has the names. `headline` is what is looked for first, as far as it is known: frequency, stiffness,
+    decay_rate_start and decay_rate_end (by all terms of the law, at the first and the last sample), reynolds_max. `fitted` and `covariance` are names and a square array in their order.
 
     Per used sample: `t` [s], `measured`, `residuals` (measured less fitted), `x` (displacement of the law from the
     equilibrium) and `v`.
@@ -231,6 +230,7 @@ class LawFit(_Motion):
         self.law: str = has("law", "") or ""
         self.status: str = has("status", "")
         self.message: str = has("message", "") or ""
+        self.headline = {name: _estimate(name, each) for name, each in (has("headline") or {}).items()}
         self.parameters = {name: _estimate(name, each) for name, each in (has("parameters") or {}).items()}
         self.derived = {name: _estimate(name, each) for name, each in (has("derived") or {}).items()}
         covariance = has("covariance") or {}
@@ -262,11 +262,11 @@ class LawFit(_Motion):
         return self.status == "converged"
 
     def keys(self) -> List[str]:
-        """The names of all parameters and derived quantities."""
-        return [*self.parameters, *self.derived]
+        """The names of all parameters, derived quantities and what else stands in the headline."""
+        return [*dict.fromkeys([*self.parameters, *self.derived, *self.headline])]
 
     def __getitem__(self, name: str) -> Estimate:
-        for known in (self.parameters, self.derived):
+        for known in (self.parameters, self.derived, self.headline):
             if name in known:
                 return known[name]
         if not self.parameters:
@@ -299,7 +299,7 @@ class LawFit(_Motion):
             raise AttributeError(f"a fit has no {name}" + (f"; did you mean {near[0]}?" if near else ""))
 
     def __contains__(self, name: object) -> bool:
-        return name in self.parameters or name in self.derived
+        return name in self.keys()
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.keys())
@@ -350,14 +350,10 @@ class LawFit(_Motion):
 
     def _shown(self) -> List[Estimate]:
         """All quantities, in the program's words, with what is asked first at the head."""
-        every = {**self.parameters, **self.derived}
-        first = [name for name in _FIRST if name in every]
-        ends = [self.decay_by_amplitude[i] for i in (0, -1)] if len(self.decay_by_amplitude) > 1 else []
-        return [*(every[name] for name in first),
-                *(_estimate(f"decay rate {each['from']:.4g} to {each['to']:.4g} s", {**each, "value": each["rate"], "unit": "1/s"})
-                  for each in ends),
+        rest = {**self.parameters, **self.derived}
+        return [*self.headline.values(),
                 *(each if name != "decay_rate" else replace(each, name="viscous decay rate")
-                  for name, each in every.items() if name not in first)]
+                  for name, each in rest.items() if name not in self.headline)]
 
     def __repr__(self) -> str:
         said = f", residual (rms) {self.residual.rms:.3g}{self._unit}" if self.succeeded else f": {self.message}"

@@ -436,11 +436,22 @@ def test_as_it_is_shown():
     assert "LawFit: viscous, converged" in repr(fit)
     assert "<table>" in fit._repr_html_()
     for shown in (repr(fit), fit._repr_html_()):
-        places = [shown.index(each) for each in ("frequency", "stiffness", "quality factor", "decay rate 0 to",
-                                                 "viscous decay rate")]
+        places = [shown.index(each) for each in ("frequency", "stiffness", "decay rate start", "decay rate end",
+                                                 "viscous decay rate", "quality factor")]
         assert places == sorted(places) and f"residual (rms) {fit.residual.rms:.3g} m" in shown
     assert "</svg>" in fit.to_svg() and "stiffness" in fit.to_csv()
     assert "mass" in cromer.fit.__doc__ and "[kg]" in cromer.fit.__doc__
+
+
+def test_the_headline_has_the_decay_rate_at_both_ends():
+    t, x = swing()
+    fit = cromer.fit(t, x)
+    assert list(fit.headline) == ["frequency", "decay_rate_start", "decay_rate_end"]
+    # of the viscous law both are its own
+    for end in ("decay_rate_start", "decay_rate_end"):
+        assert fit[end].value == pytest.approx(fit["decay_rate"].value, rel=1e-12) and end in fit
+        assert fit[end].standard_error == pytest.approx(fit["decay_rate"].standard_error, rel=1e-9)
+    assert len(fit.keys()) == len(set(fit.keys())) and "decay_rate_end" in fit.keys()
 
 
 def test_the_fitted_law_simulated_is_the_record():

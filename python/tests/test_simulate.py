@@ -355,3 +355,21 @@ def test_pictures():
     with pytest.raises(cromer.InputError, match="maximax, primary"):
         shock.plot("psa")
     plt.close("all")
+
+
+def test_files_of_the_program_are_read_unaided(program, tmp_path):
+    """NumPy and pandas take the first line for the names of the columns."""
+    law = ["--stiffness", "9", "--damping", "0.2", "--quiet"]
+    for words in (["simulate", *law, "--until", "1", "--step", "0.1"],
+                  ["sweep", *law, "--drive-amplitude", "1", "--drive-frequency", "2:4:11", "--method", "exact"],
+                  ["spectrum", str(ROOT / "data/ground/shaking.csv"), "--column", "east", "--quiet"]):
+        path = tmp_path / f"{words[0]}.csv"
+        program(*words, "-o", str(path))
+        table = np.genfromtxt(path, delimiter=",", names=True, deletechars="")
+        assert table.size > 9 and all(np.isfinite(table[name]).all() for name in table.dtype.names)
+        pandas = pytest.importorskip("pandas")
+        frame = pandas.read_csv(path)
+        assert list(frame.columns) == path.read_text(encoding="utf-8").split("\n")[0].split(",")
+        assert (frame.to_numpy() == table.view(float).reshape(table.size, -1)).all()
+        program(*words, "-o", str(path), "--provenance")
+        assert path.read_text(encoding="utf-8").startswith(f"# cromer {words[0]} ")

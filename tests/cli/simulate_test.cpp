@@ -199,12 +199,13 @@ TEST(Simulate, SaysWhatEulerCromerConserves) {
 TEST(Simulate, TheCommandInAFileIsReadBackByAShell) {
   const Folder folder;
   const Finished end = folder.run({"simulate", "--mass", "0.2 kg", "--stiffness", "9", "--until", "1",
-                                   "--step", "0.1", "--quiet", "-o", "run.csv"});
+                                   "--step", "0.1", "--quiet", "--provenance", "-o", "run.csv"});
   ASSERT_EQ(end.status, 0) << end.err;
   EXPECT_THAT(
       folder.read("run.csv"),
       StartsWith(
-          "# cromer simulate --mass '0.2 kg' --stiffness 9 --until 1 --step 0.1 --quiet -o run.csv\n"));
+          "# cromer simulate --mass '0.2 kg' --stiffness 9 --until 1 --step 0.1 --quiet --provenance -o "
+          "run.csv\n"));
 }
 
 TEST(Simulate, StandardOutputTakesCsv) {

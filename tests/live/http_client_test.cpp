@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "cromer/documents/words/words.h"
-#include "cromer/os/line.h"
 #include "cromer/live/source.h"
+#include "cromer/os/line.h"
 #include "server.h"
 
 namespace cromer::core::test {

@@ -355,6 +355,30 @@ TEST(CompareTask, WhatIsSaidOfAFileStaysWhereItsFirstRunCannotBeCompared) {
   EXPECT_THAT(in_words(result->at(1).notices), testing::Not(testing::Contains(HasSubstr("left out"))));
 }
 
+TEST(CompareTask, WhatIsSaidOfAFileIsSaidOnceOfDrivenRuns) {
+  std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
+  std::mt19937 noise(1);
+  const auto position = [&](double t, double phase) {
+    return 0.02 * std::cos(7 * t + phase) + 0.03 * std::exp(-0.05 * t) * std::cos(9 * t) +
+           std::normal_distribution(0.0, 1e-4)(noise);
+  };
+  for (int i = 0; i < 3000; ++i) {
+    const double t = 0.02 * i;
+    file += std::to_string(t) + "," + std::to_string(position(t, 0.3)) + "," +
+            std::to_string(position(t, 1.1)) + "\n" + (i == 100 ? "no number,0,0\n" : "");
+  }
+  CompareOptions options;
+  options.fit.column = "Position";
+  options.fit.read.skip_bad_rows = true;
+  const auto result = compare(file, "two.csv", options);
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  ASSERT_EQ(result->size(), 2u);
+  for (const CompareResult& each : *result)
+    EXPECT_THAT(in_words(each.doubts), testing::Contains(HasSubstr("driven")));
+  EXPECT_THAT(in_words(result->at(0).notices), testing::Contains(HasSubstr("1 bad row left out")));
+  EXPECT_THAT(in_words(result->at(1).notices), testing::Not(testing::Contains(HasSubstr("left out"))));
+}
+
 TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
   Series series = disc_recording(4, 30);
   for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];

@@ -180,6 +180,37 @@ TEST(FitTask, LeavesOutliersOutOfTheFit) {
   EXPECT_EQ(spiked.series.y.size(), clean.series.y.size());
 }
 
+TEST(FitTask, SaysFirstWhatIsLookedForFirst) {
+  const FittedRecording lab = fitted(disc(), disc_options());
+  std::vector<std::string> names;
+  for (const Parameter& each : lab.headline) names.push_back(each.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"frequency", "stiffness", "decay_rate_start", "decay_rate_end",
+                                             "reynolds_max"}));
+  // All terms together, as a piece of the record has them: not the viscous term alone.
+  EXPECT_NEAR(lab.headline[2].estimate.value, lab.decay_by_amplitude.front().law_rate, 1e-3);
+  EXPECT_NEAR(lab.headline[3].estimate.value, lab.decay_by_amplitude.back().law_rate, 1e-3);
+  EXPECT_GT(lab.headline[3].estimate.value, 2 * lab.fit.decay_rate().value);
+  names.clear();
+  for (const Parameter& each : fitted(disc(), FitOptions{}).headline) names.push_back(each.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"frequency", "decay_rate_start", "decay_rate_end"}));
+}
+
+TEST(FitTask, TheCommandHasTheDigitsThatAreKnown) {
+  const FittedRecording lab = fitted(disc(), disc_options());
+  for (const auto& [option, text] : lab.simulate) EXPECT_LE(text.size(), 18u) << option << ' ' << text;
+  // The spring as well as the frequency tells it, the start as well as the samples do.
+  const double w = lab.fit.angular_frequency().value, error = lab.fit.angular_frequency().standard_error;
+  for (const auto& [option, text] : lab.simulate) {
+    if (option == "stiffness") {
+      EXPECT_NEAR(std::sqrt(std::stod(text) / 0.2176), w, 0.005 * error);
+    }
+    if (option == "position") {
+      EXPECT_NEAR(std::stod(text), lab.fit.position().value, 0.005 * lab.fit.position().standard_error);
+      EXPECT_LE(text.size(), 11u);
+    }
+  }
+}
+
 TEST(FitTask, WritesTheCommandThatSimulatesTheLaw) {
   const std::string line = command_of("simulate", fitted(disc(), disc_options()).simulate);
   EXPECT_THAT(line, testing::StartsWith("cromer simulate --mass 0.2176 --stiffness 17.0"));

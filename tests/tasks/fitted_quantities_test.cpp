@@ -243,5 +243,99 @@ TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
   EXPECT_EQ(derived_quantities(fit, "m", 0, x).size(), 3u);
 }
 
+TEST(DecayRateEnds, OfTheViscousLawAreItsDecayRate) {
+  LawFit fit = released(0.2);
+  fit.covariance = {0, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 0};
+  const std::vector<Parameter> ends = decay_rate_ends(fit, 12);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].name, "decay_rate_start");
+  EXPECT_EQ(ends[1].name, "decay_rate_end");
+  for (const Parameter& end : ends) {
+    EXPECT_EQ(end.unit, "1/s");
+    EXPECT_DOUBLE_EQ(end.estimate.value, 0.2);
+    EXPECT_NEAR(end.estimate.standard_error, 0.01, 1e-12);
+  }
+}
+
+/// Viscous damping and drag: rate g + q A with q = 4 d w/(3 pi), whose amplitude has a closed form.
+LawFit dragged(double g, double d) {
+  LawFit fit = released(g);
+  fit.law = law_of("viscous+drag");
+  set(fit, "drag", certain(d));
+  return fit;
+}
+
+double last_rate_of_drag(double w, double g, double a, double d, double t) {
+  const double q = 4 * d * w / (3 * pi), fall = std::exp(-g * t);
+  return g + q * a * g * fall / (g + q * a * (1 - fall));
+}
+
+TEST(DecayRateEnds, OfDragFollowTheAmplitudeWithItsErrors) {
+  constexpr double g = 0.02, d = 0.3, t = 40;
+  LawFit fit = dragged(g, d);
+  // Parameters: frequency, decay rate, position, drag.
+  const double error[] = {1e-4, 2e-3, 3e-3, 2e-2}, correlation = -0.9;  // of decay rate and drag
+  for (int i = 0; i < 4; ++i) fit.covariance[static_cast<std::size_t>(5 * i)] = error[i] * error[i];
+  fit.covariance[4 + 3] = fit.covariance[12 + 1] = correlation * error[1] * error[3];
+  const std::vector<Parameter> ends = decay_rate_ends(fit, t);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR(ends[0].estimate.value, g + 4 * d * w0 * A / (3 * pi), 1e-14);
+  EXPECT_NEAR(ends[1].estimate.value, last_rate_of_drag(w0, g, A, d, t), 1e-6 * ends[1].estimate.value);
+  const double at[] = {w0, g, A, d};
+  double slope[4];
+  for (int i = 0; i < 4; ++i) {
+    double up[4], down[4];
+    for (int k = 0; k < 4; ++k) up[k] = down[k] = at[k];
+    up[i] *= 1 + 1e-5;
+    down[i] *= 1 - 1e-5;
+    slope[i] = (last_rate_of_drag(up[0], up[1], up[2], up[3], t) -
+                last_rate_of_drag(down[0], down[1], down[2], down[3], t)) /
+               (2e-5 * at[i]);
+  }
+  double variance = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k) variance += slope[i] * fit.covariance[4 * i + k] * slope[k];
+  EXPECT_NEAR(ends[1].estimate.standard_error, std::sqrt(variance), 1e-4 * std::sqrt(variance));
+}
+
+TEST(DecayRateEnds, WhatComesToRestHasNoLastRate) {
+  LawFit fit = released(0.01);
+  fit.law = law_of("viscous+friction");
+  set(fit, "friction", certain(0.05));
+  // Friction alone takes 4 f/w0^2 of the amplitude in each cycle: at rest within 18 cycles.
+  EXPECT_EQ(decay_rate_ends(fit, 5 * two_pi / w0).size(), 2u);
+  const std::vector<Parameter> stopped = decay_rate_ends(fit, 30 * two_pi / w0);
+  ASSERT_EQ(stopped.size(), 1u);
+  EXPECT_EQ(stopped[0].name, "decay_rate_start");
+}
+
+TEST(DecayRateEnds, OfBentSpringsAreThoseOfTheirMotion) {
+  LawFit fit = dragged(0.02, 0.3);
+  fit.law = law_of("viscous+drag+cubic");
+  set(fit, "cubic", certain(20));
+  FreeSwing law{.angular_frequency = w0, .decay_rate = 0.02, .drag = 0.3, .cubic = 20, .position = A};
+  std::vector<double> t;
+  for (int i = 0; i <= 20000; ++i) t.push_back(40.0 * i / 20000);
+  const Trajectory motion = free_motion(law, t, 0.002);
+  std::vector<double> when, top;
+  for (std::size_t i = 1; i + 1 < motion.size(); ++i)
+    if (motion.v[i] > 0 && motion.v[i + 1] <= 0) when.push_back(t[i]), top.push_back(motion.x[i]);
+  ASSERT_GT(top.size(), 10u);
+  const std::size_t n = top.size();
+  const double last = std::log(top[n - 3] / top[n - 1]) / (when[n - 1] - when[n - 3]);
+  const std::vector<Parameter> ends = decay_rate_ends(fit, when[n - 2]);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR(ends[1].estimate.value / last, 1, 0.01);
+}
+
+TEST(DecayRateEnds, NeitherOfHystereticNorOfDrivenMotions) {
+  LawFit driven = released(0.2);
+  driven.drive.kind = DriveKind::harmonic;
+  EXPECT_TRUE(decay_rate_ends(driven, 10).empty());
+  LawFit loops = released(0.2);
+  loops.law = law_of("viscous+hysteresis");
+  EXPECT_TRUE(decay_rate_ends(loops, 10).empty());
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -28,10 +28,13 @@ struct Watch {
   }
 };
 
+/// The Watch of work that tells nothing of how far it is, but can be stopped.
+inline Watch without_progress(const Watch& whole) { return {whole.interrupt, {}, whole.pulse}; }
+
 /// The Watch of the part of the work from share `from` to share `to`, 0 <= from <= to <= 1. `whole` must
 /// outlive it.
 inline Watch part_of(const Watch& whole, double from, double to) {
-  Watch part{whole.interrupt, {}, whole.pulse};
+  Watch part = without_progress(whole);
   if (whole.progress)
     part.progress = [&whole, from, to](double fraction) { whole.progress(from + (to - from) * fraction); };
   return part;

@@ -22,8 +22,8 @@ void put_in_arguments(SimulateResult& simulated, bool of_arrays);
 /// Why a fit has no values that may be looked at.
 Error no_values(const FittedRecording& fitted);
 
-/// The law's motion at times [s] that strictly increase from the first used sample's on. An Error where the fit
-/// has no values, or a recorded force drives the motion.
+/// The law's motion at times [s] that strictly increase from the first used sample's on. An Error where the
+/// fit has no values, or a recorded force drives the motion.
 Result<Trajectory> motion_at(const FittedRecording& fitted, std::span<const double> t);
 
 cromer::MethodEffect effect_of(const MethodEffect& effect);

@@ -56,7 +56,7 @@ Result<ChunksEnd> make_chunks(const ChunkedRows& work, const ChunkSource& source
   // that the thread sanitizer sees it.
   std::atomic<std::uint64_t> marks{0};
   Result<void> good;
-  const Watch interruption{watch.interrupt, {}, watch.pulse};  // progress is told by the chunk
+  const Watch interruption = without_progress(watch);  // progress is told by the chunk
 
   const auto take = [&](tbb::flow_control& flow) -> Parcel* {
     if (watch.interrupted()) interrupted = stop = true;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cromer/os/line.h"
 #include "cromer/live/source.h"
+#include "cromer/os/line.h"
 
 namespace cromer::core {
 

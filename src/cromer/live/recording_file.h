@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cromer/os/descriptor.h"
 #include "cromer/live/rows.h"
+#include "cromer/os/descriptor.h"
 #include "cromer/result.h"
 
 namespace cromer::core {

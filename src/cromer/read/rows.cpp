@@ -150,7 +150,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     rows.lines.push_back(number);
   }
   const bool ends_within = rules.to == lines.size() && !lines.empty() && !lines.back().empty();
-  if (ends_within && rows.lines.size() > 1 &&
+  if (ends_within && !rows.lines.empty() &&
       rows.lines.back() == static_cast<long>(rules.lines_before + lines.size()))
     judge_last_line(rows, lines, layout, rules.lines_before);
   return rows;

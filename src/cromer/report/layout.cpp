@@ -118,8 +118,7 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
     cell.bottom += 8;  // before the next row
   const double height = cell.box.height - cell.top - cell.bottom;
   cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
-  cell.left =
-      edge + widest_label(cell.y_ticks, fonts) + tick_room + (named && titled(cell) ? s.axis + 8 : 0);
+  cell.left = edge + widest_label(cell.y_ticks, fonts) + tick_room + (named && titled(cell) ? s.axis + 8 : 0);
   if (panel.map) {
     cell.right =
         bar_gap + bar_width + tick_room + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;

@@ -10,8 +10,8 @@
 
 namespace cromer::core {
 
-/// Sets `function` to the library's function of that name; false where either is missing; os::why_not_loaded() then
-/// tells. The library stays loaded.
+/// Sets `function` to the library's function of that name; false where either is missing;
+/// os::why_not_loaded() then tells. The library stays loaded.
 template <class Function>
 bool find_function(const char* library, const char* name, Function*& function) {
   void* const loaded = os::load_library(library);

@@ -14,9 +14,9 @@
 namespace cromer::core {
 namespace {
 
-constexpr double tick_length = 4.9, minor_tick_length = 2.4;             // [px]
-constexpr double ring_width = 1.3, dot_radius = 2.6;  // [px]
-constexpr double dots_on_a_line = 5.2;                                   // [px] across
+constexpr double tick_length = 4.9, minor_tick_length = 2.4;  // [px]
+constexpr double ring_width = 1.3, dot_radius = 2.6;          // [px]
+constexpr double dots_on_a_line = 5.2;                        // [px] across
 constexpr double band_opacity = 0.2;
 constexpr double ground_edge = 2;                // [px] at either side of a word
 constexpr double baseline_below_middle = 0.325;  // font sizes

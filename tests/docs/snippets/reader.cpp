@@ -9,6 +9,6 @@ int complain(std::string_view message, std::string_view argument = "");
 void note(std::string_view);
 
 int reader() {
-// here
+  // here
   return 0;
 }

@@ -322,6 +322,10 @@ struct Described<FittedRecording> {
       field(
           "between_samples", [](const Fitted& f) { return unless_empty(f.between_samples); }, "",
           "interpolation of a recorded force: linear, hold or band-limited; null without one"),
+      field("headline", &Fitted::headline, "",
+            "what is looked for first, as far as it is known: frequency; stiffness (with a mass); "
+            "decay_rate_start and decay_rate_end, by all terms of the law, of a free motion; reynolds_max "
+            "(with a disc)"),
       field("parameters", &Fitted::parameters, "",
             "fitted parameters by name, per unit mass; with a mass also those of the forces"),
       group_if(

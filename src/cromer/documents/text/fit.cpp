@@ -73,8 +73,11 @@ std::string runner_up(const FittedRecording& fitted) {
 std::string budget(const std::vector<Contribution>& contributions) {
   std::string out;
   for (const auto& each : contributions)
-    out += fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
-                       readable_name(each.quantity), each.contribution, percent(each.share));
+    out += each.standard_uncertainty > 0
+               ? fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
+                             readable_name(each.quantity), each.contribution, percent(each.share))
+               : fmt::format("  spring constant: your {} has no \u00b1, so its part is not in the uncertainty\n",
+                             readable_name(each.quantity));
   return out;
 }
 
@@ -115,21 +118,70 @@ std::string more(const FittedRecording& fitted) {
   return out;
 }
 
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Parameter& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// The decay rate at both ends of the record, or what is known of it.
+std::string decay_in_words(const Parameter& start, const Parameter* end) {
+  const std::string first = in_words(start.estimate, start.unit);
+  if (!end) return first + " at the start; it comes to rest";
+  if (end->estimate.value == start.estimate.value) return first;
+  return fmt::format("{} at the start \u2192 {} at the end", first, in_words(end->estimate, end->unit));
+}
+
+/// What is looked for first.
+std::vector<std::vector<std::string>> headline(const FittedRecording& fitted) {
+  std::vector<std::vector<std::string>> rows;
+  if (const Parameter* frequency = named(fitted.headline, "frequency"))
+    rows.push_back({"  frequency", in_words(frequency->estimate, frequency->unit)});
+  if (const Parameter* stiffness = named(fitted.headline, "stiffness")) {
+    const Estimate& k = stiffness->estimate;
+    rows.push_back({"  spring constant", fmt::format("{}, 95 % {}", in_words(k, stiffness->unit),
+                                                     interval_text(k.low, k.high))});
+  }
+  if (const Parameter* start = named(fitted.headline, "decay_rate_start"))
+    rows.push_back({"  decay rate", decay_in_words(*start, named(fitted.headline, "decay_rate_end"))});
+  if (const Parameter* reynolds = named(fitted.headline, "reynolds_max"))
+    rows.push_back({"  largest Reynolds number",
+                    fmt::format("{}, at {:.6g} s", in_words(reynolds->estimate, ""), fitted.reynolds_max_t)});
+  return rows;
+}
+
+/// The term of the law that a parameter belongs to, as a formula; "" for others.
+std::string_view term_of(const Law& law, std::string_view parameter) {
+  std::string_view formula;
+  for_each_term([&]<class T>() {
+    if (!law.has<T>()) return;
+    for (const CoefficientInfo& info : T::coefficients)
+      if (info.parameter == parameter || info.in_si == parameter) formula = T::info.formula;
+  });
+  return formula;
+}
+
+/// Of several terms that damp, the decay rate is the viscous one's alone.
+std::string name_in_law(const Law& law, std::string_view parameter) {
+  const bool others = law.shares(dampings.without(law_with<Viscous>)) || law.shares(bounding_terms);
+  const bool is_part = others && parameter == Viscous::coefficients[0].parameter;
+  return is_part ? "viscous part of the decay rate" : readable_name(parameter);
+}
+
 std::string one_fit(const FittedRecording& fitted) {
   std::string out = first_line(fitted);
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = headline(fitted);
+  const Law& law = fitted.fit.law;
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
-      if (std::isfinite(entry.estimate.value))
-        rows.push_back({"  " + readable_name(entry.name), in_words(entry.estimate, entry.unit)});
+      if (std::isfinite(entry.estimate.value) && !named(fitted.headline, entry.name))
+        rows.push_back({"  " + name_in_law(law, entry.name), in_words(entry.estimate, entry.unit),
+                        std::string(term_of(law, entry.name))});
   for (const auto& segment : fitted.segments)
     rows.push_back({fmt::format("  decay rate {:.10g} to {:.10g} s", segment.from, segment.to),
                     in_words(segment.rate, "1/s")});
   if (fitted.decay_rate_mean)
     rows.push_back({"  decay rate, mean", in_words(*fitted.decay_rate_mean, "1/s")});
-  if (fitted.reynolds_max)
-    rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
-                    in_words(*fitted.reynolds_max, "")});
   if (fitted.keulegan_carpenter)
     rows.push_back({"  largest Keulegan-Carpenter number", in_words(*fitted.keulegan_carpenter, "")});
   if (!fitted.parameters.empty())
@@ -171,13 +223,13 @@ std::string failure_text(const FittedRecording& fitted) {
 
 namespace {
 
-constexpr std::string_view shown_quantities[] = {"frequency", "decay_rate",      "drag", "friction", "cubic",
-                                                 "stiffness", "drag_coefficient"};
+constexpr std::string_view shown_quantities[] = {"frequency", "stiffness", "decay_rate_start",
+                                                 "decay_rate_end", "drag_coefficient"};
 
 const Parameter* find(const FittedRecording& fitted, std::string_view name) {
-  for (const auto* list : {&fitted.parameters, &fitted.derived})
-    for (const auto& number : *list)
-      if (number.name == name && std::isfinite(number.estimate.value)) return &number;
+  for (const auto* list : {&fitted.headline, &fitted.parameters, &fitted.derived})
+    if (const Parameter* number = named(*list, name); number && std::isfinite(number->estimate.value))
+      return number;
   return nullptr;
 }
 

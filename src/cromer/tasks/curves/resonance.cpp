@@ -97,8 +97,8 @@ Result<Point> settle(const SimulateOptions& options, const SimulatedRun& at_w, c
   const Point exact{frequency_response(at_w.oscillator, at_w.drive.amplitude, w),
                     transmissibility(at_w.oscillator, w)};
   if (method == "exact") return exact;
-  auto simulated = simulate(run_at(options, at_w.oscillator, method, w, exact.motion),
-                            Watch{watch.interrupt, {}, watch.pulse});
+  auto simulated =
+      simulate(run_at(options, at_w.oscillator, method, w, exact.motion), without_progress(watch));
   if (!simulated) return simulated.error();
   const SimulatedRun& run = simulated->runs.front();
   if (run.outcome.status != Status::reached_end) return unsettled;

@@ -92,6 +92,7 @@ struct FittedRecording {
   LawFit fit;
   std::vector<Parameter> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
   std::vector<Parameter> derived;
+  std::vector<Parameter> headline;    ///< what is looked for first, as far as it is known: headline_of()
   std::vector<TypedOption> simulate;  ///< options of simulate for this law
   std::vector<Candidate> candidates;
   std::vector<DecaySegment> segments;

@@ -127,6 +127,7 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
   result.parameters = law_parameters(fit, unit, derivative, force_unit);
   add_force_parameters(result, body);
   result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
+  result.headline = headline_of(result);
   if (result.find("stiffness")) {
     result.stiffness_budget = stiffness_budget(fit, body);
     if (options.monte_carlo)

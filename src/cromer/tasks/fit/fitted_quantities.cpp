@@ -250,4 +250,27 @@ std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view ob
   return list;
 }
 
+std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
+  if (fit.drive.kind != DriveKind::none || !fit.law.shares(springs) || fit.law.has<Hysteresis>()) return {};
+  LawAtAmplitude law = law_at_amplitude(fit);
+  Real A = law.swing.amplitude(law.position, law.velocity);
+  law.decay.angular_frequency = law.swing.angular_frequency(A);
+  const Real first = law.decay.rate(A);
+  if (!std::isfinite(value_of(first))) return {};
+  std::vector<Parameter> ends{{"decay_rate_start", estimate_of(first, fit), "1/s"}};
+  // Runge-Kutta of the fourth order, on the logarithm of the amplitude.
+  constexpr int steps = 16;
+  const double h = duration / steps;
+  for (int i = 0; i < steps; ++i) {
+    const Real k1 = law.decay.rate(A), k2 = law.decay.rate(A * exp(-0.5 * h * k1)),
+               k3 = law.decay.rate(A * exp(-0.5 * h * k2)), k4 = law.decay.rate(A * exp(-h * k3));
+    const Real fall = h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    constexpr double to_rest = 2;  // in one step: no law but one that stops falls so fast
+    if (!(value_of(fall) < to_rest) || !(h * value_of(k4) < to_rest)) return ends;
+    A = A * exp(-fall);
+  }
+  ends.push_back({"decay_rate_end", estimate_of(law.decay.rate(A), fit), "1/s"});
+  return ends;
+}
+
 }  // namespace cromer::core

@@ -72,4 +72,10 @@ std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view ob
                                           const std::vector<double>& x = {},
                                           std::string_view force_unit = {});
 
+/// At what rate [1/s] the amplitude of a free motion falls, by all terms of the law, at its first sample and
+/// `duration` [s] > 0 later: decay_rate_start and decay_rate_end. The amplitude in between is that of the
+/// averaged law. The second is left out where the motion comes to rest before; both, of a hysteretic law, of
+/// one without a spring, and of a driven motion.
+std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration);
+
 }  // namespace cromer::core

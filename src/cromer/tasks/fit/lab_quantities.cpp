@@ -48,12 +48,33 @@ double to_twelve_digits(double value) {
   return leading_number(fmt::format("{:.12g}", value)).value_or(LeadingNumber{value}).value;
 }
 
+// So many digits that what is cut off is a thousandth of the error, relative to the value.
+std::string to_known_digits(double value, double relative_error) {
+  if (!(relative_error > 0) || !std::isfinite(relative_error)) return shortest(value);
+  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(relative_error))) + 3, 1, 17);
+  return shortest(leading_number(fmt::format("{:.{}g}", value, digits)).value_or(LeadingNumber{value}).value);
+}
+
 }  // namespace
 
 Body body_of(const FitOptions& options) {
   Body body{options.mass, options.spring_mass, options.disc_diameter};
   if (options.temperature) body.temperature = *options.temperature;
   return body;
+}
+
+std::vector<Parameter> headline_of(const FittedRecording& fitted) {
+  std::vector<Parameter> headline;
+  for (const std::string_view name : {"frequency", "stiffness"})
+    for (const auto* list : {&fitted.derived, &fitted.parameters})
+      for (const Parameter& each : *list)
+        if (each.name == name && std::isfinite(each.estimate.value)) headline.push_back(each);
+  const std::vector<double>& t = fitted.series.t;
+  if (fitted.fit.is_usable() && t.size() > 1)
+    for (Parameter& end : decay_rate_ends(fitted.fit, t.back() - t.front()))
+      headline.push_back(std::move(end));
+  if (fitted.reynolds_max) headline.push_back({"reynolds_max", *fitted.reynolds_max, "1"});
+  return headline;
 }
 
 void add_force_parameters(FittedRecording& result, const Body& body) {
@@ -69,6 +90,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
                                 const Watch& watch) {
   const FitOptions& options = result.options;
   const bool has_forces = result.find("stiffness") != nullptr;
+  result.headline = headline_of(result);
   result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
   if (has_forces) result.stiffness_budget = stiffness_budget(result.fit, body);
@@ -105,6 +127,12 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
   const auto add = [&](std::string_view option, double value) {
     settings.emplace_back(option, shortest(value));
   };
+  // `value` is in proportion to this power of the parameter.
+  const auto add_known = [&](std::string_view option, double value, std::string_view parameter, int power) {
+    const Estimate* known = fit.find(parameter);
+    const double error = known ? power * known->standard_error / std::abs(known->value) : 0;
+    settings.emplace_back(option, to_known_digits(value, error));
+  };
   add("mass", mass);
   const Oscillator<double> oscillator = multiplied_by_mass(motion.per_mass, mass);
   if (!motion.law.has<Spring>()) add(Spring::coefficients[0].option, 0);
@@ -112,17 +140,19 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
     if (!motion.law.has<T>()) return;
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const double value = oscillator.*T::template members<double>[i];
-      if (value != 0) add(T::coefficients[i].option, value);
+      const CoefficientInfo& info = T::coefficients[i];
+      if (value != 0)
+        add_known(info.option, value, info.parameter, info.fitted == FittedAs::square_root ? 2 : 1);
     }
     if (HasInnerState<T> && exponent != 1) add("hysteresis-exponent", exponent);
   });
   if (fit.drive.kind == DriveKind::harmonic) {
-    add("drive-amplitude", mass * fit["drive_amplitude"].value);
-    add("drive-frequency", motion.drive_frequency);
-    add("drive-phase", fit["drive_phase"].value);
+    add_known("drive-amplitude", mass * fit["drive_amplitude"].value, "drive_amplitude", 1);
+    add_known("drive-frequency", motion.drive_frequency, "drive_frequency", 1);
+    add_known("drive-phase", fit["drive_phase"].value, "drive_phase", 1);
   }
-  add("position", motion.position);
-  add("velocity", motion.velocity);
+  add_known("position", motion.position, "position", 1);
+  add_known("velocity", motion.velocity, "velocity", 1);
   settings.emplace_back("method", "rk4");
   // A sample is a whole number of steps, and a period has at least the default number.
   constexpr double fewest = default_steps_per_period;

@@ -1,6 +1,7 @@
 // Options defined once: the command line, the study file and the tasks' own checks all read these tables.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,8 @@ struct Option {
   std::string_view default_text;  ///< what holds when it is not given; "" if nothing does
   std::string_view group;         ///< heading in --help
   bool* asked = nullptr;          ///< set to true when the option is given
+  /// A number that is typed without a unit and is as large as this may be meant in a smaller one.
+  double doubtful_from = std::numeric_limits<double>::infinity();
 
   bool is_flag() const { return std::holds_alternative<bool*>(target); }
   /// May be given several times; each time adds a value.

@@ -63,8 +63,8 @@ Result<RecordSetup> check(const RecordOptions& options) {
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
                                         const std::string& path, const std::string& command,
                                         std::string (*words)(const Notice&)) {
-  RecorderSettings settings{
-      path, duration, {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()}, setup.column, words};
+  RecorderSettings settings{path, duration, {}, setup.column, words};
+  if (!command.empty()) settings.comments = {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()};
   return std::make_unique<Recorder>(make_source(setup.source, setup.lines), std::move(settings));
 }
 

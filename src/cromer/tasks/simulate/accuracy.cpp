@@ -76,7 +76,7 @@ std::optional<SimulatedRun> simulated(SimulateOptions options, const SimulatedRu
   options.step = step;
   options.until = run.until;
   if (method == "dormand-prince") options.tolerance = reference_tolerance;
-  auto result = simulate(options, Watch{watch.interrupt, {}, watch.pulse});
+  auto result = simulate(options, without_progress(watch));
   if (!result || !result->ok()) return std::nullopt;
   return std::move(result->runs.front());
 }
