@@ -45,6 +45,35 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 
+TEST(FitLab, SaysFirstWhatIsLookedForFirst) {
+  const Finished end = Folder().run({"fit", disc, "--mass", "217.6 g", "--disc-diameter", "12 cm"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  std::istringstream text(end.out);
+  std::string line;
+  std::getline(text, line);  // the recording
+  for (const char* start : {"  frequency                        1.408398", "  spring constant                  17.040",
+                            "  decay rate                       0.0134", "  largest Reynolds number          253"}) {
+    std::getline(text, line);
+    EXPECT_THAT(line, testing::StartsWith(start));
+  }
+  EXPECT_THAT(end.out, HasSubstr(" 1/s at the start → 0.006"));
+  EXPECT_THAT(end.out, testing::ContainsRegex("  viscous part of the decay rate +0.00179 ± 0.00004 1/s +c x'"));
+  EXPECT_THAT(end.out, testing::ContainsRegex("  drag +0.0941 ± 0.0005 1/m +d x'.x'.\n"));
+  EXPECT_THAT(end.out, HasSubstr("your mass has no ±, so its part is not in the uncertainty"));
+  const Finished viscous = Folder().run({"fit", disc, "--law", "viscous", "--quiet"});
+  EXPECT_THAT(viscous.out, testing::ContainsRegex("  decay rate +0.0[0-9]+ ± 0.0[0-9]+ 1/s\n"));
+  EXPECT_THAT(viscous.out, testing::Not(HasSubstr("viscous part")));
+}
+
+TEST(FitLab, DrawsTheFirstSwingsOneByOneBesideTheEnvelope) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"fit", disc, "--law", "viscous", "--quiet", "--plot", "long.svg"}).status, 0);
+  EXPECT_THAT(folder.read("long.svg"), HasSubstr("The first swings"));
+  ASSERT_EQ(folder.run({"fit", disc, "--law", "viscous", "--to", "5 s", "--quiet", "--plot", "short.svg"}).status,
+            0);
+  EXPECT_THAT(folder.read("short.svg"), testing::Not(HasSubstr("The first swings")));
+}
+
 // What the arithmetic leaves of a computed motion is correlated and has a highest line, but nothing made it:
 // no drive is looked for there, nor another term.
 TEST(FitLab, ReadsAComputedMotion) {

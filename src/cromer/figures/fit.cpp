@@ -89,8 +89,9 @@ Panel decay_panel(const FittedRecording& fitted) {
   return panel;
 }
 
-void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
-  add_motion(panel, fitted, axis, law_motion(fitted, axis, true), fitted_look(fitted));
+/// Whether it is drawn as an envelope.
+bool add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
+  return add_motion(panel, fitted, axis, law_motion(fitted, axis, true), fitted_look(fitted));
 }
 
 /// The largest swings of an irregular motion. `which` follows in the title: ", held out".
@@ -105,6 +106,16 @@ Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
   return panel;
 }
 
+/// The first swings, one by one, of a motion that is drawn as its envelope.
+Panel first_panel(const FittedRecording& fitted) {
+  const FittedRecording part = first_swings(fitted);
+  const MeasuredAxis axis = measured_axis(part);
+  Panel panel = measured_panel(part, axis);
+  panel.title = "The first swings";
+  add_line(panel, part, axis, law_motion(part, axis, true), fitted_look(part));
+  return panel;
+}
+
 void append_panels(Figure& figure, const FittedRecording& fitted) {
   const MeasuredAxis axis = measured_axis(fitted);
   Panel motion = measured_panel(fitted, axis);
@@ -116,8 +127,9 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
   if (irregular(fitted)) {
     figure.panels.push_back(swings_panel(fitted, ""));
   } else {
-    add_law(motion, fitted, axis);
+    const bool envelope = add_law(motion, fitted, axis);
     figure.panels.push_back(std::move(motion));
+    if (envelope) figure.panels.push_back(first_panel(fitted));
   }
   figure.panels.push_back(residual_panel(fitted, axis));
   if (fitted.held_out && !fitted.held_out->t.empty() && fitted.driven) {

@@ -304,6 +304,21 @@ FittedRecording largest_swings(const FittedRecording& fitted) {
   return part;
 }
 
+FittedRecording first_swings(const FittedRecording& fitted) {
+  constexpr double periods = 6;
+  FittedRecording part = fitted;
+  std::vector<double>& t = part.series.t;
+  const double end = t.front() + periods * period_of(fitted);
+  if (end == t.front()) return part;
+  t.erase(std::upper_bound(t.begin(), t.end(), end), t.end());
+  part.series.y.resize(t.size());
+  if (part.driven) part.driven->motion.resize(std::min(part.driven->motion.size(), t.size()));
+  const auto later = [&](const auto& mark) { return mark.t > t.back(); };
+  std::erase_if(part.series.gaps, later);
+  std::erase_if(part.series.outliers, later);
+  return part;
+}
+
 FittedRecording held_out_part(const FittedRecording& fitted) {
   FittedRecording part = fitted;
   part.series.t = fitted.held_out->t;
@@ -322,7 +337,7 @@ void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& a
   panel.curves.push_back(std::move(look));
 }
 
-void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
+bool add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look) {
   const std::vector<SampledMotion> stretches = stretches_of(broken_at_gaps(motion, fitted.series.gaps));
   std::vector<Envelope> around;
@@ -342,7 +357,7 @@ void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   if (swings <= most_swings || !enough) {
     for (const SampledMotion& stretch : stretches) append(line, axis, stretch.t, stretch.y);
     panel.curves.push_back(std::move(line));
-    return;
+    return false;
   }
   below.name = below.remark = "";
   for (const Envelope& e : around) {
@@ -351,6 +366,7 @@ void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   }
   panel.curves.push_back(std::move(line));
   panel.curves.push_back(std::move(below));
+  return true;
 }
 
 }  // namespace cromer::core

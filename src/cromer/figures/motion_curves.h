@@ -60,6 +60,9 @@ bool irregular(const FittedRecording& fitted);
 /// period.
 FittedRecording largest_swings(const FittedRecording& fitted);
 
+/// `fitted` with only the samples within 6 periods of the first one; with all of them if it has no period.
+FittedRecording first_swings(const FittedRecording& fitted);
+
 /// The samples that were held out, as a recording of their own.
 FittedRecording held_out_part(const FittedRecording& fitted);
 
@@ -67,8 +70,9 @@ FittedRecording held_out_part(const FittedRecording& fitted);
 void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis,
               const SampledMotion& motion, Curve look);
 
-/// Adds the same line, or, if it has too many swings to tell apart, its upper and lower envelope.
-void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
+/// Adds the same line, or, if it has too many swings to tell apart, its upper and lower envelope: then it
+/// gives true.
+bool add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look);
 
 }  // namespace cromer::core
