@@ -26,7 +26,9 @@ struct TypeOf {
   std::string operator()(unsigned long long*) const { return "int"; }
   std::string operator()(bool*) const { return "bool"; }
   std::string operator()(std::string*) const { return grid ? "Grid" : "str"; }
-  std::string operator()(std::vector<std::string>*) const { return "Union[str, Sequence[str]]"; }
+  std::string operator()(std::vector<std::string>*) const {
+    return grid ? "Union[Grid, Sequence[Value]]" : "Union[str, Sequence[str]]";
+  }
 };
 
 std::string argument(std::string_view option) {

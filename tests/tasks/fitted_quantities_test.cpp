@@ -246,6 +246,9 @@ TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
 TEST(DecayRateEnds, OfTheViscousLawAreItsDecayRate) {
   LawFit fit = released(0.2);
   fit.covariance = {0, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 0};
+  for (const double long_after : {120.0, 1e4})
+    for (const Parameter& end : decay_rate_ends(fit, long_after)) EXPECT_DOUBLE_EQ(end.estimate.value, 0.2);
+  EXPECT_EQ(decay_rate_ends(fit, 1e4).size(), 2u);
   const std::vector<Parameter> ends = decay_rate_ends(fit, 12);
   ASSERT_EQ(ends.size(), 2u);
   EXPECT_EQ(ends[0].name, "decay_rate_start");

@@ -353,6 +353,7 @@ Result<SpectrumResult> response_spectrum_of(Call& call, const SpectrumOptions& o
                                             const std::string& file, double spacing) {
   if (!call.has_array("acceleration")) {
     if (file.empty()) return Error{Notice{"no_acceleration"}, "acceleration"};
+    if (!std::isnan(spacing)) return Error{Notice{"spacing_of_a_file"}, "spacing"};
     const auto one = open_recording(file, options.read);
     if (!one) return one.error();
     return response_spectrum(std::span(&*one, 1), options, call.watch());

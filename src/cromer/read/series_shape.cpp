@@ -52,7 +52,7 @@ std::vector<double> even_choice(std::span<const double> values) {
 }
 
 /// The values sorted, in a time that grows with their number where they are spread out: each into one of as
-/// many drawers as there are values, and then within its drawer.
+/// many bins as there are values, and then within its bin.
 std::vector<double> sorted(std::vector<double> values) {
   if (values.empty()) return values;
   const auto n = static_cast<std::ptrdiff_t>(values.size());
@@ -62,13 +62,13 @@ std::vector<double> sorted(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return values;
   }
-  const auto drawer = [=](double value) { return static_cast<std::size_t>((value - low) * scale); };
+  const auto bin = [=](double value) { return static_cast<std::size_t>((value - low) * scale); };
   std::vector<std::ptrdiff_t> begin(values.size() + 2, 0);
-  for (const double value : values) ++begin[drawer(value) + 2];
+  for (const double value : values) ++begin[bin(value) + 2];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<double> result(values.size());
-  for (const double value : values) result[static_cast<std::size_t>(begin[drawer(value) + 1]++)] = value;
-  // Each drawer's begin now stands in its own place.
+  for (const double value : values) result[static_cast<std::size_t>(begin[bin(value) + 1]++)] = value;
+  // Each bin's begin now stands in its own place.
   for (std::size_t k = 0; k < values.size(); ++k)
     if (begin[k + 1] - begin[k] > 1) std::sort(result.begin() + begin[k], result.begin() + begin[k + 1]);
   return result;

@@ -125,9 +125,9 @@ const Parameter* named(const std::vector<Parameter>& list, std::string_view name
 }
 
 /// The decay rate at both ends of the record, or what is known of it.
-std::string decay_in_words(const Parameter& start, const Parameter* end) {
+std::string decay_in_words(const Parameter& start, const Parameter* end, const Law& law) {
   const std::string first = in_words(start.estimate, start.unit);
-  if (!end) return first + " at the start; it comes to rest";
+  if (!end) return first + (law.has<Friction>() ? " at the start; it comes to rest" : " at the start");
   if (end->estimate.value == start.estimate.value) return first;
   return fmt::format("{} at the start \u2192 {} at the end", first, in_words(end->estimate, end->unit));
 }
@@ -143,7 +143,7 @@ std::vector<std::vector<std::string>> headline(const FittedRecording& fitted) {
                                                      interval_text(k.low, k.high))});
   }
   if (const Parameter* start = named(fitted.headline, "decay_rate_start"))
-    rows.push_back({"  decay rate", decay_in_words(*start, named(fitted.headline, "decay_rate_end"))});
+    rows.push_back({"  decay rate", decay_in_words(*start, named(fitted.headline, "decay_rate_end"), fitted.fit.law)});
   if (const Parameter* reynolds = named(fitted.headline, "reynolds_max"))
     rows.push_back({"  largest Reynolds number",
                     fmt::format("{}, at {:.6g} s", in_words(reynolds->estimate, ""), fitted.reynolds_max_t)});

@@ -39,6 +39,8 @@ constexpr Entry entries[] = {
      "spacing gehört zu den Feldern force und acceleration, doch keines ist angegeben; bitte weglassen"},
     {"spacing_is_missing", error, "{array} needs its spacing as well, in seconds",
      "zu {array} gehört spacing, der Abstand der Werte in Sekunden"},
+    {"spacing_of_a_file", error, "spacing is that of arrays, but a file is given; leave it out",
+     "spacing gehört zu Feldern, doch eine Datei ist angegeben; bitte weglassen"},
     {"force_and_acceleration", error, "force and acceleration both drive the mass; leave one of them out",
      "force und acceleration treiben beide die Masse an; bitte eines weglassen"},
 

@@ -258,15 +258,17 @@ std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
   const Real first = law.decay.rate(A);
   if (!std::isfinite(value_of(first))) return {};
   std::vector<Parameter> ends{{"decay_rate_start", estimate_of(first, fit), "1/s"}};
-  // Runge-Kutta of the fourth order, on the logarithm of the amplitude.
-  constexpr int steps = 16;
-  const double h = duration / steps;
-  for (int i = 0; i < steps; ++i) {
+  // Runge-Kutta of the fourth order, on the logarithm of the amplitude, which falls by half or less in a step.
+  constexpr double fewest = 16, most = 1000;
+  const int steps = static_cast<int>(std::clamp(2 * std::abs(value_of(first)) * duration, fewest, most));
+  const double h = duration / steps, nothing = 1e-12 * value_of(A);
+  for (int i = 0; i < steps && value_of(A) > nothing; ++i) {
     const Real k1 = law.decay.rate(A), k2 = law.decay.rate(A * exp(-0.5 * h * k1)),
                k3 = law.decay.rate(A * exp(-0.5 * h * k2)), k4 = law.decay.rate(A * exp(-h * k3));
     const Real fall = h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    constexpr double to_rest = 2;  // in one step: no law but one that stops falls so fast
-    if (!(value_of(fall) < to_rest) || !(h * value_of(k4) < to_rest)) return ends;
+    constexpr double to_rest = 2;  // in one step, by friction
+    const bool falls = value_of(fall) < to_rest && h * value_of(k4) < to_rest;
+    if (!falls && fit.law.has<Friction>()) return ends;
     A = A * exp(-fall);
   }
   ends.push_back({"decay_rate_end", estimate_of(law.decay.rate(A), fit), "1/s"});

@@ -57,7 +57,7 @@ std::vector<Option> options_of(FitOptions& o) {
       {"between-samples", &o.between_samples, "", Range::any,
        "what the force did between its samples: linear, hold, band-limited, or auto for what the data prefer",
        "auto", driven},
-      {"drive-frequency", &o.drive_frequency, "", Range::any,
+      {"drive-frequency", &o.drive_frequency, "rad/s", Range::any,
        "rough frequency of a harmonic drive, \"1.2 Hz\" (the fit refines it), or auto to find it",
        "the motion is free", driven},
       {"hold-out", &o.hold_out, "1", Range::fraction,

@@ -71,9 +71,9 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"mass", &o.mass, "kg", Range::positive, "mass m", "1 kg", law},
       {"natural-frequency", &o.natural_frequency, "rad/s", Range::positive,
        "in place of stiffness: k = m w0^2", "", law},
-      {"damping-ratio", &o.damping_ratio, "", Range::not_negative,
+      {"damping-ratio", &o.damping_ratio, "1", Range::not_negative,
        "in place of damping: c = 2 zeta sqrt(k m)", "", law},
-      {"quality-factor", &o.quality_factor, "", Range::positive, "in place of damping: c = sqrt(k m) / Q", "",
+      {"quality-factor", &o.quality_factor, "1", Range::positive, "in place of damping: c = sqrt(k m) / Q", "",
        law},
       {"position", &o.position, "m", Range::any, "displacement at the start",
        "1 m when nothing else sets the motion going, else 0", start},
@@ -117,7 +117,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "20 natural periods (of the drive where the law has none), at least to the end of a pulse or chirp; "
        "the length of a recorded drive",
        integration},
-      {"tolerance", &o.tolerance, "", Range::tolerance,
+      {"tolerance", &o.tolerance, "1", Range::tolerance,
        "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's "
        "scale; 1e-15 to 1e-2",
        "1e-12; adaptive 1e-9", integration},

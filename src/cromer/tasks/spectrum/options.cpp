@@ -9,13 +9,13 @@ std::vector<Option> options_of(SpectrumOptions& o) {
   constexpr std::string_view what = "What to compute";
   constexpr std::string_view recording = "The recording";
   std::vector<Option> options{
-      {"periods", &o.periods, "", Range::any, "natural periods, \"0.01:10:200:log\", \"20,50,100 ms\"",
+      {"periods", &o.periods, "s", Range::any, "natural periods, \"0.01:10:200:log\", \"20,50,100 ms\"",
        "0.01:10:200:log; of a shock, frequencies that suit it", oscillators},
-      {"frequencies", &o.frequencies, "", Range::any,
+      {"frequencies", &o.frequencies, "rad/s", Range::any,
        "natural frequencies instead of periods, \"1:1000:200:log Hz\"", "", oscillators},
-      {"damping-ratio", &o.damping_ratio, "", Range::any, "damping ratios; may be given several times",
+      {"damping-ratio", &o.damping_ratio, "1", Range::any, "damping ratios; may be given several times",
        "0.05", oscillators},
-      {"loss-factor", &o.loss_factor, "", Range::any,
+      {"loss-factor", &o.loss_factor, "1", Range::any,
        "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states", "",
        oscillators},
       {"peaks", &o.peaks, "", Range::any,

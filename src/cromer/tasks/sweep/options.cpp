@@ -91,7 +91,7 @@ std::vector<Option> point_options(SimulateOptions& o) {
   const auto before = std::find_if(options.begin(), options.end(),
                                    [](const Option& each) { return each.name == "quality-factor"; });
   options.insert(before + 1,
-                 {"loss-factor", &o.loss_factor, "", Range::not_negative,
+                 {"loss-factor", &o.loss_factor, "1", Range::not_negative,
                   "hysteretic damping, a spring k (1 + i eta), instead of a damper; for settled motions only",
                   "", before->group});
   return options;
