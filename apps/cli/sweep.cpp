@@ -191,7 +191,8 @@ int run_sweep(const Arguments& arguments) {
     if (result.interrupted) size.clear();  // none are written
     const int status = show(result, output, provenance(output, "sweep", arguments), size);
     if (size.empty()) return status;
-    const auto said = write_trajectories(result.plan, trajectories, provenance(output, "sweep", arguments), watch);
+    const auto said =
+        write_trajectories(result.plan, trajectories, provenance(output, "sweep", arguments), watch);
     clear_progress();
     if (!said) return refuse(said.error());
     if (said->empty()) return status;

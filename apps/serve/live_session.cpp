@@ -51,8 +51,8 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   const std::string path = free_path(options_.output);
   next->name = fs::path(path).filename().string();
   next->duration = duration ? duration : options_.duration;
-  next->recorder = make_recorder(*setup_, next->duration, path, "",
-                                 [](const Notice& notice) { return in_words(notice); });
+  next->recorder =
+      make_recorder(*setup_, next->duration, path, "", [](const Notice& notice) { return in_words(notice); });
   if (auto good = next->recorder->start(); !good) return good.error();
   next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
   std::unique_lock lock(mutex_);

@@ -32,7 +32,7 @@ class FitOptions(TypedDict, total=False):
     segments: int
     force_column: str
     between_samples: str
-    drive_frequency: str
+    drive_frequency: Grid
     hold_out: Value
     goal: str
     monte_carlo: int
@@ -151,9 +151,9 @@ class SweepOptions(TypedDict, total=False):
     van_der_pol: Grid
     pendulum: Grid
     natural_frequency: Grid
-    damping_ratio: str
-    quality_factor: str
-    loss_factor: str
+    damping_ratio: Grid
+    quality_factor: Grid
+    loss_factor: Grid
     position: Grid
     velocity: Grid
     drive: str
@@ -166,7 +166,7 @@ class SweepOptions(TypedDict, total=False):
     method: Union[str, Sequence[str]]
     step: Grid
     until: Grid
-    tolerance: str
+    tolerance: Grid
     beta: str
     gamma: str
     rho_inf: str
@@ -178,9 +178,9 @@ class SweepOptions(TypedDict, total=False):
 
 
 class SpectrumOptions(TypedDict, total=False):
-    frequencies: str
-    damping_ratio: Union[str, Sequence[str]]
-    loss_factor: Union[str, Sequence[str]]
+    frequencies: Grid
+    damping_ratio: Union[Grid, Sequence[Value]]
+    loss_factor: Union[Grid, Sequence[Value]]
     peaks: str
     between_samples: str
     shock: bool
@@ -220,7 +220,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "segments": ("int", "at most this many segments; without segment, this many equal parts; must be positive [all whole ones]"),
         "force_column": ("str", "column of a recorded force that drives it [the motion is free]"),
         "between_samples": ("str", "what the force did between its samples: linear, hold, band-limited, or auto for what the data prefer [auto]"),
-        "drive_frequency": ("str", "rough frequency of a harmonic drive, \"1.2 Hz\" (the fit refines it), or auto to find it [the motion is free]"),
+        "drive_frequency": ("Grid", "[rad/s] rough frequency of a harmonic drive, \"1.2 Hz\" (the fit refines it), or auto to find it [the motion is free]"),
         "hold_out": ("Value", "share of the samples, the last ones, to test the law on instead of fitting it to them; must lie between 0 and 1 [none]"),
         "goal": ("str", "how long to record to know a quantity this well, \"decay_rate 0.5 %\" [none]"),
         "monte_carlo": ("int", "check the spring constant's uncertainty by this many trials (1000 to 10000000) [none]"),
@@ -335,9 +335,9 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "van_der_pol": ("Grid", "[kg/(m^2 s)] damping e of x^2 x' [0]"),
         "pendulum": ("Grid", "[N] force p of p sin x, x an angle [0]"),
         "natural_frequency": ("Grid", "[rad/s] in place of stiffness: k = m w0^2; must be positive"),
-        "damping_ratio": ("str", "in place of damping: c = 2 zeta sqrt(k m); must not be negative"),
-        "quality_factor": ("str", "in place of damping: c = sqrt(k m) / Q; must be positive"),
-        "loss_factor": ("str", "hysteretic damping, a spring k (1 + i eta), instead of a damper; for settled motions only; must not be negative"),
+        "damping_ratio": ("Grid", "in place of damping: c = 2 zeta sqrt(k m); must not be negative"),
+        "quality_factor": ("Grid", "in place of damping: c = sqrt(k m) / Q; must be positive"),
+        "loss_factor": ("Grid", "hysteretic damping, a spring k (1 + i eta), instead of a damper; for settled motions only; must not be negative"),
         "position": ("Grid", "[m] displacement at the start [1 m when nothing else sets the motion going, else 0]"),
         "velocity": ("Grid", "[m/s] velocity at the start [0]"),
         "drive": ("str", "harmonic, unbalance (rotating, m_u e w^2) or base (shaking) [harmonic]"),
@@ -350,7 +350,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "method": ("Union[str, Sequence[str]]", "a name from `cromer methods` [euler-cromer]"),
         "step": ("Grid", "[s] time step; must be positive [1/200 of the shorter of natural and drive period]"),
         "until": ("Grid", "[s] end of each run; must be positive [20 natural periods, of the drive where the law has none]"),
-        "tolerance": ("str", "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's scale; 1e-15 to 1e-2 [1e-12; adaptive 1e-9]"),
+        "tolerance": ("Grid", "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's scale; 1e-15 to 1e-2 [1e-12; adaptive 1e-9]"),
         "beta": ("str", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("str", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("str", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
@@ -361,9 +361,9 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "check": ("bool", "where the answer is a closed form, step eight points as well and say how far they differ"),
     },
     "spectrum": {
-        "frequencies": ("str", "natural frequencies instead of periods, \"1:1000:200:log Hz\""),
-        "damping_ratio": ("Union[str, Sequence[str]]", "damping ratios; may be given several times [0.05]"),
-        "loss_factor": ("Union[str, Sequence[str]]", "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states"),
+        "frequencies": ("Grid", "[rad/s] natural frequencies instead of periods, \"1:1000:200:log Hz\""),
+        "damping_ratio": ("Union[Grid, Sequence[Value]]", "damping ratios; may be given several times [0.05]"),
+        "loss_factor": ("Union[Grid, Sequence[Value]]", "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states"),
         "peaks": ("str", "where the largest values are looked for: continuous (everywhere, after the recording's end too), samples (at the samples alone) or peer (at ten points a period at least, straight lines between samples) [continuous]"),
         "between_samples": ("str", "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear) [linear]"),
         "shock": ("bool", "shock response spectrum (ISO 18431-4): absolute acceleration, primary, residual, maximax, positive, negative [relative displacement]"),

@@ -70,7 +70,7 @@ TEST(SweepCommand, ShowsGridsInTheirUnit) {
   EXPECT_THAT(folder.read("hz.svg"), HasSubstr("drive frequency (Hz)"));
   EXPECT_THAT(folder.read("hz.svg"), HasSubstr("damping ratio (%)"));
   EXPECT_THAT(folder.run(with(asked, {"-o", "-"})).out,
-              HasSubstr("\ndamping_ratio,drive_frequency (rad/s),amplitude (m),phase (rad)\n0.02,0.628"));
+              StartsWith("damping_ratio,drive_frequency (rad/s),amplitude (m),phase (rad)\n0.02,0.628"));
   const auto json = folder.run(with(asked, {"--json"})).json();
   EXPECT_EQ(json["columns"][1], "drive_frequency (rad/s)");
   const Finished map = folder.run({"sweep", "--damping-ratio", "2:5:20 %", "--drive-amplitude", "1",
@@ -156,7 +156,7 @@ TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
       "sweep",    "--damping",     "0.2",    "--drive-amplitude", "1", "--drive-frequency", "0.5,40",
       "--method", "forward-euler", "--step", "0.02,0.3"};
   const Folder folder;
-  const Finished end = folder.run(with(steps, {"--json", "-o", "steps.csv"}));
+  const Finished end = folder.run(with(steps, {"--json", "--provenance", "-o", "steps.csv"}));
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.err,
               HasSubstr("2 of 4 points are unstable: the free motion of the law, as forward-euler has it, "
@@ -169,6 +169,7 @@ TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
   EXPECT_EQ(json["phase_outside"], 1);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("outside 0 to pi"));
   const std::string csv = folder.read("steps.csv");
+  EXPECT_THAT(csv, StartsWith("# cromer sweep "));
   EXPECT_THAT(csv, HasSubstr("\n# by forward-euler, closed form\n# 4 points: 2 settled, 2 unstable\nstep "
                              "(s),drive_frequency (rad/s),amplitude"));
   EXPECT_THAT(csv, HasSubstr("\n0.3,40,,\n"));
@@ -194,7 +195,7 @@ TEST(SweepCommand, DrawsBothDirections) {
                                    "--plot", "both.svg", "--json"});
   ASSERT_EQ(end.status, 0) << end.err;
   EXPECT_THAT(folder.read("both.csv"),
-              HasSubstr("\ndirection,drive_frequency (rad/s),amplitude (m),phase (rad)\n1,0.8,"));
+              StartsWith("direction,drive_frequency (rad/s),amplitude (m),phase (rad)\n1,0.8,"));
   EXPECT_THAT(folder.read("both.csv"), HasSubstr("\n-1,2,"));
   EXPECT_EQ(end.json()["rows"].size(), 120u);
   EXPECT_EQ(end.json()["swept"][0]["name"], "direction");

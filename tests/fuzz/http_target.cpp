@@ -33,7 +33,7 @@ class Served {
 
  private:
   std::atomic<bool> stop_ = false;
-  serve::LiveSession session_{{}, {}, "cromer serve"};
+  serve::LiveSession session_{{}, {}};
   serve::Lab lab_{session_, {.port = 8000, .beyond_this_computer = false, .token = ""}, ""};
   serve::HttpServer server_;
   std::thread thread_;

@@ -121,9 +121,10 @@ TEST(TakeSeries, OfTheAxesOfASensorTheLiveliestIsTaken) {
       "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s),Absolute (rad/s)\n"
       "0,1.5,9,0,9\n1,2,-9,1,9\n2,1,9,2,9\n3,nan,-9,3,9\n");
   EXPECT_EQ(phone.column, "Gyroscope y (rad/s)");
-  EXPECT_THAT(in_words(phone.notices),
-              Contains("of the axes \"Gyroscope x (rad/s)\", \"Gyroscope y (rad/s)\", \"Gyroscope z "
-                       "(rad/s)\", \"Gyroscope y (rad/s)\" varies most and is taken; --column names another"));
+  EXPECT_THAT(
+      in_words(phone.notices),
+      Contains("of the axes \"Gyroscope x (rad/s)\", \"Gyroscope y (rad/s)\", \"Gyroscope z "
+               "(rad/s)\", \"Gyroscope y (rad/s)\" varies most and is taken; --column names another"));
   // Gravity is large and does not vary.
   EXPECT_EQ(series("t,ax (m/s²),ay (m/s²),az (m/s²)\n0,1,9.81,0\n1,3,9.82,1\n2,1,9.81,0\n").column,
             "ax (m/s²)");

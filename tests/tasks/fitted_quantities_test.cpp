@@ -282,7 +282,7 @@ TEST(DecayRateEnds, OfDragFollowTheAmplitudeWithItsErrors) {
   fit.covariance[4 + 3] = fit.covariance[12 + 1] = correlation * error[1] * error[3];
   const std::vector<Parameter> ends = decay_rate_ends(fit, t);
   ASSERT_EQ(ends.size(), 2u);
-  EXPECT_NEAR(ends[0].estimate.value, g + 4 * d * w0 * A / (3 * pi), 1e-14);
+  EXPECT_NEAR(ends[0].estimate.value, g + 4 * d * w0 * A / (3 * pi), 1e-12);
   EXPECT_NEAR(ends[1].estimate.value, last_rate_of_drag(w0, g, A, d, t), 1e-6 * ends[1].estimate.value);
   const double at[] = {w0, g, A, d};
   double slope[4];

@@ -50,16 +50,16 @@ std::optional<std::size_t> liveliest_axis(const std::vector<Column>& columns,
   std::vector<std::size_t> axes;
   std::copy_if(alike.begin(), alike.end(), std::back_inserter(axes), has_other_axis);
   const bool of_one = axes.size() > 1 && std::all_of(axes.begin() + 1, axes.end(), [&](std::size_t j) {
-    return are_axes(columns[axes.front()].name, columns[j].name);
-  });
+                        return are_axes(columns[axes.front()].name, columns[j].name);
+                      });
   if (!of_one) return std::nullopt;
   const std::size_t liveliest =
       *std::max_element(axes.begin(), axes.end(), [&](std::size_t j, std::size_t k) {
         return variation_of(columns[j].values) < variation_of(columns[k].values);
       });
-  notices.push_back(Notice{
-      "liveliest_axis_taken",
-      {{"columns", quoted_titles(columns, axes)}, {"column", column_title(columns[liveliest])}}});
+  notices.push_back(
+      Notice{"liveliest_axis_taken",
+             {{"columns", quoted_titles(columns, axes)}, {"column", column_title(columns[liveliest])}}});
   return liveliest;
 }
 

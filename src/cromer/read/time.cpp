@@ -246,6 +246,69 @@ struct Line {
   }
 };
 
+/// The points (number, t) that no straight line from above, or from below, can pass by: its hull on that side.
+std::vector<std::size_t> hull(std::span<const double> t, const std::vector<double>& number, double side) {
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const auto turns_in = [&] {
+      const std::size_t a = corners[corners.size() - 2], b = corners.back();
+      return side * ((t[b] - t[a]) * (number[i] - number[a]) - (t[i] - t[a]) * (number[b] - number[a])) > 0;
+    };
+    while (corners.size() > 1 && !turns_in()) corners.pop_back();
+    corners.push_back(i);
+  }
+  return corners;
+}
+
+struct Interval {
+  double low, high;
+};
+
+/// All steps of an even clock whose times, rounded to `r`, may be `t`; the nearest one, twice, where there is
+/// none. `near` is one of them or almost.
+Interval possible_steps(std::span<const double> t, const std::vector<double>& number, double r, double near) {
+  const std::vector<std::size_t> above = hull(t, number, 1), below = hull(t, number, -1);
+  // How far the times differ from a clock of this step, from one side to the other: convex in the step.
+  const auto spread = [&](double step) {
+    double high = -HUGE_VAL, low = HUGE_VAL;
+    for (const std::size_t i : above) high = std::max(high, t[i] - t[0] - step * number[i]);
+    for (const std::size_t i : below) low = std::min(low, t[i] - t[0] - step * number[i]);
+    return high - low;
+  };
+  const double reach = 4 * r / (number.back() - number.front()), enough = (1 + 1e-9) * r + noise_of(t);
+  double low = near - reach, high = near + reach;
+  for (int i = 0; i < 100; ++i) {
+    const double third = (high - low) / 3;
+    if (spread(low + third) < spread(high - third))
+      high -= third;
+    else
+      low += third;
+  }
+  const double best = 0.5 * (low + high);
+  if (spread(best) > enough) return {best, best};
+  const auto end = [&](double outside) {
+    double inside = best;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (spread(middle) <= enough ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  return {end(near - reach), end(near + reach)};
+}
+
+/// The step in an interval: one whose length or rate is so round a number that it is not there by chance, else
+/// the middle.
+double likely_step(const Interval& steps) {
+  const double middle = 0.5 * (steps.low + steps.high), width = (steps.high - steps.low) / middle;
+  constexpr double chance = 0.05;
+  double tenfold = 10;  // numbers of so many digits, in a decade
+  for (int digits = 1; tenfold * width < chance && digits < 12; ++digits, tenfold *= 10)
+    for (const double round : {1 / to_digits(1 / middle, digits), to_digits(middle, digits)})
+      if (round >= steps.low && round <= steps.high) return round;
+  return middle;
+}
+
 // The even times, perhaps with samples missing, that agree with `t` to half its rounding. The rounding must
 // be a twentieth of a step at least. Nothing if there are no such times, or if `t` is even already.
 std::optional<EvenClock> even_clock(std::span<const double> t, double median_step) {
@@ -291,8 +354,7 @@ std::optional<EvenClock> even_clock(std::span<const double> t, double median_ste
   // The line is not exactly the clock, and times off by less than their rounding are better made even.
   if (high - low > 1.25 * r) return std::nullopt;
 
-  EvenClock clock{
-      {}, 1 / round_within(1 / line.step, 0.2 * r / (t.back() - t.front())), round_within(r, 1e-4)};
+  EvenClock clock{{}, likely_step(possible_steps(t, number, r, line.step)), round_within(r, 1e-4)};
   const double middle = 0.5 * (number.front() + number.back());
   const double grain = 1e-6 * clock.spacing;  // a start at 0 is 0
   const double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);

@@ -328,6 +328,8 @@ export interface FittedRecording {
   iterations: number
   /** interpolation of a recorded force: linear, hold or band-limited; null without one */
   between_samples: string | null
+  /** what is looked for first, as far as it is known: frequency; stiffness (with a mass); decay_rate_start and decay_rate_end, by all terms of the law, of a free motion; reynolds_max (with a disc) */
+  headline: Record<string, Estimate>
   /** fitted parameters by name, per unit mass; with a mass also those of the forces */
   parameters: Record<string, Estimate>
   /** covariance of the fitted parameters; its diagonal is the squares of their standard errors */

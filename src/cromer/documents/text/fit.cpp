@@ -73,11 +73,12 @@ std::string runner_up(const FittedRecording& fitted) {
 std::string budget(const std::vector<Contribution>& contributions) {
   std::string out;
   for (const auto& each : contributions)
-    out += each.standard_uncertainty > 0
-               ? fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
-                             readable_name(each.quantity), each.contribution, percent(each.share))
-               : fmt::format("  spring constant: your {} has no \u00b1, so its part is not in the uncertainty\n",
-                             readable_name(each.quantity));
+    out +=
+        each.standard_uncertainty > 0
+            ? fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
+                          readable_name(each.quantity), each.contribution, percent(each.share))
+            : fmt::format("  spring constant: your {} has no \u00b1, so its part is not in the uncertainty\n",
+                          readable_name(each.quantity));
   return out;
 }
 
@@ -128,7 +129,8 @@ const Parameter* named(const std::vector<Parameter>& list, std::string_view name
 std::string decay_in_words(const Parameter& start, const Parameter* end, const Law& law) {
   const std::string first = in_words(start.estimate, start.unit);
   if (!end) return first + (law.has<Friction>() ? " at the start; it comes to rest" : " at the start");
-  if (end->estimate.value == start.estimate.value) return first;
+  const double change = end->estimate.value - start.estimate.value;
+  if (std::abs(change) <= 1e-9 * std::abs(start.estimate.value)) return first;
   return fmt::format("{} at the start \u2192 {} at the end", first, in_words(end->estimate, end->unit));
 }
 
@@ -139,11 +141,12 @@ std::vector<std::vector<std::string>> headline(const FittedRecording& fitted) {
     rows.push_back({"  frequency", in_words(frequency->estimate, frequency->unit)});
   if (const Parameter* stiffness = named(fitted.headline, "stiffness")) {
     const Estimate& k = stiffness->estimate;
-    rows.push_back({"  spring constant", fmt::format("{}, 95 % {}", in_words(k, stiffness->unit),
-                                                     interval_text(k.low, k.high))});
+    rows.push_back({"  spring constant",
+                    fmt::format("{}, 95 % {}", in_words(k, stiffness->unit), interval_text(k.low, k.high))});
   }
   if (const Parameter* start = named(fitted.headline, "decay_rate_start"))
-    rows.push_back({"  decay rate", decay_in_words(*start, named(fitted.headline, "decay_rate_end"), fitted.fit.law)});
+    rows.push_back(
+        {"  decay rate", decay_in_words(*start, named(fitted.headline, "decay_rate_end"), fitted.fit.law)});
   if (const Parameter* reynolds = named(fitted.headline, "reynolds_max"))
     rows.push_back({"  largest Reynolds number",
                     fmt::format("{}, at {:.6g} s", in_words(reynolds->estimate, ""), fitted.reynolds_max_t)});
@@ -170,7 +173,9 @@ std::string name_in_law(const Law& law, std::string_view parameter) {
 
 std::string one_fit(const FittedRecording& fitted) {
   std::string out = first_line(fitted);
-  std::vector<std::vector<std::string>> rows = headline(fitted);
+  const std::string first = text_table(headline(fitted), 0, 0);
+  if (!first.empty()) out += first + "  the law, and what follows from it:\n";
+  std::vector<std::vector<std::string>> rows;
   const Law& law = fitted.fit.law;
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)

@@ -258,8 +258,9 @@ std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
   const Real first = law.decay.rate(A);
   if (!std::isfinite(value_of(first))) return {};
   std::vector<Parameter> ends{{"decay_rate_start", estimate_of(first, fit), "1/s"}};
-  // Runge-Kutta of the fourth order, on the logarithm of the amplitude, which falls by half or less in a step.
-  constexpr double fewest = 16, most = 1000;
+  // Runge-Kutta of the fourth order, on the logarithm of the amplitude, which falls by half or less in a
+  // step.
+  constexpr double fewest = 32, most = 1000;
   const int steps = static_cast<int>(std::clamp(2 * std::abs(value_of(first)) * duration, fewest, most));
   const double h = duration / steps, nothing = 1e-12 * value_of(A);
   for (int i = 0; i < steps && value_of(A) > nothing; ++i) {

@@ -18,15 +18,15 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted);
 /// gives no stiffness.
 void add_force_parameters(FittedRecording& result, const Body& body);
 
-/// Fills headline, decay_by_amplitude, keulegan_carpenter (with a disc), stiffness_budget and monte_carlo (with a
-/// mass), plan and textbook (if asked for). `record` holds the samples that were fitted. A goal for what this
-/// fit does not have is an Error.
+/// Fills headline, decay_by_amplitude, keulegan_carpenter (with a disc), stiffness_budget and monte_carlo
+/// (with a mass), plan and textbook (if asked for). `record` holds the samples that were fitted. A goal for
+/// what this fit does not have is an Error.
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch);
 
 /// The options of simulate for a fitted law with this mass [kg], by rk4, from the first sample of the series
-/// to the last, with the digits that the law is known to and three more. A sample spacing is a whole number of steps. Empty under a recorded force, whose samples are
-/// in a file, and without a spring.
+/// to the last, with the digits that the law is known to and three more. A sample spacing is a whole number
+/// of steps. Empty under a recorded force, whose samples are in a file, and without a spring.
 std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass);
 
 }  // namespace cromer::core

@@ -33,8 +33,8 @@ struct RecordSetup {
 /// Checks source, unit of time and the name of the file.
 Result<RecordSetup> check(const RecordOptions& options);
 
-/// A recorder to `path`, not started yet. With a command line the file's head holds it and the time of the start;
-/// `words` makes sentences of the notices at its end.
+/// A recorder to `path`, not started yet. With a command line the file's head holds it and the time of the
+/// start; `words` makes sentences of the notices at its end.
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
                                         const std::string& path, const std::string& command,
                                         std::string (*words)(const Notice&));

@@ -35,7 +35,8 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     const auto wrong = [&](const Error& error) {
       return Error{"option_is_wrong", {{"option", option.name}, {"what", error.notice}}};
     };
-    const auto grid = parse_grid(typed->second, option.unit);
+    const std::string_view unit = option.unit == "1" ? std::string_view{} : option.unit;
+    const auto grid = parse_grid(typed->second, unit);
     if (!grid) return wrong(grid.error());
     // Both ends, and every value of a list, which may run any way.
     const std::uint64_t looked_at = std::min(grid->size(), most_looked_at);
@@ -46,8 +47,8 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     set_number(option.target, (*grid)[0]);
     const bool swept = grid->size() > 1 || typed->second.find(':') != std::string::npos;
     (swept ? work.axes : single)
-        .push_back({std::string(option.name), std::string(option.unit), *grid,
-                    unit_of_grid(typed->second, option.unit)});
+        .push_back({std::string(option.name), std::string(unit), *grid,
+                    unit_of_grid(typed->second, unit)});
   }
   if (!work.axes.empty()) return {};
   if (single.empty()) return Error{"nothing_swept"};
