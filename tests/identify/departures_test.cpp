@@ -78,6 +78,11 @@ TEST(SuddenStop, WithoutAUnitThereIsNone) {
             stops("5.875 and 7", "1"));
 }
 
+TEST(SuddenStop, IsNoneWhereRoundingHidesTheSwing) {
+  EXPECT_EQ(stop_of({1, 1, 1, 1, 1, 1, 0.5, 0}, false, 0.21), "");
+  EXPECT_NE(stop_of({1, 1, 1, 1, 1, 1, 0.5, 0}, false, 0.09), "");
+}
+
 TEST(SuddenStop, IsNoneWhereTheSwingComesBack) {
   EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0, 0, 0, 0.2}), "");
   EXPECT_EQ(stop_of({1, 1, 1, 0.5, 0, 0.2, 0, 0, 0}), "");

@@ -62,6 +62,10 @@ TEST(RefusalLimits, OneAndAHalfPeriods) {
             "too_short: the record holds 1.5 periods of 6.67 s: a fit needs at least 1.5");
   EXPECT_EQ(told({.periods = 1.2}),
             "too_short: the record holds 1.2 periods of 8.33 s: a fit needs at least 1.5");
+  // At a hundred samples a second a swing of 100.08 Hz has the values of one of 0.08 Hz.
+  EXPECT_EQ(told({.periods = 1000.8, .damping_ratio = 1e-5}),
+            "too_short: the record holds 0.8 periods of 12.5 s: a fit needs at least 1.5");
+  EXPECT_EQ(told({.periods = 1005, .damping_ratio = 1e-5}), "");
   // What accounts for little says so instead.
   EXPECT_THAT(told({.periods = 1.2, .explained = 0.3}), StartsWith("too_noisy: "));
 }

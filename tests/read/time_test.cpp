@@ -243,14 +243,18 @@ TEST(Steps, JitterIsNotMadeEven) {
   EXPECT_FALSE(describe_steps(std::vector<double>{0, 1, 2.5}).clock);
 }
 
-// A round number near by is not the rate unless the times agree with it: 29.67 Hz for 29.674 Hz would be wrong
-// by more than a fit's error.
+// A round number near by is not the rate unless the times agree with it: 29.67 Hz for 29.674 Hz would be
+// wrong by more than a fit's error.
 TEST(Steps, OfAClockAreAsExactAsItsRoundedTimes) {
   struct Case {
     double step, rounding;
   };
-  for (const auto& [step, rounding] :
-       {Case{0.0234, 0.01}, {0.0337, 0.01}, {0.0417, 0.02}, {0.0123, 0.005}, {0.0167, 0.001}, {0.02918, 0.01}})
+  for (const auto& [step, rounding] : {Case{0.0234, 0.01},
+                                       {0.0337, 0.01},
+                                       {0.0417, 0.02},
+                                       {0.0123, 0.005},
+                                       {0.0167, 0.001},
+                                       {0.02918, 0.01}})
     for (const std::size_t n : {60, 400, 3000})
       for (const double begin : {0.0, 0.0041, 0.0083}) {
         std::vector<double> t = times(static_cast<int>(n), step);
@@ -260,12 +264,19 @@ TEST(Steps, OfAClockAreAsExactAsItsRoundedTimes) {
         // Of the order of the rounding over the square of the number, not over the duration.
         const double most = 16 * rounding / (static_cast<double>(n) * static_cast<double>(n));
         EXPECT_NEAR(clock->spacing, step, most) << step << ' ' << n << ' ' << begin;
+        EXPECT_LE(std::abs(clock->spacing - step), 3 * clock->error * step + 1e-12) << step << ' ' << n;
       }
   for (const double rate : {30.0, 60.0, 70.0, 29.97}) {
     const auto clock = describe_steps(rounded_to(times(3000, 1 / rate), 0.005)).clock;
     ASSERT_TRUE(clock) << rate;
     EXPECT_DOUBLE_EQ(clock->spacing, 1 / rate);
+    EXPECT_EQ(clock->error, 0);
   }
+  // 30 pictures a second, or 29.97? Two seconds do not tell.
+  const auto video = describe_steps(rounded_to(times(60, 1001 / 30000.0), 0.01)).clock;
+  ASSERT_TRUE(video);
+  EXPECT_LT(std::abs(video->spacing * 30000 / 1001 - 1), 3 * video->error);
+  EXPECT_GT(video->error, 1e-4);
 }
 
 TEST(Steps, OfFewTimes) {

@@ -245,6 +245,10 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
         for (int b = 0; b < fitted.count; ++b)
           fit.covariance[i * count + j] +=
               quantities.derivatives[i][a] * known.covariance[a][b] * quantities.derivatives[j][b];
+  // A frequency is only as well known as the clock. What else counts in seconds is known less well anyway.
+  for (std::size_t i = 0; i < count; ++i)
+    if (fit.names[i] == "angular_frequency" || fit.names[i] == "drive_frequency")
+      fit.covariance[i * count + i] += std::pow(quantities.values[i] * record.clock_error, 2);
   for (std::size_t i = 0; i < count; ++i) {
     double error = std::sqrt(std::max(0.0, fit.covariance[i * count + i])), degrees = 1e9;
     bool unknown = false;

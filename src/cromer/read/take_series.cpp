@@ -127,6 +127,7 @@ void describe_times(Series& series, double rate) {
   series.gaps = std::move(steps.gaps);
   if (steps.clock && rate <= 0) {
     series.t = std::move(steps.clock->t);
+    series.clock_error = steps.clock->error;
     series.notices.push_back(Notice{
         "times_made_even",
         {{"rounding", shortest(steps.clock->rounding)}, {"spacing", rounded(steps.clock->spacing, 6)}}});

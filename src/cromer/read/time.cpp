@@ -246,7 +246,8 @@ struct Line {
   }
 };
 
-/// The points (number, t) that no straight line from above, or from below, can pass by: its hull on that side.
+/// The points (number, t) that no straight line from above, or from below, can pass by: its hull on that
+/// side.
 std::vector<std::size_t> hull(std::span<const double> t, const std::vector<double>& number, double side) {
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -297,16 +298,22 @@ Interval possible_steps(std::span<const double> t, const std::vector<double>& nu
   return {end(near - reach), end(near + reach)};
 }
 
-/// The step in an interval: one whose length or rate is so round a number that it is not there by chance, else
-/// the middle.
-double likely_step(const Interval& steps) {
+struct KnownStep {
+  double step, error;  ///< relative, of a standard deviation
+};
+
+/// The step in an interval: one whose length or rate is so round a number that it is not there by chance,
+/// else the middle.
+KnownStep likely_step(const Interval& steps) {
   const double middle = 0.5 * (steps.low + steps.high), width = (steps.high - steps.low) / middle;
-  constexpr double chance = 0.05;
-  double tenfold = 10;  // numbers of so many digits, in a decade
+  const auto is_possible = [&](double step) { return step >= steps.low && step <= steps.high; };
+  constexpr double chance = 0.05, of_video = 1.001;  // 29.97 pictures a second stand for 30
+  double tenfold = 10;                               // numbers of so many digits, in a decade
   for (int digits = 1; tenfold * width < chance && digits < 12; ++digits, tenfold *= 10)
     for (const double round : {1 / to_digits(1 / middle, digits), to_digits(middle, digits)})
-      if (round >= steps.low && round <= steps.high) return round;
-  return middle;
+      if (is_possible(round) && !is_possible(round * of_video) && !is_possible(round / of_video))
+        return {round, 0};
+  return {middle, width / std::sqrt(12)};
 }
 
 // The even times, perhaps with samples missing, that agree with `t` to half its rounding. The rounding must
@@ -354,7 +361,8 @@ std::optional<EvenClock> even_clock(std::span<const double> t, double median_ste
   // The line is not exactly the clock, and times off by less than their rounding are better made even.
   if (high - low > 1.25 * r) return std::nullopt;
 
-  EvenClock clock{{}, likely_step(possible_steps(t, number, r, line.step)), round_within(r, 1e-4)};
+  const KnownStep known = likely_step(possible_steps(t, number, r, line.step));
+  EvenClock clock{{}, known.step, known.error, round_within(r, 1e-4)};
   const double middle = 0.5 * (number.front() + number.back());
   const double grain = 1e-6 * clock.spacing;  // a start at 0 is 0
   const double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);

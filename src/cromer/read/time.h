@@ -35,6 +35,7 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
 struct EvenClock {
   std::vector<double> t;  // [s] the even times
   double spacing;         // [s] between samples
+  double error;           ///< its relative standard error
   double rounding;        // [s] of the times as written
 };
 

@@ -126,7 +126,9 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
   for (std::size_t i = windows.size() - 1; i >= 4; --i) {
     later = std::max(later, windows[i].amplitude);
     const double before = windows[i - 2].amplitude;
-    const bool in_full_swing = before > 0.2 * largest && before > least_before * windows[i - 4].amplitude,
+    // Below half a rounding step nothing is seen of a swing that goes on.
+    const bool in_full_swing = before > 0.2 * largest && before > 5 * record.resolution &&
+                               before > least_before * windows[i - 4].amplitude,
                nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
                              before > no_friction * windows[i - 4].amplitude;
     if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
@@ -155,7 +157,7 @@ Notice few_samples(const Record& record, double w) {
   return Notice{"few_samples_in_a_period",
                 {{"samples", rate / frequency},
                  {"rate", rate},
-                 {"slower", rate - frequency},
+                 {"slower", std::abs(rate - frequency)},
                  {"faster", rate + frequency},
                  {"frequency", frequency}}};
 }

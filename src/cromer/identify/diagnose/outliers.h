@@ -26,11 +26,12 @@ struct KeptSamples {
 
   KeptSamples(const Record& record, const std::vector<std::size_t>& without,
               std::span<const double> residuals);
-  Record record() const { return {t, y, resolution_, derivative_}; }
+  Record record() const { return {t, y, resolution_, derivative_, clock_error_}; }
 
  private:
   double resolution_;
   int derivative_;
+  double clock_error_;
 };
 
 /// The samples that a fit to all others sets aside, and that fit. `fit(record)` gives a result,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/even_steps.h"
 #include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 
@@ -118,6 +119,17 @@ std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& 
   return std::nullopt;
 }
 
+namespace {
+
+/// The slowest swing that has the same values at even times as one of angular frequency w.
+double slowest_alias(std::span<const double> t, double w) {
+  const EvenSteps steps = even_steps(t);
+  if (steps.farthest > 0.01 * steps.mean) return w;
+  return std::abs(std::remainder(w, 2 * pi / steps.mean));
+}
+
+}  // namespace
+
 std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double duration = record.t.back() - record.t.front();
   const double g = fit.decay_rate().value, w0 = fit.angular_frequency().value;
@@ -125,7 +137,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double amplitude =
       std::pow(w0, record.derivative) *
       std::hypot(fit.position().value, (fit.velocity().value + g * fit.position().value) / w);
-  const double periods = w * duration / (2 * pi);
+  const double seen = slowest_alias(record.t, w), periods = seen * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
   // over its root (60: to 13 %, 300: to 6 %, 500: to 4.5 %). White noise reaches 60 at a given frequency with
@@ -147,7 +159,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   }
   if (smooth && !whole && periods < 1.5)
     return Refusal{FitStatus::too_short,
-                   Notice{"too_few_periods", {{"periods", periods}, {"period", 2 * pi / w}}}};
+                   Notice{"too_few_periods", {{"periods", periods}, {"period", 2 * pi / seen}}}};
   if (!stands_out) {
     if (const double levels = levels_of(record); levels > 0 && levels <= few_levels)
       return Refusal{FitStatus::too_noisy,

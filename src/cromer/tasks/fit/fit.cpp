@@ -171,7 +171,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.series.outliers = std::move(aside);
   }
   const Record record{samples.t, samples.y, result.series.resolution,
-                      std::max(0, derivative_order(result.series.quantity))};
+                      std::max(0, derivative_order(result.series.quantity)), result.series.clock_error};
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) result.notices.push_back(std::move(over));

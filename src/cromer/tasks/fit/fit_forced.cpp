@@ -179,7 +179,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
       options.hold_out
           ? static_cast<std::size_t>(std::lround((1 - *options.hold_out) * static_cast<double>(t.size())))
           : t.size();
-  const Record whole{t, y, used->resolution, std::max(0, derivative_order(used->quantity))};
+  const Record whole{t, y, used->resolution, std::max(0, derivative_order(used->quantity)),
+                     used->clock_error};
 
   const Result<std::optional<Law>> law = law_of(options);
   if (!law) return law.error();
@@ -246,7 +247,8 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   }
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
-  const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
+  const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity)),
+                      series.clock_error};
   describe_forced_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false,
                       watch);
   add_unused_notices(result);

@@ -47,8 +47,7 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     set_number(option.target, (*grid)[0]);
     const bool swept = grid->size() > 1 || typed->second.find(':') != std::string::npos;
     (swept ? work.axes : single)
-        .push_back({std::string(option.name), std::string(unit), *grid,
-                    unit_of_grid(typed->second, unit)});
+        .push_back({std::string(option.name), std::string(unit), *grid, unit_of_grid(typed->second, unit)});
   }
   if (!work.axes.empty()) return {};
   if (single.empty()) return Error{"nothing_swept"};
