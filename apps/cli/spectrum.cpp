@@ -56,7 +56,8 @@ int run_spectrum(const Arguments& arguments) {
           "spectrum.csv\n"
           "  cromer spectrum h1.AT2 h2.AT2 --peaks peer --plot spectrum.svg\n"
           "  cromer spectrum drop.uff --shock --frequencies \"5:5000:200:log Hz\" --in-g --plot srs.svg"};
-  add_output_options(syntax.options, output.common, {}, "the spectrum as .csv, .json or .h5");
+  add_output_options(syntax.options, output.common, {.provenance = true},
+                     "the spectrum as .csv, .json or .h5");
   syntax.options.push_back({"fourier", &output.fourier, "", Range::any,
                             "the recording's Fourier amplitudes as .csv", "none", "Output"});
   syntax.options.push_back({"tripartite", &output.tripartite, "", Range::any,

@@ -178,7 +178,7 @@ def test_what_the_document_has_is_an_attribute():
     for fit in (bare, full):
         assert names <= set(dir(fit))
     document = full.to_dict()
-    same = names - {"parameters", "derived", "covariance", "residual", "notices", "message", "held_out"}
+    same = names - {"headline", "parameters", "derived", "covariance", "residual", "notices", "message", "held_out"}
     for name in same - {"warnings", "between_samples", "modes"}:
         assert getattr(full, name) == document[name] and document[name], name
     assert bare.monte_carlo is None and not bare.decay_segments and bare.reynolds is None

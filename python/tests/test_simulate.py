@@ -370,6 +370,6 @@ def test_files_of_the_program_are_read_unaided(program, tmp_path):
         pandas = pytest.importorskip("pandas")
         frame = pandas.read_csv(path)
         assert list(frame.columns) == path.read_text(encoding="utf-8").split("\n")[0].split(",")
-        assert (frame.to_numpy() == table.view(float).reshape(table.size, -1)).all()
+        assert np.allclose(frame.to_numpy(), table.view(float).reshape(table.size, -1), rtol=1e-12, atol=0)
         program(*words, "-o", str(path), "--provenance")
         assert path.read_text(encoding="utf-8").startswith(f"# cromer {words[0]} ")
