@@ -83,6 +83,12 @@ TEST(Rounding, WildValuesTellNothing) {
   EXPECT_EQ(rounding_step(Values{0.1, 0.2, 1e30}), 0);
 }
 
+TEST(Rounding, ValuesAsFarApartAsNumbersCanBeDoNoHarm) {
+  const double step =
+      rounding_step(made(400, [](int i) { return i % 2 == 0 ? 1.7e308 / (1 + i) : -1.7e308 + i * 1e300; }));
+  EXPECT_TRUE(step >= 0) << step;
+}
+
 TEST(Rounding, ValuesFarFromZeroAreNotWild) {
   EXPECT_NEAR(rounding_step(made(400, [](int i) { return 2e6 + scattered(i) * 1e-4; })), 1e-4, 1e-9);
 }

@@ -57,8 +57,8 @@ std::vector<double> sorted(std::vector<double> values) {
   if (values.empty()) return values;
   const auto n = static_cast<std::ptrdiff_t>(values.size());
   const auto [lowest, highest] = extent_of(values);
-  const double low = lowest, scale = static_cast<double>(n - 1) / (highest - low);
-  if (!std::isfinite(scale)) {  // all alike
+  const double low = lowest, width = highest - low, scale = static_cast<double>(n - 1) / width;
+  if (!std::isfinite(scale) || !std::isfinite(width)) {  // all alike, or as far apart as numbers can be
     std::sort(values.begin(), values.end());
     return values;
   }

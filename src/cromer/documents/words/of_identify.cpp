@@ -38,7 +38,7 @@ constexpr Entry entries[] = {
      "ein Körper ohne Feder schwingt nicht: nur unter einer aufgenommenen Kraft lässt sich sein Gesetz "
      "finden"},
     {"too_few_samples", error,
-     "{samples} samples are too few: a fit of the law {law} needs at least {fewest}",
+     "{samples:sample is|samples are} too few: a fit of the law {law} needs at least {fewest}",
      "{samples:Messwert ist|Messwerte sind} zu wenige: das Gesetz {law} braucht mindestens {fewest}"},
     {"nothing_moves", error, "all values are the same: nothing moves",
      "alle Werte sind gleich: nichts bewegt sich"},
