@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "cromer/base/ascii.h"
@@ -69,8 +70,7 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   std::vector<Plateau> blocks;
   std::vector<double> spans;
   for (std::size_t first = 0; first + block <= n; first += block) {
-    const auto begin = series.y.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto [least, most] = extent_of({begin, block});
+    const auto [least, most] = extent_of(std::span(series.y).subspan(first, block));
     spans.push_back(most - least);
     blocks.push_back({first, first + block, middle_value(series.y, first, first + block)});
   }
