@@ -146,7 +146,7 @@ TEST(BadRuns, WithoutConvergenceTheStatesSoFarAreWritten) {
   const Folder folder;
   const Finished end =
       folder.run({"simulate", "--cubic", "-5", "--position", "3", "--method", "implicit-euler", "--step", "2",
-                  "--until", "20", "-o", "run.csv", "--json"});
+                  "--until", "20", "--provenance", "-o", "run.csv", "--json"});
   EXPECT_EQ(end.status, 1);
   const auto only = end.json()["runs"][0];
   EXPECT_EQ(only["status"], "no_convergence");
