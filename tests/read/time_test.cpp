@@ -279,6 +279,19 @@ TEST(Steps, OfAClockAreAsExactAsItsRoundedTimes) {
   EXPECT_GT(video->error, 1e-4);
 }
 
+TEST(Steps, OfAClockThatJittersAreAsExactAsLeastSquares) {
+  int far = 0, clocks = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const std::vector<double> t = rounded_to(jittered(times(400, 0.0337), 5e-4, true, seed), 0.01);
+    const auto clock = describe_steps(t).clock;
+    if (!clock) continue;
+    ++clocks;
+    far += std::abs(clock->spacing / 0.0337 - 1) > 2 * clock->error;
+  }
+  EXPECT_GT(clocks, 20);
+  EXPECT_LE(far, clocks / 8);
+}
+
 TEST(Steps, OfFewTimes) {
   EXPECT_EQ(describe_steps(std::vector<double>{}).rate, 0);
   EXPECT_EQ(describe_steps(std::vector<double>{7}).rate, 0);

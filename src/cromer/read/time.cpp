@@ -265,8 +265,8 @@ struct Interval {
   double low, high;
 };
 
-/// All steps of an even clock whose times, rounded to `r`, may be `t`; the nearest one, twice, where there is
-/// none. `near` is one of them or almost.
+/// All steps of an even clock whose times, rounded to `r`, may be `t`. Where there is none, as the times
+/// jitter too, those that least squares leave possible. `near` is the step by least squares.
 Interval possible_steps(std::span<const double> t, const std::vector<double>& number, double r, double near) {
   const std::vector<std::size_t> above = hull(t, number, 1), below = hull(t, number, -1);
   // How far the times differ from a clock of this step, from one side to the other: convex in the step.
@@ -286,7 +286,10 @@ Interval possible_steps(std::span<const double> t, const std::vector<double>& nu
       low += third;
   }
   const double best = 0.5 * (low + high);
-  if (spread(best) > enough) return {best, best};
+  if (spread(best) > enough) {
+    const double half = std::sqrt(3) * r / std::pow(static_cast<double>(t.size()), 1.5);
+    return {near - half, near + half};
+  }
   const auto end = [&](double outside) {
     double inside = best;
     for (int i = 0; i < 60; ++i) {
