@@ -84,15 +84,15 @@ TEST(Inspect, DescribesColumnsOfUnknownKind) {
 }
 
 TEST(Inspect, NeedNotChooseAmongAlike) {
-  const auto found = inspect("t\tleft (m)\tright (m)\n0\t1\t2\n1\t2\t3\n2\t3\t5\n", "lab.txt", {});
+  const auto found = inspect("t\tx\ty\n0\t1\t2\n1\t2\t3\n2\t3\t5\n", "lab.txt", {});
   ASSERT_TRUE(found.ok());
   EXPECT_EQ(found->recording.table.columns.size(), 3u);
   EXPECT_EQ(found->rate, 1);
-  EXPECT_EQ(found->series.at(0).column, "left (m)");
+  EXPECT_EQ(found->series.at(0).column, "x");
 }
 
 TEST(Inspect, DescribesTheColumnAskedFor) {
-  const std::string_view file = "t (ms)\tx (cm)\ty (cm)\n0\t1\t2\n100\t2\t3\n200\t9\t5\n";
+  const std::string_view file = "t (ms)\tx (cm)\ty (cm)\n0\t1\t2\n100\t2\t3\n200\t3\t5\n";
   EXPECT_EQ(inspect(file, "lab.txt", {})->column, "x (cm)");
   const auto found = inspect(file, "lab.txt", {}, "y (cm)");
   ASSERT_TRUE(found.ok());

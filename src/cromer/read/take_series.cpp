@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -19,53 +17,8 @@
 namespace cromer::core {
 namespace {
 
-/// Whether two names differ in the letter of an axis alone: "Gyroscope x" and "Gyroscope y".
-bool are_axes(std::string_view one, std::string_view other) {
-  if (one.size() != other.size()) return false;
-  const auto [a, b] = std::mismatch(one.begin(), one.end(), other.begin());
-  constexpr std::string_view axes = "xyzXYZ";
-  return a != one.end() && axes.find(*a) != axes.npos && axes.find(*b) != axes.npos &&
-         std::equal(a + 1, one.end(), b + 1);
-}
-
-double variation_of(const std::vector<double>& values) {
-  double n = 0, mean = 0, squares = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) {
-      const double off = value - mean;
-      mean += off / ++n;
-      squares += off * (value - mean);
-    }
-  return n > 0 ? squares / n : 0;
-}
-
-/// Of the axes of one sensor among these columns the one that varies most; nothing where they are not of one.
-std::optional<std::size_t> liveliest_axis(const std::vector<Column>& columns,
-                                          const std::vector<std::size_t>& alike,
-                                          std::vector<Notice>& notices) {
-  const auto has_other_axis = [&](std::size_t j) {
-    return std::any_of(alike.begin(), alike.end(),
-                       [&](std::size_t k) { return are_axes(columns[j].name, columns[k].name); });
-  };
-  std::vector<std::size_t> axes;
-  std::copy_if(alike.begin(), alike.end(), std::back_inserter(axes), has_other_axis);
-  const bool of_one = axes.size() > 1 && std::all_of(axes.begin() + 1, axes.end(), [&](std::size_t j) {
-                        return are_axes(columns[axes.front()].name, columns[j].name);
-                      });
-  if (!of_one) return std::nullopt;
-  const std::size_t liveliest =
-      *std::max_element(axes.begin(), axes.end(), [&](std::size_t j, std::size_t k) {
-        return variation_of(columns[j].values) < variation_of(columns[k].values);
-      });
-  notices.push_back(
-      Notice{"liveliest_axis_taken",
-             {{"columns", quoted_titles(columns, axes)}, {"column", column_title(columns[liveliest])}}});
-  return liveliest;
-}
-
-/// The column if none is named: a position, else an angle, ... Of the axes of one sensor it is the liveliest;
-/// others alike are an Error, and so are several of which only the names are known; in a file without names
-/// it is the first that is not a time.
+/// The column if none is named: a position, else an angle, ... Several alike are an Error, and so are several
+/// of which only the names are known; in a file without names it is the first that is not a time.
 Result<std::size_t> main_column(const Recording& recording, int run, std::vector<Notice>& notices) {
   constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
                                                    "acceleration"};
@@ -79,7 +32,6 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
       if (columns[j].quantity == quantity) alike.push_back(j);
     if (alike.size() == 1) return alike.front();
     if (alike.empty()) continue;
-    if (const auto axis = liveliest_axis(columns, alike, notices)) return *axis;
     return Error{"columns_alike",
                  {{"columns", quoted_titles(columns, alike)}, {"first", columns[alike.front()].name}}};
   }

@@ -149,11 +149,6 @@ constexpr Entry entries[] = {
      "{|{--column} names another|another one can be chosen}",
      "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ genommen; "
      "{|{--column} nennt eine andere|eine andere ist wählbar}"},
-    {"liveliest_axis_taken", worth_knowing,
-     "of the axes {columns}, \"{column}\" varies most and is taken; "
-     "{|{--column} names another|another one can be chosen}",
-     "von den Achsen {columns} schwankt „{column}“ am stärksten und wird genommen; "
-     "{|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"frequencies_only", error,
      "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit one "
      "all the same, {|name it with {--column}, for instance {--column}|choose it, for instance} \"{first}\"",
