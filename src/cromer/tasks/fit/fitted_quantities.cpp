@@ -258,6 +258,11 @@ std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
   const Real first = law.decay.rate(A);
   if (!std::isfinite(value_of(first))) return {};
   std::vector<Parameter> ends{{"decay_rate_start", estimate_of(first, fit), "1/s"}};
+  const double other = value_of(law.decay.rate(0.5 * A));
+  if (std::abs(other - value_of(first)) <= 1e-12 * std::abs(other)) {  // the same at every amplitude
+    ends.push_back({"decay_rate_end", ends[0].estimate, "1/s"});
+    return ends;
+  }
   // Runge-Kutta of the fourth order, on the logarithm of the amplitude, which falls by half or less in a
   // step.
   constexpr double fewest = 32, most = 1000;
