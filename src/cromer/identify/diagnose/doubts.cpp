@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cromer/base/even_steps.h"
 #include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
@@ -148,11 +149,9 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
 }
 
 Notice few_samples(const Record& record, double w) {
-  const std::size_t n = record.t.size();
-  const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
-  for (std::size_t i = 1; i < n; ++i)
-    if (std::abs(record.t[i] - record.t[i - 1] - h) > 0.01 * h) return {};
-  const double rate = 1 / h, frequency = w / (2 * pi);
+  const EvenSteps steps = even_steps(record.t);
+  if (steps.farthest > 0.01 * steps.mean) return {};
+  const double rate = 1 / steps.mean, frequency = w / (2 * pi);
   if (rate / frequency >= 4) return {};
   return Notice{"few_samples_in_a_period",
                 {{"samples", rate / frequency},
