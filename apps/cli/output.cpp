@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/cluster/tables_file.h"
+#include "cromer/figures/panels.h"
 #include "cromer/report/file.h"
 #include "message.h"
 #include "syntax.h"
@@ -24,6 +25,8 @@ void add_output_options(std::vector<Option>& options, OutputOptions& output, Out
   if (kinds.plot)
     options.push_back(
         {"plot", &output.plot, "", Range::any, "draw a figure: .svg, .png or .pdf", "none", group});
+  if (kinds.panels)
+    options.push_back({"panels", &output.panels, "", Range::any, panels_help, "position", group});
   if (kinds.provenance)
     options.push_back({"provenance", &output.provenance, "", Range::any,
                        "what made a CSV file stands at its head, in lines that begin with #",
@@ -69,6 +72,8 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
     if (*format == FileFormat::hdf5)
       if (auto good = can_write_tables(options.output); !good) return good;
   }
+  if (auto panels = parse_panels(options.panels); !panels) return panels.error();
+  if (!options.panels.empty() && options.plot.empty()) return Error{"panels_without_plot"};
   if (!options.plot.empty()) {
     if (auto format = figure_format(options.plot); !format)
       return Error{"option_is_wrong", {{"option", "plot"}, {"what", format.error().notice}}};

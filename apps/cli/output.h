@@ -20,6 +20,7 @@ struct OutputOptions {
   bool provenance = false;
   std::string output;  ///< "" none
   std::string plot;    ///< "" none
+  std::string panels;  ///< of the plot, as parse_panels reads them
   bool hdf5 = false;   ///< whether .h5 is offered; not an option
 };
 
@@ -28,9 +29,10 @@ struct OutputKinds {
   bool files = true;
   bool plot = true;
   bool provenance = false;  ///< of CSV files that hold one table of numbers
+  bool panels = false;      ///< of a plot of motions
 };
 
-/// Appends --json, -o, --plot, --provenance, --quiet and --verbose, with `what` as the help of -o.
+/// Appends --json, -o, --plot, --panels, --provenance, --quiet and --verbose, with `what` as the help of -o.
 void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
                         std::string_view what);
 

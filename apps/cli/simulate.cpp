@@ -26,7 +26,8 @@ int run_simulate(const Arguments& arguments) {
       .example =
           "  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 \\\n"
           "    --method exact --method euler-cromer --step 0.01 --until 50 -o run.csv --plot run.svg"};
-  add_output_options(syntax.options, output, {.provenance = true}, "the kept states as .csv, .json or .h5");
+  add_output_options(syntax.options, output, {.provenance = true, .panels = true},
+                     "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error());
@@ -41,7 +42,7 @@ int run_simulate(const Arguments& arguments) {
                 .csv = [&] { return simulate_csv(*result, provenance(output, "simulate", arguments)); },
                 .whole_json = [&] { return to_json(*result, true); },
                 .tables = [&] { return simulate_tables(*result, command_line("simulate", arguments)); },
-                .figure = [&] { return simulate_figure(*result); },
+                .figure = [&] { return simulate_figure(*result, *parse_panels(output.panels)); },
                 .notices = result->notices,
                 .good = result->ok()};
   for (const auto& run : result->runs)

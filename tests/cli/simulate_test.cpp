@@ -288,5 +288,21 @@ TEST(Simulate, AFigureSaysHowFarTheLastSwingGoes) {
               HasSubstr("±0.189 m at the end"));
 }
 
+TEST(Simulate, PanelsArePartOfAPlot) {
+  const Folder folder;
+  const Finished drawn = folder.run({"simulate", "--plot", "run.svg", "--panels", "energy,phase", "--quiet"});
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  const std::string picture = folder.read("run.svg");
+  EXPECT_THAT(picture, HasSubstr("Energy against time and the phase portrait by euler-cromer"));
+  EXPECT_THAT(picture, HasSubstr("Phase portrait"));
+  const Finished without = folder.run({"simulate", "--panels", "energy"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_EQ(without.err, "cromer: --panels says what to draw; name the file with --plot\n");
+  const Finished wrong = folder.run({"simulate", "--plot", "wrong.svg", "--panels", "energy,phas"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("no panel \"phas\"; did you mean phase?"));
+  EXPECT_EQ(folder.read("wrong.svg"), "");
+}
+
 }  // namespace
 }  // namespace cromer::core::test

@@ -175,7 +175,8 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
                               "help",           "motion",  "fourier",  "tripartite",     "static",
                               "mass-line",      "masses",  "gravity",  "resume",         "trajectories",
                               "every",          "address", "points",   "frequency-from", "frequency-to",
-                              "damping-ratios", "longest", "halvings", "port",           "page"};
+                              "damping-ratios", "longest", "halvings", "port",           "page",
+                              "panels"};
   const auto add = [&](auto options) {
     for (const Option& option : options_of(options)) known.emplace(option.name);
   };

@@ -269,6 +269,26 @@ TEST(Rows, ThatShareTheirAxisWriteItOnce) {
   EXPECT_DOUBLE_EQ(lay_out(one, Typeface::lato).height, 440);
 }
 
+TEST(Rows, AboveAndBelowAPortraitWriteTheirAxis) {
+  Panel phase = line({-10, 10}, {-1, 1});
+  phase.phase_portrait = true;
+  Figure figure =
+      of({line({0, 10}, {0, 1}), line({0, 10}, {0, 1}), phase, line({0, 10}, {0, 1})}, 1, FigureSize::wide);
+  figure.shared_x = true;
+  const Layout layout = lay_out(figure, Typeface::lato);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+    const PlacedPanel& panel = layout.panels[i];
+    const bool numbers = std::any_of(panel.texts.begin(), panel.texts.end(), [&](const PlacedText& text) {
+      return text.at.y > panel.frame.bottom() + 5;
+    });
+    EXPECT_EQ(numbers, i > 0) << i;
+  }
+  const Box& portrait = layout.panels[2].frame;
+  EXPECT_NEAR(portrait.width, portrait.height, 1e-9);
+  EXPECT_GT(portrait.height, 1.4 * layout.panels[1].frame.height);
+  EXPECT_GT(layout.panels[3].frame.y, portrait.bottom());
+}
+
 TEST(Columns, PanelsStandBesideEachOtherAsWideAsTheySpan) {
   Panel two = line({0, 10}, {0, 1});
   two.span = 2;

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cromer/figures/panels.h"
 #include "cromer/report/figure.h"
 #include "cromer/result.h"
 #include "cromer/tasks/compare/compare.h"
@@ -14,10 +15,12 @@
 
 namespace cromer::core {
 
-/// Positions against time in one plot. Each method has its own colour, with the exact solution below the
-/// others; one method at several drive frequencies is a family of shades. A run that grows without end is cut
-/// off and marked.
-Figure simulate_figure(const SimulateResult& result);
+inline constexpr MotionPanel position_alone[] = {MotionPanel::position};
+
+/// The panels asked for, one under the other, each with all runs. Each method has its own colour, with the
+/// exact solution below the others; one method at several drive frequencies is a family of shades. A run that
+/// grows without end is cut off and marked.
+Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> panels = position_alone);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three

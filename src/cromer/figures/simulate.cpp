@@ -10,17 +10,19 @@
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/quantity.h"
 #include "cromer/figures/length_unit.h"
+#include "cromer/figures/panels.h"
 #include "cromer/report/palette.h"
+#include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {
 namespace {
 
-/// Largest |x| between the times `from` and `until`.
-double largest(const Trajectory& trajectory, double from, double until) {
+/// Largest |value| between the times `from` and `until`.
+double largest(const Trajectory& trajectory, const std::vector<double>& values, double from, double until) {
   double size = 0;
   for (std::size_t i = 0; i < trajectory.size(); ++i)
-    if (trajectory.t[i] >= from && trajectory.t[i] <= until) size = std::max(size, std::abs(trajectory.x[i]));
+    if (trajectory.t[i] >= from && trajectory.t[i] <= until) size = std::max(size, std::abs(values[i]));
   return size;
 }
 
@@ -30,17 +32,41 @@ double first_part(const SimulatedRun& run) {
   return period > 0 ? period : run.until / 20;
 }
 
-/// Half the height of the plot [m]. All runs fit in, unless one grows far beyond the others or its own start.
-double frame(const std::vector<SimulatedRun>& runs) {
+/// A quantity of each run, in the order of the runs, and how much of it the plot shows.
+struct Framed {
+  std::vector<std::vector<double>> values;
+  double height = 0;           ///< the largest |value| in the frame
+  std::vector<bool> leaves{};  ///< whether the run goes beyond
+};
+
+/// The largest |value| of each run's first part.
+std::vector<double> sizes_at_first(const std::vector<SimulatedRun>& runs,
+                                   const std::vector<std::vector<double>>& values) {
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    sizes.push_back(largest(runs[i].trajectory, values[i], 0, first_part(runs[i])));
+  return sizes;
+}
+
+/// All runs fit in, unless one grows far beyond the others or its own `early` size. `power` of the amplitude,
+/// by which the quantity grows: 1, of an energy 2.
+Framed framed(const std::vector<SimulatedRun>& runs, std::vector<std::vector<double>> values,
+              const std::vector<double>& early_sizes, double power) {
   double smallest = std::numeric_limits<double>::infinity(), greatest = 0;
-  for (const auto& run : runs) {
-    const double whole = largest(run.trajectory, 0, run.until);
-    const double early = largest(run.trajectory, 0, first_part(run));
-    const bool diverged = run.outcome.status == Status::not_finite || whole > 1e3 * early;
-    smallest = std::min(smallest, diverged && early > 0 ? 10 * early : whole);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SimulatedRun& run = runs[i];
+    const double whole = largest(run.trajectory, values[i], 0, run.until);
+    const double early = early_sizes[i];
+    const bool diverged = run.outcome.status == Status::not_finite || whole > std::pow(1e3, power) * early;
+    smallest = std::min(smallest, diverged && early > 0 ? std::pow(10, power) * early : whole);
     greatest = std::max(greatest, whole);
   }
-  return greatest > 20 * smallest && smallest > 0 ? 4 * smallest : greatest;
+  Framed all{std::move(values)};
+  const bool cut = greatest > std::pow(20, power) * smallest && smallest > 0;
+  all.height = cut ? std::pow(4, power) * smallest : greatest;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    all.leaves.push_back(largest(runs[i].trajectory, all.values[i], 0, runs[i].until) > all.height);
+  return all;
 }
 
 struct Ends {
@@ -75,10 +101,15 @@ std::string swing(const Ends& ends, const LengthUnit& unit) {
   return fmt::format("{} {} at the end", about, unit.symbol);
 }
 
-std::string remark(const SimulatedRun& run, double height, const LengthUnit& unit) {
-  if (run.outcome.status == Status::not_finite || largest(run.trajectory, 0, run.until) > height)
-    return "grows without end";
+/// What is said of a run that does not stay in the frame until its end; else "".
+std::string early_end(const SimulatedRun& run, bool leaves) {
+  if (run.outcome.status == Status::not_finite || leaves) return "grows without end";
   if (run.outcome.status != Status::reached_end) return fmt::format("ends at {:.4g} s", run.outcome.t);
+  return "";
+}
+
+/// The swing at the end of a run that stays in the frame.
+std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit) {
   const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
   if (!harmonic && !run.general) return swing(last_turns(run.trajectory), unit);
   // The extremes tell the amplitude only over at least one period.
@@ -100,65 +131,178 @@ bool all_one_method(const std::vector<SimulatedRun>& runs) {
                      [&](const auto& run) { return run.method == runs.front().method; });
 }
 
-/// One panel with all these runs.
-Panel panel_of(const std::vector<const SimulatedRun*>& runs, const SimulateResult& result, double height,
-               const LengthUnit& unit, bool one_method, bool name_frequency) {
-  Panel panel;
-  panel.x.name = "time {/:Italic t} (s)";
-  panel.y.name = fmt::format("position {{/:Italic x}} ({})", unit.symbol);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const SimulatedRun& run = *runs[i];
-    Curve curve;
-    curve.x = run.trajectory.t;
-    for (const double x : run.trajectory.x)
-      curve.y.push_back(std::clamp(x, -3 * height, 3 * height) / unit.metres);
-    curve.role = one_method && result.runs.size() > 1 ? family_role(i, runs.size()) : run.method;
-    curve.name = name_of(run, one_method, name_frequency);
-    curve.remark = remark(run, height, unit);
-    panel.curves.push_back(std::move(curve));
+/// What the panels show of all runs.
+class Panels {
+ public:
+  Panels(const SimulateResult& result, std::span<const MotionPanel> asked)
+      : runs_(result.runs), one_method_(all_one_method(result.runs)) {
+    const auto each = [&](auto values) {
+      std::vector<std::vector<double>> all;
+      for (const SimulatedRun& run : runs_) all.push_back(values(run));
+      return all;
+    };
+    const auto asks = [&](MotionPanel panel) {
+      return std::find(asked.begin(), asked.end(), panel) != asked.end();
+    };
+    auto x = each([](const SimulatedRun& run) { return run.trajectory.x; });
+    const std::vector<double> early_x = sizes_at_first(runs_, x);
+    position_ = framed(runs_, std::move(x), early_x, 1);
+    length_ = length_unit(position_.height);
+    if (asks(MotionPanel::velocity) || asks(MotionPanel::phase)) {
+      auto v = each([](const SimulatedRun& run) { return run.trajectory.v; });
+      // A run in long steps has only its start in the first part, where it may be at rest.
+      std::vector<double> early = sizes_at_first(runs_, v);
+      for (std::size_t i = 0; i < early.size(); ++i)
+        if (const double period = natural_period(runs_[i].oscillator); period > 0)
+          early[i] = std::max(early[i], 2 * std::numbers::pi / period * early_x[i]);
+      velocity_ = framed(runs_, std::move(v), early, 1);
+    }
+    if (asks(MotionPanel::energy)) {
+      auto energy = each(energies);
+      const std::vector<double> early = sizes_at_first(runs_, energy);
+      energy_ = framed(runs_, std::move(energy), early, 2);
+    }
   }
-  // The exact solution lies below all others.
-  std::stable_partition(panel.curves.begin(), panel.curves.end(),
-                        [](const Curve& c) { return c.role == "exact"; });
-  const bool cut = std::any_of(runs.begin(), runs.end(), [&](const SimulatedRun* run) {
-    return largest(run->trajectory, 0, run->until) > height;
-  });
-  if (cut) {
-    panel.y.low = -1.1 * height / unit.metres;
-    panel.y.high = 1.1 * height / unit.metres;
+
+  bool one_method() const { return one_method_; }
+
+  /// One panel with the runs of these numbers.
+  Panel panel(MotionPanel what, const std::vector<std::size_t>& which, bool name_frequency) const {
+    Panel panel = what == MotionPanel::phase      ? portrait(which)
+                  : what == MotionPanel::energy   ? against_time(energy_, energy_axis(), which)
+                  : what == MotionPanel::velocity ? against_time(velocity_, velocity_axis(), which)
+                                                  : against_time(position_, position_axis(), which);
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const SimulatedRun& run = runs_[which[i]];
+      Curve& curve = panel.curves[i];
+      curve.role = one_method_ && runs_.size() > 1 ? family_role(i, which.size()) : run.method;
+      curve.name = name_of(run, one_method_, name_frequency);
+      if (what == MotionPanel::position || what == MotionPanel::energy) {
+        curve.remark = early_end(run, (what == MotionPanel::energy ? energy_ : position_).leaves[which[i]]);
+        if (curve.remark.empty())
+          curve.remark = what == MotionPanel::position ? swing_at_end(run, length_) : energy_at_end(which[i]);
+      }
+    }
+    constexpr std::size_t most_at_curves = 6;
+    panel.names_listed = panel.names_listed || which.size() > most_at_curves;
+    // The exact solution lies below all others.
+    std::stable_partition(panel.curves.begin(), panel.curves.end(),
+                          [](const Curve& c) { return c.role == "exact"; });
+    return panel;
   }
-  return panel;
-}
+
+ private:
+  struct Scale {
+    std::string name;  ///< of the axis, with unit
+    double unit = 1;   ///< in SI units
+  };
+
+  Scale position_axis() const {
+    return {fmt::format("position {{/:Italic x}} ({})", length_.symbol), length_.metres};
+  }
+  Scale velocity_axis() const {
+    const LengthUnit unit = length_unit(velocity_.height);
+    return {fmt::format("velocity {{/:Italic v}} ({}/s)", unit.symbol), unit.metres};
+  }
+  Scale energy_axis() const {
+    const EnergyUnit unit = energy_unit(energy_.height);
+    return {fmt::format("energy {{/:Italic E}} ({})", unit.symbol), unit.joules};
+  }
+
+  std::string energy_at_end(std::size_t run) const {
+    if (energy_.values[run].empty()) return "";
+    const EnergyUnit unit = energy_unit(energy_.height);
+    return fmt::format("{} {} at the end", rounded(energy_.values[run].back() / unit.joules, 3), unit.symbol);
+  }
+
+  /// Sets the axis to the frame where a run goes beyond it.
+  static void cut(Axis& axis, const Framed& framed, const std::vector<std::size_t>& which, double unit) {
+    double lowest = 0;
+    bool leaves = false;
+    for (const std::size_t run : which) {
+      leaves = leaves || framed.leaves[run];
+      for (const double value : framed.values[run]) lowest = std::min(lowest, value);
+    }
+    if (!leaves) return;
+    axis.low = 1.1 * std::max(lowest, -framed.height) / unit;
+    axis.high = 1.1 * framed.height / unit;
+  }
+
+  Panel against_time(const Framed& framed, const Scale& scale, const std::vector<std::size_t>& which) const {
+    Panel panel;
+    panel.x.name = "time {/:Italic t} (s)";
+    panel.y.name = scale.name;
+    for (const std::size_t run : which) {
+      Curve& curve = panel.curves.emplace_back();
+      curve.x = runs_[run].trajectory.t;
+      for (const double value : framed.values[run])
+        curve.y.push_back(std::clamp(value, -3 * framed.height, 3 * framed.height) / scale.unit);
+    }
+    cut(panel.y, framed, which, scale.unit);
+    return panel;
+  }
+
+  Panel portrait(const std::vector<std::size_t>& which) const {
+    const Scale x = position_axis(), v = velocity_axis();
+    Panel panel;
+    panel.phase_portrait = true;
+    panel.names_listed = true;
+    panel.x.name = x.name;
+    panel.y.name = v.name;
+    for (const std::size_t run : which) {
+      const Trajectory& motion = runs_[run].trajectory;
+      const PortraitPart part = portrait_part(0, runs_[run].until, natural_period(runs_[run].oscillator));
+      panel.title = part.title;
+      Curve& curve = panel.curves.emplace_back();
+      for (std::size_t i = 0; i < motion.size(); ++i) {
+        const bool near = std::abs(motion.x[i]) <= 3 * position_.height &&
+                          std::abs(motion.v[i]) <= 3 * velocity_.height && part.has(motion.t[i]);
+        constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+        if (!near && !curve.y.empty() && std::isnan(curve.y.back())) continue;
+        curve.x.push_back(near ? motion.x[i] / x.unit : gap);
+        curve.y.push_back(near ? motion.v[i] / v.unit : gap);
+      }
+    }
+    cut(panel.x, position_, which, x.unit);
+    cut(panel.y, velocity_, which, v.unit);
+    return panel;
+  }
+
+  const std::vector<SimulatedRun>& runs_;
+  bool one_method_;
+  Framed position_, velocity_, energy_;
+  LengthUnit length_{};
+};
 
 }  // namespace
 
-Figure simulate_figure(const SimulateResult& result) {
+Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> asked) {
   const auto& runs = result.runs;
-  const double height = frame(runs);
-  const LengthUnit unit = length_unit(height);
-  const bool one_method = all_one_method(runs);
+  const Panels panels(result, asked);
   const std::size_t frequencies = std::max<std::size_t>(1, result.options.drive_frequency.size());
+  const bool apart = !panels.one_method() && frequencies > 1;
 
   Figure figure;
   figure.id = "simulate";
-  figure.title = one_method ? fmt::format("Position against time by {}", runs.front().method)
-                            : std::string("Position against time by several methods");
+  figure.title = panels_in_words(asked) + " by " +
+                 (panels.one_method() ? runs.front().method : std::string("several methods"));
   figure.size = FigureSize::wide;
-  if (one_method || frequencies == 1) {
-    std::vector<const SimulatedRun*> all;
-    for (const SimulatedRun& run : runs) all.push_back(&run);
-    figure.panels.push_back(panel_of(all, result, height, unit, one_method, frequencies > 1));
-    return figure;
-  }
-  // Several methods at several frequencies: a colour for each method, a panel for each frequency.
-  for (std::size_t f = 0; f < frequencies; ++f) {
-    std::vector<const SimulatedRun*> same;
-    for (std::size_t i = f; i < runs.size(); i += frequencies) same.push_back(&runs[i]);
-    Panel panel = panel_of(same, result, height, unit, false, false);
-    panel.title = format_quantity({same.front()->drive.frequency, 0}, "rad/s");
-    figure.panels.push_back(std::move(panel));
-  }
   figure.shared_x = true;
+  // Several methods at several frequencies: a colour for each method, panels for each frequency.
+  const std::size_t groups = apart ? frequencies : 1;
+  for (std::size_t group = 0; group < groups; ++group) {
+    std::vector<std::size_t> which;
+    for (std::size_t i = group; i < runs.size(); i += groups) which.push_back(i);
+    for (const MotionPanel each : asked) {
+      Panel panel = panels.panel(each, which, frequencies > 1 && !apart);
+      if (apart) {
+        const std::string frequency = format_quantity({runs[group].drive.frequency, 0}, "rad/s");
+        panel.title = panel.title.empty() ? frequency : panel.title + " at " + frequency;
+      }
+      figure.panels.push_back(std::move(panel));
+    }
+  }
+  set_portrait_size(figure);
   return figure;
 }
 

@@ -13,7 +13,8 @@ namespace cromer::core {
 namespace {
 
 constexpr double row_of_several = 310;
-constexpr double wide_text = 1.15;  // a wide figure is shown smaller on the page
+constexpr double row_of_portraits = 440;  // [px] among other rows
+constexpr double wide_text = 1.15;        // a wide figure is shown smaller on the page
 
 }  // namespace
 
@@ -321,12 +322,18 @@ Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_b
   Layout layout{canvas.width, canvas.row_height * static_cast<double>(rows.size()), {}};
   const double hidden = figure.shared_x && rows.size() > 1 ? fonts.sizes.axis + fonts.sizes.tick + 8
                                                            : 0;  // what upper rows save
+  // A portrait alone in its row is as high as elsewhere, and has an axis of its own.
+  const auto of_portrait = [&](std::size_t r) {
+    return columns == 1 && rows.size() > 1 && r < rows.size() &&
+           figure.panels[rows[r].front()].phase_portrait;
+  };
   std::vector<std::vector<Cell>> cells;
   std::vector<double> heights;
   double y = 0;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const bool lowest = !figure.shared_x || r + 1 == rows.size();
-    const double height = canvas.row_height - (lowest ? 0 : hidden);
+    const bool lowest = !figure.shared_x || r + 1 == rows.size() || of_portrait(r) || of_portrait(r + 1);
+    const double height = of_portrait(r) ? std::max(row_of_portraits, canvas.row_height)
+                                         : canvas.row_height - (lowest ? 0 : hidden);
     auto& row = cells.emplace_back();
     const bool mixed = std::any_of(rows[r].begin(), rows[r].end(),
                                    [&](std::size_t i) { return !figure.panels[i].phase_portrait; });

@@ -36,6 +36,13 @@ constexpr Entry entries[] = {
      "{path} braucht {needed:n}, doch in {folder} sind nur {free:n} frei; bitte weniger Punkte oder Maße "
      "verlangen oder eine Datei auf einem größeren Datenträger nennen"},
     // Figures.
+    {"no_panel", error, "{--panels}: there is no panel \"{panel}\"; there are {panels:and}",
+     "{--panels}: ein Teilbild „{panel}“ gibt es nicht; es gibt {panels:and}"},
+    {"no_panel_but", error,
+     "{--panels}: there is no panel \"{panel}\"; did you mean {near}? There are {panels:and}",
+     "{--panels}: ein Teilbild „{panel}“ gibt es nicht; ist {near} gemeint? Es gibt {panels:and}"},
+    {"panel_twice", error, "{--panels}: {panel} stands there twice; name it once",
+     "{--panels}: {panel} steht doppelt da; bitte nur einmal nennen"},
     {"names_no_figure", error, "\"{path}\" names no figure: end it with .svg, .png or .pdf",
      "„{path}“ nennt keine Abbildung: bitte mit .svg, .png oder .pdf enden lassen"},
     {"librsvg_is_missing", error,

@@ -25,6 +25,8 @@ constexpr Entry entries[] = {
      "{--tripartite} draws pseudo-velocities, and a shock spectrum has none; leave one of them out",
      "{--tripartite} zeichnet Pseudogeschwindigkeiten, die ein Schockspektrum nicht hat; bitte eines "
      "weglassen"},
+    {"panels_without_plot", error, "{--panels} says what to draw; name the file with {--plot}",
+     "{--panels} sagt, was zu zeichnen ist; in welche Datei, sagt {--plot}"},
     {"fourier_is_csv", error, "{--fourier}: {file}: the amplitudes are written as .csv",
      "{--fourier}: {file}: die Amplituden werden als .csv geschrieben"},
     {"nothing_to_write", error, "{file} is not written: there is nothing to write into it",
