@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <new>
 #include <span>
 #include <utility>
 
@@ -17,7 +19,7 @@
 #include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/open_recording.h"
-#include "fit_files.h"
+#include "many_files.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -82,6 +84,32 @@ int run_static(const std::vector<std::string>& files, const FitOptions& fit, con
                .figure = [&] { return static_figure(*found); },
                .notices = found->notices},
               output);
+}
+
+std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions& options,
+                                      const Watch& watch) {
+  try {
+    const auto recording = open_recording(file, options.read);
+    if (!recording) return {not_fitted(file, options.run.value_or(1), recording.error().notice)};
+    auto fits = fit(*recording, options, watch);
+    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().notice)};
+    return *std::move(fits);
+  } catch (const std::bad_alloc&) {
+    return {not_fitted(file, 1, Notice{"no_memory_for_file"})};
+  }
+}
+
+/// The fits of all files in their order, each file's as if it were alone. A file that cannot be read is a row
+/// that says why. After an interruption the files that were not begun are missing.
+std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
+                                       const Watch& watch) {
+  std::vector<std::vector<FittedRecording>> of_file(files.size());
+  for_each_file(files.size(), watch, [&](std::size_t i, const Watch& of_one) {
+    of_file[i] = fit_file(files[i], options, of_one);
+  });
+  std::vector<FittedRecording> fits;
+  for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
+  return fits;
 }
 
 /// One file that cannot be read ends the command; of many it is a row.

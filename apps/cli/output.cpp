@@ -117,6 +117,8 @@ Result<void> write_output(const Answer& answer, const OutputOptions& output) {
     case FileFormat::csv:
       break;
   }
+  if (answer.csv_pieces)
+    return write_file(file, [&](const PieceSink& write) { return answer.csv_pieces(write); });
   const auto text = answer.csv();
   return text ? write_table(file, *text) : text.error();
 }

@@ -8,6 +8,7 @@
 
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/figure.h"
+#include "cromer/report/file.h"
 #include "cromer/result.h"
 #include "cromer/tasks/option/option.h"
 
@@ -69,13 +70,14 @@ Result<void> write_table(const std::string& path, const std::string& csv);
 /// What a command has found, in every form that may be asked for. A form is made when it is asked for; one
 /// that a command does not offer is empty.
 struct Answer {
-  std::function<std::string()> text{}, json{};       ///< for standard output
-  std::function<Result<std::string>()> csv{};        ///< for -o FILE.csv
-  std::function<std::string()> whole_json{};         ///< for -o FILE.json; as `json` if empty
-  std::function<std::vector<Hdf5Table>()> tables{};  ///< for -o FILE.h5
-  std::function<Result<Figure>()> figure{};          ///< for --plot
-  std::function<Result<void>()> other_files{};       ///< what else the command writes
-  std::vector<std::string> failures{};               ///< what did not succeed, a line each
+  std::function<std::string()> text{}, json{};                       ///< for standard output
+  std::function<Result<std::string>()> csv{};                        ///< for -o FILE.csv
+  std::function<Result<void>(const PieceSink& write)> csv_pieces{};  ///< in its place, where it is long
+  std::function<std::string()> whole_json{};                         ///< for -o FILE.json; as `json` if empty
+  std::function<std::vector<Hdf5Table>()> tables{};                  ///< for -o FILE.h5
+  std::function<Result<Figure>()> figure{};                          ///< for --plot
+  std::function<Result<void>()> other_files{};                       ///< what else the command writes
+  std::vector<std::string> failures{};                               ///< what did not succeed, a line each
   std::vector<Notice> notices{};
   bool good = true;  ///< the computation succeeded
 };

@@ -74,6 +74,22 @@ void write_rig(const Folder& folder, const std::string& name) {
   folder.write(name, rows);
 }
 
+/// Both components of two motions, as PEER writes them, in a folder of their own.
+void write_records(const Folder& folder, const std::string& name) {
+  std::filesystem::create_directory(folder.path(name));
+  for (const std::string motion : {"RSN1", "RSN2"})
+    for (const std::string component : {"000", "090"}) {
+      std::string text = "PEER NGA STRONG MOTION DATABASE RECORD\n" + motion + ", 1/1/2000, station, " +
+                         component +
+                         "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  1500, DT=   .0100 SEC\n";
+      for (int i = 0; i < 1500; ++i)
+        text += std::to_string(0.2 * std::sin(0.3 * i + (motion == "RSN1") + i * i * 1e-5) *
+                               std::exp(-0.003 * i) * (component == "000" ? 1 : 0.7)) +
+                (i % 5 == 4 ? "\n" : " ");
+      folder.write(name + "/" + motion + "_" + component + ".AT2", text);
+    }
+}
+
 /// What a reader has: the recordings and studies of the repository, recordings of his own by the names that
 /// the pages give them, and the study that the page shows.
 void furnish(const Folder& folder, const std::string& page) {
@@ -85,6 +101,7 @@ void furnish(const Folder& folder, const std::string& page) {
   write_swing(folder, "three.csv", "200 g");
   write_held(folder, "held.csv");
   write_rig(folder, "rig.csv");
+  write_records(folder, "records");
   for (const CodeBlock& block : code_blocks(page))
     if (block.language == "toml") folder.write("study.toml", block.text);
 }

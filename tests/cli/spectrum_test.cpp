@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "program.h"
 
@@ -94,6 +98,113 @@ TEST(Spectrum, OfTwoComponents) {
       folder.run({"spectrum", "both.csv", "--column", "ax", "--column", "ay", "--periods", "0.5", "--json"});
   ASSERT_EQ(one.status, 0) << one.err;
   EXPECT_EQ(one.json()["spectra"], end.json()["spectra"]);
+}
+
+TEST(Spectrum, OfAFolderIsThatOfEachOfItsFiles) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path("records"));
+  folder.write("records/a_1.csv", shaking(300, 0.01));
+  folder.write("records/b.csv", shaking(200, 0.02, 0.2));
+  folder.write("records/c.csv", "no numbers\n");
+  folder.write("records/notes.md", "not a recording");
+  const std::vector<std::string> what{"--periods", "0.1:2:5:log", "--damping-ratio", "2%,5%", "--in-g"};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "spectrum");
+    arguments.insert(arguments.end(), what.begin(), what.end());
+    return folder.run(arguments);
+  };
+  const Finished all = run({"records", "-o", "all.csv", "--plot", "all.svg"});
+  EXPECT_EQ(all.status, 1);
+  EXPECT_THAT(all.err, HasSubstr("records/c.csv: no rows of numbers"));
+  EXPECT_THAT(all.err, HasSubstr("records: 1 of 4 entries"));
+  EXPECT_THAT(all.out, HasSubstr("2 of 3 motions"));
+  std::vector<std::string> rows{"file,period (s),damping_ratio,SD (m),PSV (m/s),PSA (g)"};
+  for (const std::string name : {"records/a_1.csv", "records/b.csv"}) {
+    const auto alone = lines_of(run({name, "-o", "-"}).out);
+    ASSERT_EQ(alone.size(), 11u);
+    for (std::size_t i = 1; i < alone.size(); ++i) rows.push_back(name + "," + alone[i]);
+  }
+  EXPECT_EQ(lines_of(folder.read("all.csv")), rows);
+  // The figure has the files' names, one panel for each damping ratio.
+  const std::string figure = folder.read("all.svg");
+  EXPECT_THAT(figure, HasSubstr(">a_1.csv<"));
+  EXPECT_THAT(figure, HasSubstr(">b.csv<"));
+  EXPECT_THAT(figure, HasSubstr("2 % damping"));
+  EXPECT_THAT(figure, HasSubstr("5 % damping"));
+
+  const auto document = run({"records", "--json"}).json();
+  ASSERT_EQ(document["motions"].size(), 3u);
+  EXPECT_EQ(document["message"], "1 of 3 motions did not succeed");
+  auto alone = run({"records/a_1.csv", "--json"}).json();
+  alone["files"] = {"records/a_1.csv"};
+  EXPECT_EQ(document["motions"][0], alone);
+  EXPECT_EQ(document["motions"][2]["files"][0], "records/c.csv");
+  EXPECT_THAT(document["motions"][2]["message"].get<std::string>(), HasSubstr("no rows of numbers"));
+  EXPECT_FALSE(document["motions"][2].contains("spectra"));
+}
+
+TEST(Spectrum, OfPairsIsThatOfEachPair) {
+  const Folder folder;
+  folder.write("x_1.csv", shaking(300, 0.01));
+  folder.write("x_2.csv", shaking(300, 0.01, 0.2));
+  folder.write("y_1.csv", shaking(250, 0.02));
+  folder.write("y_2.csv", shaking(250, 0.02, 0.3));
+  const std::vector<std::string> four{"spectrum", "x_1.csv", "x_2.csv",   "y_1.csv",
+                                      "y_2.csv",  "--json",  "--periods", "0.3,1"};
+  auto in_pairs = four;
+  in_pairs.insert(in_pairs.end(), {"--files", "pairs"});
+  const auto pairs = folder.run(in_pairs).json()["motions"];
+  ASSERT_EQ(pairs.size(), 2u);
+  const auto second = folder.run({"spectrum", "y_1.csv", "y_2.csv", "--json", "--periods", "0.3,1"}).json();
+  EXPECT_EQ(pairs[1]["spectra"], second["spectra"]);
+  EXPECT_TRUE(pairs[1]["spectra"][0].contains("rotd50"));
+  EXPECT_EQ(pairs[1]["files"], nlohmann::json({"y_1.csv", "y_2.csv"}));
+  EXPECT_EQ(folder.run(four).json()["motions"].size(), 4u);
+  in_pairs.erase(std::find(in_pairs.begin(), in_pairs.end(), "--json"));
+  EXPECT_THAT(folder.run(in_pairs).out, HasSubstr("y_1.csv + y_2.csv "));
+  // Exactly two files are one motion unless they are told apart.
+  const auto apart =
+      folder.run({"spectrum", "x_1.csv", "x_2.csv", "--files", "each", "--json", "--periods", "0.3"}).json();
+  ASSERT_EQ(apart["motions"].size(), 2u);
+  EXPECT_EQ(apart["motions"][1]["spectra"],
+            folder.run({"spectrum", "x_2.csv", "--json", "--periods", "0.3"}).json()["spectra"]);
+}
+
+TEST(Spectrum, WhatIsSaidOfManyMotionsIsSaidOnce) {
+  const Folder folder;
+  std::vector<std::string> arguments{"spectrum", "--periods", "0.015,1"};
+  for (const std::string name : {"a.csv", "b.csv", "c.csv"}) {
+    folder.write(name, shaking(300, 0.01, 0.1, "shaking"));
+    arguments.push_back(name);
+  }
+  const std::string said = folder.run(arguments).err;
+  EXPECT_THAT(said,
+              HasSubstr("a.csv: column \"shaking\" has no unit and is taken as m/s^2; --unit names another "
+                        "(the like of 2 more of 3 motions)"));
+  EXPECT_THAT(said, HasSubstr("a.csv: --periods: one period is below 0.02 s"));
+  EXPECT_THAT(said, testing::Not(HasSubstr("b.csv")));
+}
+
+TEST(Spectrum, AnInterruptLeavesTheMotionsThatAreDone) {
+  const Folder folder;
+  std::vector<std::string> arguments{"spectrum", "--periods", "0.01:10:2000:log", "-o", "done.csv", "--json"};
+  for (int i = 0; i < 400; ++i) {
+    const std::string name = "r" + std::to_string(i) + ".csv";
+    folder.write(name, shaking(2000, 0.01));
+    arguments.push_back(name);
+  }
+  const pid_t process = folder.start(arguments);
+  ASSERT_TRUE(wait_for_handler(process, SIGINT));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(process, SIGINT);
+  const Finished end = folder.wait(process);
+  ASSERT_EQ(end.status, 1);
+  EXPECT_THAT(end.err,
+              ::testing::ContainsRegex("interrupted; what follows are the spectra of [0-9]+ of 400"));
+  const auto motions = end.json()["motions"];
+  EXPECT_LT(motions.size(), 400u);
+  const std::size_t rows = lines_of(folder.read("done.csv")).size();
+  EXPECT_EQ(rows, 1 + 2000 * motions.size());
 }
 
 TEST(Spectrum, OfAShock) {
@@ -269,7 +380,18 @@ TEST(Spectrum, BadInputWritesNothing) {
   refused({"path.csv"}, "holds position, not an acceleration");
   refused({"word.csv"}, "word.csv:3: column \"acc (g)\": \"abc\" is not a number");
   refused({"quake.csv", "slow.csv"}, "the components of one motion must be sampled alike");
-  refused({"quake.csv", "quake.csv", "quake.csv"}, "two components of one motion; 3 are given");
+  refused({"quake.csv", "--column", "a", "--column", "b", "--column", "c"},
+          "two components of one motion; 3 are given");
+  refused({"quake.csv", "slow.csv", "--column", "a", "--column", "b"}, "4 are given");
+  refused({"quake.csv", "slow.csv", "path.csv", "--files", "pairs"},
+          "--files pairs: 3 files do not come in pairs");
+  refused({"quake.csv", "slow.csv", "--files", "pair"}, "it takes each or pairs (did you mean pairs?)");
+  // What is wrong whatever the files hold is said before any of them is read.
+  refused({"quake.csv", "slow.csv", "path.csv", "--periods", "-1,2"},
+          "--periods: it must be positive, not -1");
+  refused({"quake.csv", "slow.csv", "path.csv", "--peaks", "sampls"}, "did you mean samples?");
+  refused({"quake.csv", "slow.csv", "path.csv", "--fourier", "fas.csv"},
+          "--fourier writes the amplitudes of one");
   refused({"quake.csv", "--periods", "0:10:50:log"}, "both ends must be positive");
   refused({"quake.csv", "--periods", "0.1:10:0"}, "asks for no points");
   refused({"quake.csv", "--periods", "0.1:10:1000000000000000"}, "1e+15 points need 664 PB of memory");

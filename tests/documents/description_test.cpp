@@ -249,6 +249,7 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
           table<DescribedRun>("simulate: each of `runs[]`") +
           table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
           table<SweepDocument>("sweep") + table<SpectrumDocument>("spectrum") +
+          table<MotionSpectra>("spectrum of many recordings: each of `motions[]`") +
           table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
 }
 

@@ -60,6 +60,7 @@ TEST(SpectrumSetup, DampingLiesBetweenItsLimits) {
 Component second() {
   Component component;
   component.acceleration.assign(101, 1);
+  component.samples = 101;
   component.spacing = 0.01;
   return component;
 }

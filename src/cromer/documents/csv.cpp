@@ -285,17 +285,33 @@ NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectr
   return columns;
 }
 
-std::string spectrum_csv(const SpectrumResult& result, const std::string& command) {
-  std::string out;
+namespace {
+
+/// The rows of one motion, behind a column with its name if it is one of several.
+void append_rows(std::string& out, const SpectrumResult& result, const std::optional<std::string>& motion,
+                 const std::string& command, bool with_header) {
   for (const auto& spectrum : result.spectra) {
     NamedColumns columns = spectrum_columns(result, spectrum);
     columns.insert(1, result.hysteretic() ? "loss_factor" : "damping_ratio")
         .assign(result.periods.size(), spectrum.damping_ratio);
-    const bool first = &spectrum == &result.spectra.front();
+    std::vector<CsvColumn> cells = csv_columns(columns);
+    if (motion) cells.insert(cells.begin(), {"file", *motion});
+    const bool first = with_header && &spectrum == &result.spectra.front();
     const std::vector<std::string> comments{command};
-    append_csv(out, csv_columns(columns), first ? comments : std::vector<std::string>{}, first);
+    append_csv(out, cells, first ? comments : std::vector<std::string>{}, first);
   }
+}
+
+}  // namespace
+
+std::string spectrum_csv(const SpectrumResult& result, const std::string& command) {
+  std::string out;
+  append_rows(out, result, std::nullopt, command, true);
   return out;
+}
+
+void append_spectra(std::string& out, const MotionSpectra& motion, const std::string& command, bool first) {
+  append_rows(out, *motion.result, fmt::format("{}", fmt::join(motion.files, " + ")), command, first);
 }
 
 std::string fourier_csv(const SpectrumResult& result, const std::string& command) {

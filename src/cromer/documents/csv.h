@@ -61,6 +61,10 @@ NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectr
 /// One row for each damping ratio and period, in the order asked for.
 std::string spectrum_csv(const SpectrumResult& result, const std::string& command);
 
+/// Appends the rows of a motion of many: those of spectrum_csv behind a column "file", two files joined by
+/// " + ". The header and `command` come with the first one.
+void append_spectra(std::string& out, const MotionSpectra& motion, const std::string& command, bool first);
+
 /// Fourier amplitudes against frequency, one column for each component.
 std::string fourier_csv(const SpectrumResult& result, const std::string& command);
 

@@ -45,12 +45,8 @@ std::string without_blanks(std::string header) {
   return header;
 }
 
-}  // namespace
-
-std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command) {
-  Hdf5Table table;
-  table.texts = {
-      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+/// Fills in the columns of a table.
+void add_spectra(Hdf5Table& table, const SpectrumResult& result) {
   const std::string damping = result.hysteretic() ? "loss_factor" : "damping_ratio";
   Hdf5Column ratios{.name = damping};
   for (const auto& spectrum : result.spectra) ratios.values.push_back(spectrum.damping_ratio);
@@ -68,7 +64,31 @@ std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::
       values.insert(values.end(), columns.values[i].begin(), columns.values[i].end());
     }
   }
+}
+
+}  // namespace
+
+std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command) {
+  Hdf5Table table;
+  table.texts = {
+      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+  add_spectra(table, result);
   return {std::move(table)};
+}
+
+std::vector<Hdf5Table> spectra_tables(std::span<const MotionSpectra> motions, const std::string& command) {
+  std::vector<Hdf5Table> tables(1);
+  tables[0].texts = {{"program", "cromer " CROMER_VERSION}, {"command", command}};
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    if (!motions[m].succeeded()) continue;
+    const SpectrumResult& result = *motions[m].result;
+    Hdf5Table& table = tables.emplace_back();
+    table.name = fmt::format("motion_{}", m + 1);
+    table.texts = {{"file", fmt::format("{}", fmt::join(motions[m].files, " + "))},
+                   {"description", to_json(result, false, {}, false)}};
+    add_spectra(table, result);
+  }
+  return tables;
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // Results as HDF5 files.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::
 /// One table: the axes damping_ratio (or loss_factor) and period, and over them the columns of the CSV file,
 /// named with "_" for blanks.
 std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command);
+
+/// A group for each motion that succeeded, "motion_1" and so on by its place, each as the table of
+/// spectrum_tables with the names of its files.
+std::vector<Hdf5Table> spectra_tables(std::span<const MotionSpectra> motions, const std::string& command);
 
 /// Makes the file of a sweep; with `resume` opens the existing one.
 Result<RowsFile> open_sweep_file(const SweepPlan& plan, const std::string& path, bool resume,

@@ -49,6 +49,24 @@ std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice
   return to_text(json_of(SpectrumDocument{result, with_fourier, with_curves}, voice), with_fourier);
 }
 
+std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice) {
+  // Motion by motion: as a tree of values all of them would need ten times the memory.
+  std::string out = "{\"motions\":[";
+  std::size_t failed = 0;
+  for (const MotionSpectra& motion : motions) {
+    if (&motion != &motions.front()) out += ',';
+    std::string one = to_text(json_of(motion, voice), true);
+    one.erase(one.find_last_not_of('\n') + 1);
+    out += one;
+    failed += !motion.succeeded();
+  }
+  out += ']';
+  if (failed > 0)
+    out += ",\"message\":" +
+           Json(said(Notice{"motions_failed", {{"failed", failed}, {"all", motions.size()}}}, voice)).dump();
+  return out + "}\n";
+}
+
 std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice) {
   return to_text(json_of(InspectedFile{inspection, with_values}, voice), with_values);
 }

@@ -48,4 +48,7 @@ std::string to_json(std::span<const CompareResult> comparisons, const Voice& voi
 std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice = {},
                     bool with_curves = true);
 
+/// {"motions": [...]}, with "message" if any of them failed; all on one line.
+std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice = {});
+
 }  // namespace cromer::core

@@ -33,6 +33,14 @@ std::string failure_text(const FittedRecording& fitted);
 /// A table for each damping ratio, of at most 24 periods, and where the spectrum is highest.
 std::string spectrum_text(const SpectrumResult& result);
 
+/// The recordings of many motions, and where the spectra of each are highest. Without those that could not be
+/// computed.
+std::string spectra_text(std::span<const MotionSpectra> motions);
+
+/// The name of each motion, by its files without their folders where these are not needed: "a.AT2",
+/// "RSN1_090.AT2 + ...360.AT2".
+std::vector<std::string> motion_names(std::span<const MotionSpectra> motions);
+
 /// Component `c` of two, by its column: "east"; "component 1" if both columns have the same name.
 std::string component_name(const SpectrumResult& result, std::size_t c);
 

@@ -38,6 +38,12 @@ Result<Figure> sweep_figure(const SweepResult& result);
 /// Two components are shown with their geometric mean, RotD50 and RotD100.
 Figure spectrum_figure(const SpectrumResult& result);
 
+/// The same of many motions, of two components RotD50 and of a shock the maximax: a panel for each damping
+/// ratio, a curve for each motion with the name of its file. Many motions are thin lines under their median
+/// and the bounds of 16 and 84 %, very many only these with the lowest and the highest. Without those that
+/// could not be computed, which must not be all of them.
+Figure spectra_figure(std::span<const MotionSpectra> motions, bool tripartite);
+
 /// Tripartite plot: pseudo-velocity against period, both logarithmic, over lines of equal displacement and of
 /// equal pseudo-acceleration.
 Figure tripartite_figure(const SpectrumResult& result);

@@ -15,6 +15,7 @@
 #include "cromer/documents/text.h"
 #include "cromer/figures/length_unit.h"
 #include "cromer/report/axis.h"
+#include "cromer/report/enhanced_text.h"
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
@@ -146,7 +147,7 @@ Panel response_panel(const SpectrumResult& result) {
   const ResponseSpectrum& spectrum = result.spectra[0];
   panel.y.name = at_one_damping("pseudo-acceleration", result, written_unit(result));
   for (std::size_t c = 0; c < 2; ++c) {
-    add(spectrum.displacement[c], component_name(result, c), "family:4");
+    add(spectrum.displacement[c], figure_text(component_name(result, c)), "family:4");
     panel.curves.back().dashed = c == 1;
   }
   add(spectrum.geometric_mean, "geometric mean", "family:2");
@@ -323,12 +324,21 @@ void add_equal_lines(Panel& panel, const SpectrumResult& result) {
 
 }  // namespace
 
-Figure tripartite_figure(const SpectrumResult& result) {
+namespace {
+
+Panel tripartite_panel() {
   Panel panel;
   panel.names_inside = true;
   panel.x.name = "period {/:Italic T} (s)";
   panel.y.name = "pseudo-velocity (m/s)";
   panel.x.logarithmic = panel.y.logarithmic = true;
+  return panel;
+}
+
+}  // namespace
+
+Figure tripartite_figure(const SpectrumResult& result) {
+  Panel panel = tripartite_panel();
   const auto add = [&](const std::vector<double>& displacement, const std::string& name,
                        const std::string& role) {
     panel.curves.push_back(curve_of(result.periods, name, role, [&](std::size_t i) {
@@ -347,6 +357,128 @@ Figure tripartite_figure(const SpectrumResult& result) {
   figure.title = "Tripartite response spectrum";
   figure.size = FigureSize::single;
   figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+// Many motions.
+namespace {
+
+/// What is drawn of a motion at each period: PSA [m/s^2], PSV [m/s] or the maximax [m/s^2].
+std::vector<double> heights_of(const SpectrumResult& result, const ResponseSpectrum& spectrum,
+                               bool tripartite) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < result.periods.size(); ++i) {
+    const double displacement = !spectrum.rotd50.empty() ? spectrum.rotd50[i]
+                                : spectrum.shock.empty() ? spectrum.displacement[0][i]
+                                                         : 0;
+    heights.push_back(!spectrum.shock.empty() ? spectrum.shock[i].maximax() / written_acceleration(result)
+                      : tripartite            ? pseudo_velocity(displacement, result.periods[i])
+                                              : pseudo_acceleration(displacement, result.periods[i]) /
+                                         written_acceleration(result));
+  }
+  return heights;
+}
+
+/// The value that a share of the sorted values stay below, between its neighbours by a straight line.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  if (below + 1 >= sorted.size()) return sorted.back();
+  return std::lerp(sorted[below], sorted[below + 1], place - static_cast<double>(below));
+}
+
+constexpr std::size_t most_named = 10, most_drawn = 100;
+
+bool at_the_same_places(const std::vector<Curve>& curves) {
+  return std::all_of(curves.begin(), curves.end(), [&](const Curve& c) { return c.x == curves.front().x; });
+}
+
+/// Puts the median, the bounds of 16 and 84 % and the ends of the range over the curves, or in their place.
+void add_statistics(Panel& panel) {
+  const std::vector<Curve> all = panel.curves;
+  std::vector<std::vector<double>> at(all.front().x.size());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    for (const Curve& each : all) at[i].push_back(each.y[i]);
+    std::sort(at[i].begin(), at[i].end());
+  }
+  const auto add = [&](double share, const char* name, const char* role, bool dashed) {
+    Curve& curve = panel.curves.emplace_back();
+    curve.name = name;
+    curve.role = role;
+    curve.dashed = dashed;
+    curve.x = all.front().x;
+    for (const auto& values : at) curve.y.push_back(quantile(values, share));
+  };
+  const bool alone = all.size() > most_drawn;
+  if (alone) panel.curves.clear();
+  if (alone) add(1, "highest", "family:4", false);
+  add(0.84, "84 %", "family:2", true);
+  add(0.5, fmt::format("median of {}", all.size()).c_str(), "family:0", false);
+  add(0.16, "16 %", "family:2", true);
+  if (alone) add(0, "lowest", "family:4", false);
+}
+
+/// "pseudo-acceleration (g)", or what else the panels of many motions show.
+std::string height_name(const SpectrumResult& result, bool tripartite) {
+  const char* quantity = result.options.shock ? "largest acceleration"
+                         : tripartite         ? "pseudo-velocity"
+                                              : "pseudo-acceleration";
+  return fmt::format("{}{} ({})", quantity, result.components.size() > 1 ? ", RotD50" : "",
+                     tripartite ? "m/s" : written_unit(result));
+}
+
+Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span<const std::string> names,
+                       std::size_t damping, bool tripartite) {
+  const SpectrumResult& any = *results.front();
+  Panel panel = tripartite ? tripartite_panel() : Panel{};
+  panel.names_inside = true;
+  panel.title = damping_name(any, any.spectra[damping]);
+  panel.y.name = height_name(any, tripartite);
+  const bool named = results.size() <= most_named;
+  panel.names_listed = named;
+  for (std::size_t m = 0; m < results.size(); ++m) {
+    const SpectrumResult& result = *results[m];
+    const Abscissa along = abscissa_of(result);
+    const std::vector<double> heights = heights_of(result, result.spectra[damping], tripartite);
+    Curve curve = curve_of(tripartite ? result.periods : along.values, named ? figure_text(names[m]) : "",
+                           named ? family_role(m / 2, (results.size() + 1) / 2) : "grid",
+                           [&](std::size_t i) { return heights[i]; });
+    curve.dashed = named && m % 2 == 1;
+    if (named && !tripartite) say_summit(curve, written_unit(result), along.unit);
+    panel.curves.push_back(std::move(curve));
+  }
+  if (!tripartite) {
+    const Abscissa along = abscissa_of(any);
+    panel.x.name = along.name;
+    panel.x.logarithmic = wide(along.values);
+    panel.y.logarithmic = any.options.shock;
+    if (!any.options.shock) panel.y.low = 0;
+  }
+  if (!named && at_the_same_places(panel.curves)) add_statistics(panel);
+  if (!named) point_words(panel);
+  if (tripartite) add_equal_lines(panel, any);
+  return panel;
+}
+
+}  // namespace
+
+Figure spectra_figure(std::span<const MotionSpectra> motions, bool tripartite) {
+  const std::vector<std::string> all_names = motion_names(motions);
+  std::vector<const SpectrumResult*> results;
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    if (!motions[m].succeeded()) continue;
+    results.push_back(&*motions[m].result);
+    names.push_back(all_names[m]);
+  }
+  Figure figure;
+  figure.id = "spectra";
+  figure.title = results[0]->options.shock ? "Shock response spectra"
+                 : tripartite              ? "Tripartite response spectra"
+                                           : "Response spectra";
+  figure.size = FigureSize::single;
+  for (std::size_t r = 0; r < results[0]->spectra.size(); ++r)
+    figure.panels.push_back(panel_of_motions(results, names, r, tripartite));
   return figure;
 }
 

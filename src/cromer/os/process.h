@@ -28,6 +28,9 @@ void on_interrupt(void (*handler)());
 std::filesystem::path program();
 /// [bytes]
 double memory();
+/// Gives freed memory back to the system, which the allocator would keep in pieces too small for what comes
+/// next. Does nothing where the system has no such call.
+void give_memory_back();
 int processors();
 std::string host_name();
 /// So many open files as the system allows, at most `wanted`, which is asked for.

@@ -161,7 +161,7 @@ struct Described<ComponentOf> {
       field(
           "column", [](const C& c) { return c.component.column; }, "", "title of the column"),
       field(
-          "samples", [](const C& c) { return c.component.acceleration.size(); }, "", "number of samples"),
+          "samples", [](const C& c) { return c.component.samples; }, "", "number of samples"),
       field(
           "spacing", [](const C& c) { return c.component.spacing; }, "s", "spacing of the samples"),
       field(
@@ -297,6 +297,24 @@ struct Described<SpectrumDocument> {
           },
           "", "that it was interrupted; only then")
           .left_out());
+};
+
+/// One of many motions. If its spectra could not be computed, only its files and the message are known.
+template <>
+struct Described<MotionSpectra> {
+  using M = MotionSpectra;
+  static constexpr std::string_view name = "MotionSpectra";
+  static bool is_refused(const M& m) { return !m.succeeded(); }
+  static constexpr auto refused = members(
+      field("files", &M::files, "", "names of the files: one, or two components"),
+      field(
+          "message",
+          [](const M& m) { return m.succeeded() ? std::nullopt : std::optional(m.result.error().notice); },
+          "", "why there are no spectra; only then")
+          .left_out());
+  static constexpr auto entries = members(refused, all_of([](const M& m) {
+                                            return SpectrumDocument{*m.result, false};
+                                          }));
 };
 
 }  // namespace cromer::core

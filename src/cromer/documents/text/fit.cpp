@@ -247,19 +247,6 @@ std::vector<std::string_view> columns_of(const std::vector<FittedRecording>& fit
   return names;
 }
 
-std::string_view without_folder(std::string_view file) {
-  const auto slash = file.find_last_of('/');
-  return slash == std::string_view::npos ? file : file.substr(slash + 1);
-}
-
-/// Whether the files can be told apart without their folders.
-bool names_suffice(const std::vector<FittedRecording>& fits) {
-  std::map<std::string_view, std::string_view> file_of;
-  return std::all_of(fits.begin(), fits.end(), [&](const FittedRecording& fitted) {
-    return file_of.emplace(without_folder(fitted.file), fitted.file).first->second == fitted.file;
-  });
-}
-
 std::vector<std::string> row_of(const FittedRecording& fitted, const std::string& name,
                                 const std::vector<std::string_view>& columns) {
   std::vector<std::string> row{name, fmt::format("{}", fitted.series.run),
@@ -281,16 +268,17 @@ std::vector<std::string> row_of(const FittedRecording& fitted, const std::string
 
 std::string fit_table(const std::vector<FittedRecording>& fits) {
   if (fits.empty()) return "";
-  const bool short_names = names_suffice(fits);
+  std::vector<std::string> files;
+  for (const auto& fitted : fits) files.push_back(fitted.file);
+  const std::vector<std::string> names = short_names(files);
   const std::vector<std::string_view> columns = columns_of(fits);
   std::vector<std::vector<std::string>> rows{{"file", "run", "law"}};
   for (const auto column : columns) rows[0].push_back(readable_name(column));
   rows[0].emplace_back("residual (rms)");
   std::size_t failed = 0;
-  for (const auto& fitted : fits) {
-    rows.push_back(
-        row_of(fitted, std::string(short_names ? without_folder(fitted.file) : fitted.file), columns));
-    failed += !fitted.succeeded();
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    rows.push_back(row_of(fits[i], names[i], columns));
+    failed += !fits[i].succeeded();
   }
   std::string out = text_table(rows, 1, 2);
   out += fmt::format("{} of {} fits succeeded\n", fits.size() - failed, fits.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/described/spectrum.h"
@@ -13,22 +14,39 @@
 namespace cromer::core {
 namespace {
 
+bool is_alphanumeric(char c) { return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z'); }
+
 /// The power of ten if the number itself is beyond any double.
 std::string arias_intensity(const Intensity& intensity) {
   return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
                                         : fmt::format("about 10^{:.0f}", intensity.decades);
 }
 
-std::string recording_table(const SpectrumResult& result) {
-  std::vector<std::vector<std::string>> rows{
-      {"recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"}};
-  const bool of_one_file =
-      result.components.size() > 1 && result.components[0].file == result.components[1].file;
-  for (const auto& c : result.components)
-    rows.push_back({of_one_file ? fmt::format("{}, {}", c.file, c.column) : c.file,
-                    fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6), rounded(c.peak, 5),
-                    arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
-  return text_table(rows, 1, 6);
+const std::vector<std::string> recording_headings{
+    "recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"};
+
+std::vector<std::string> recording_row(const std::string& name, const Component& c) {
+  return {name,
+          fmt::format("{}", c.samples),
+          rounded(c.spacing, 6),
+          rounded(c.peak, 5),
+          arias_intensity(c.intensity),
+          rounded(c.intensity.duration, 5)};
+}
+
+std::string recording_table(const std::vector<std::vector<std::string>>& rows) {
+  return text_table(rows, 1, recording_headings.size());
+}
+
+/// Adds a row for each component; `file_names` are those of their files.
+void add_recordings(std::vector<std::vector<std::string>>& rows, const SpectrumResult& result,
+                    std::span<const std::string> file_names) {
+  const auto& all = result.components;
+  const bool of_one_file = all.size() > 1 && all[0].file == all[1].file;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& file = file_names[std::min(i, file_names.size() - 1)];
+    rows.push_back(recording_row(of_one_file ? fmt::format("{}, {}", file, all[i].column) : file, all[i]));
+  }
 }
 
 /// The rows to show: all, or evenly spaced ones with both ends.
@@ -86,23 +104,35 @@ std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum&
   return text_table(rows, 0, 6);
 }
 
-/// The largest acceleration, and where it is.
-std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  const bool shock = !spectrum.shock.empty();
-  const bool two = !spectrum.rotd50.empty();
-  std::size_t best = 0;
-  double most = -1;
+/// The largest acceleration, and where it is: of a shock the maximax, of two components RotD50.
+struct Summit {
+  double acceleration = -1;  // [m/s^2]
+  std::size_t oscillator = 0;
+};
+
+Summit summit_of(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const bool shock = !spectrum.shock.empty(), two = !spectrum.rotd50.empty();
+  Summit summit;
   for (std::size_t i = 0; i < result.periods.size(); ++i) {
     const double value = shock ? spectrum.shock[i].maximax()
                                : pseudo_acceleration(two ? spectrum.rotd50[i] : spectrum.displacement[0][i],
                                                      result.periods[i]);
-    if (value <= most) continue;
-    most = value;
-    best = i;
+    if (value > summit.acceleration) summit = {value, i};
   }
-  const std::string at = oscillator(result, best) + (result.by_frequency() ? " Hz" : " s");
-  return fmt::format("highest{}: {} {} at {}\n", two ? " RotD50" : "",
-                     rounded(most / written_acceleration(result), 4), written_unit(result), at);
+  return summit;
+}
+
+std::string summit_text(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const Summit summit = summit_of(result, spectrum);
+  const std::string at = oscillator(result, summit.oscillator) + (result.by_frequency() ? " Hz" : " s");
+  return fmt::format("highest{}: {} {} at {}\n", spectrum.rotd50.empty() ? "" : " RotD50",
+                     rounded(summit.acceleration / written_acceleration(result), 4), written_unit(result),
+                     at);
+}
+
+std::string damping_text(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  return fmt::format("{} {}", result.hysteretic() ? "loss factor" : "damping ratio",
+                     shortest(spectrum.damping_ratio));
 }
 
 }  // namespace
@@ -114,16 +144,76 @@ std::string component_name(const SpectrumResult& result, std::size_t c) {
 }
 
 std::string spectrum_text(const SpectrumResult& result) {
-  std::string text = recording_table(result);
+  std::vector<std::string> files;
+  for (const Component& component : result.components) files.push_back(component.file);
+  std::vector<std::vector<std::string>> recordings{recording_headings};
+  add_recordings(recordings, result, files);
+  std::string text = recording_table(recordings);
   const std::size_t all = result.periods.size();
   for (const auto& spectrum : result.spectra) {
-    text += fmt::format("\n{} {}: {}\n", result.hysteretic() ? "loss factor" : "damping ratio",
-                        shortest(spectrum.damping_ratio), conventions(result));
+    text += fmt::format("\n{}: {}\n", damping_text(result, spectrum), conventions(result));
     text += spectrum_table(result, spectrum);
     if (all > most_rows) text += fmt::format("{} of {} rows; a file (-o) has them all\n", most_rows, all);
-    text += summit(result, spectrum);
+    text += summit_text(result, spectrum);
   }
   return text;
+}
+
+std::vector<std::string> motion_names(std::span<const MotionSpectra> motions) {
+  std::vector<std::string> files;
+  for (const MotionSpectra& motion : motions)
+    files.insert(files.end(), motion.files.begin(), motion.files.end());
+  const std::vector<std::string> short_ones = short_names(files);
+  std::vector<std::string> names;
+  auto file = short_ones.begin();
+  for (const MotionSpectra& motion : motions) {
+    names.push_back(*file++);
+    if (motion.files.size() < 2) continue;
+    const std::string first = names.back(), &second = *file++;
+    auto differ = std::mismatch(first.begin(), first.end(), second.begin(), second.end()).second;
+    while (differ != second.begin() && is_alphanumeric(differ[-1])) --differ;  // to the end of a word
+    names.back() +=
+        differ - second.begin() > 3 ? " + ..." + std::string(differ, second.end()) : " + " + second;
+  }
+  return names;
+}
+
+std::string spectra_text(std::span<const MotionSpectra> motions) {
+  std::vector<std::string> files;
+  for (const MotionSpectra& motion : motions)
+    files.insert(files.end(), motion.files.begin(), motion.files.end());
+  const std::vector<std::string> short_ones = short_names(files), names = motion_names(motions);
+  std::vector<std::vector<std::string>> recordings{recording_headings}, summits;
+  const SpectrumResult* any = nullptr;
+  std::size_t file = 0, done = 0;
+  for (std::size_t m = 0; m < motions.size(); file += motions[m++].files.size()) {
+    if (!motions[m].succeeded()) continue;
+    const SpectrumResult& result = *motions[m].result;
+    if (!any) {
+      any = &result;
+      const bool shock = result.options.shock, two = result.components.size() > 1;
+      summits = {{"motion", result.hysteretic() ? "loss factor" : "damping ratio",
+                  fmt::format("highest {} ({})",
+                              shock ? "acceleration"
+                              : two ? "RotD50 PSA"
+                                    : "PSA",
+                              written_unit(result)),
+                  fmt::format("at {}", oscillator_heading(result))}};
+    }
+    ++done;
+    add_recordings(recordings, result, std::span(short_ones).subspan(file, motions[m].files.size()));
+    for (const auto& spectrum : result.spectra) {
+      const Summit summit = summit_of(result, spectrum);
+      summits.push_back({names[m], shortest(spectrum.damping_ratio),
+                         rounded(summit.acceleration / written_acceleration(result), 4),
+                         oscillator(result, summit.oscillator)});
+    }
+  }
+  std::string text;
+  if (any)
+    text =
+        fmt::format("{}\n{}\n{}", recording_table(recordings), conventions(*any), text_table(summits, 1, 4));
+  return text + fmt::format("{} of {} motions; a file (-o) has their spectra\n", done, motions.size());
 }
 
 }  // namespace cromer::core

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cromer/base/quantity.h"
 
@@ -52,6 +53,16 @@ std::size_t width(const std::string& text) {
 }
 
 }  // namespace
+
+std::vector<std::string> short_names(std::span<const std::string> files) {
+  std::map<std::string, std::string> file_of;
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    names.push_back(file.substr(file.find_last_of('/') + 1));  // npos + 1 is 0
+    if (file_of.emplace(names.back(), file).first->second != file) return {files.begin(), files.end()};
+  }
+  return names;
+}
 
 std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t numbers_from,
                        std::size_t numbers_to) {

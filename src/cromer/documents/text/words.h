@@ -1,6 +1,7 @@
 // Names, numbers and tables as a terminal shows them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,9 @@ std::string percent_off(double part);
 
 /// "between 19.99912 and 20.00054", with enough digits to give the interval's width to three.
 std::string interval_text(double low, double high);
+
+/// The files' names without their folders; as they are if that leaves two different files with one name.
+std::vector<std::string> short_names(std::span<const std::string> files);
 
 /// Rows that a table on the terminal has at most.
 inline constexpr std::size_t most_rows = 24;

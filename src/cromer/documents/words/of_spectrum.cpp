@@ -47,6 +47,20 @@ constexpr Entry entries[] = {
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},
     // Recordings.
+    {"motions_failed", clause, "{failed} of {all} motions did not succeed",
+     "{failed} von {all} Bewegungen sind nicht gelungen"},
+    {"like_of_others", clause, "{what} (the like of {others} more of {all} motions)",
+     "{what} (ähnlich bei {others} weiteren von {all} Bewegungen)"},
+    {"no_memory_for_motion", error, "not enough memory for its spectra",
+     "für ihre Spektren reicht der Speicher nicht"},
+    {"no_pairs", error,
+     "{--files} pairs: {files} files do not come in pairs; name the two components of each motion one after "
+     "the other",
+     "{--files} pairs: {files} Dateien ergeben keine Paare; bitte die zwei Komponenten jeder Bewegung "
+     "nacheinander nennen"},
+    {"fourier_of_one_motion", error,
+     "{--fourier} writes the amplitudes of one motion; ask for the motions one after the other",
+     "{--fourier} schreibt die Amplituden einer Bewegung; bitte die Bewegungen nacheinander"},
     {"too_many_components", error,
      "spectrum takes one recording, or the two components of one motion; {given} are given",
      "ein Spektrum nimmt eine Aufnahme oder die zwei Komponenten einer Bewegung; gegeben sind {given}"},

@@ -17,6 +17,9 @@
 #include <atomic>
 #include <cstdio>
 #include <memory>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace cromer::core::os {
 namespace {
@@ -68,6 +71,12 @@ std::filesystem::path program() {
 
 double memory() {
   return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+void give_memory_back() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 int processors() { return static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN)); }

@@ -83,6 +83,8 @@ double memory() {
   return ::GlobalMemoryStatusEx(&status) ? static_cast<double>(status.ullTotalPhys) : 0;
 }
 
+void give_memory_back() { ::_heapmin(); }
+
 int processors() { return static_cast<int>(::GetActiveProcessorCount(ALL_PROCESSOR_GROUPS)); }
 
 std::string host_name() {

@@ -149,24 +149,39 @@ double pseudo_acceleration(double displacement, double period) {
 
 namespace {
 
+/// What the options say by themselves.
+struct Asked {
+  Peaks peaks;
+  BetweenSamples between;
+  std::vector<double> ratios;
+  KernelUnit unit;
+};
+
+Result<Asked> asked_of(const SpectrumOptions& options) {
+  const auto peaks = peaks_of(options);
+  if (!peaks) return peaks.error();
+  const auto between = between_of(options);
+  if (!between) return between.error();
+  auto ratios = damping_ratios_of(options);
+  if (!ratios) return ratios.error();
+  const auto unit = choose_unit_by_environment();
+  if (!unit) return unit.error();
+  return Asked{*peaks, *between, *std::move(ratios), *unit};
+}
+
 /// Makes the components once the options are checked; its notices come first.
 using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<Notice>& notices)>;
 
 Result<SpectrumResult> spectrum_of(MakeComponents make_components, const SpectrumOptions& options,
                                    const Watch& watch) {
-  const auto peaks = peaks_of(options);
-  if (!peaks) return peaks.error();
-  const auto between = between_of(options);
-  if (!between) return between.error();
-  const auto ratios = damping_ratios_of(options);
-  if (!ratios) return ratios.error();
-  const auto unit = choose_unit_by_environment();
-  if (!unit) return unit.error();
+  const auto asked = asked_of(options);
+  if (!asked) return asked.error();
+  const auto& [peaks, between, ratios, unit] = *asked;
   const PeakSearch search{
-      .peaks = *peaks, .after_the_end = options.shock || *peaks == Peaks::continuous, .walk = unit->walk};
+      .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .walk = unit.walk};
   SpectrumResult result;
   result.options = options;
-  result.peaks = *peaks;
+  result.peaks = peaks;
   if (options.peaks.empty()) result.options.peaks = name(Peaks::continuous);
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
@@ -174,20 +189,21 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   auto components = make_components(result.notices);
   if (!components) return components.error();
   result.components = *std::move(components);
-  if (auto good = check_together(options, *peaks, *between, result.components.size()); !good)
+  for (Component& component : result.components) component.samples = component.acceleration.size();
+  if (auto good = check_together(options, peaks, between, result.components.size()); !good)
     return good.error();
-  auto periods = periods_of(result.options, result.components[0], ratios->size());
+  auto periods = periods_of(result.options, result.components[0], ratios.size());
   if (!periods) return periods.error();
   result.periods = *std::move(periods);
   if (result.hysteretic())
-    if (auto good = check_hysteretic_memory(result, *ratios); !good) return good.error();
-  for (Notice& notice : period_notices(result.options, result.periods, result.components[0], *peaks))
+    if (auto good = check_hysteretic_memory(result, ratios); !good) return good.error();
+  for (Notice& notice : period_notices(result.options, result.periods, result.components[0], peaks))
     result.notices.push_back(std::move(notice));
 
   std::vector<Shaking> shaking;
   for (auto& component : result.components) {
-    measure(component, *between);
-    shaking.emplace_back(component, *between);
+    measure(component, between);
+    shaking.emplace_back(component, between);
   }
   for (const Component& component : result.components)
     if (std::isnan(component.intensity.arias))
@@ -199,9 +215,9 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   const std::size_t at_once = result.hysteretic()  ? slice_of_sums
                               : shaking.size() > 1 ? slice_of_two
                                                    : of_one;
-  for (std::size_t r = 0; r < ratios->size(); ++r) {
+  for (std::size_t r = 0; r < ratios.size(); ++r) {
     ResponseSpectrum& spectrum = result.spectra.emplace_back();
-    spectrum.damping_ratio = (*ratios)[r];
+    spectrum.damping_ratio = ratios[r];
     const auto laws = laws_of(result.periods, spectrum.damping_ratio);
     for (std::size_t begin = 0; begin < all;) {
       if (watch.interrupted()) {
@@ -217,7 +233,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
       begin += count;
       if (watch.progress)
         watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /
-                       static_cast<double>(ratios->size()));
+                       static_cast<double>(ratios.size()));
     }
   }
   if (Notice notice = after_the_end_notice(result); !notice.empty())
@@ -241,6 +257,23 @@ Result<SpectrumResult> response_spectrum(std::vector<Component> components, cons
     return std::move(components);
   };
   return spectrum_of(given, options, watch);
+}
+
+Result<void> check_spectrum_options(const SpectrumOptions& options, std::size_t files) {
+  const auto asked = asked_of(options);
+  if (!asked) return asked.error();
+  if (auto good = check_components(options, files); !good) return good;
+  const std::size_t components = files * std::max<std::size_t>(1, options.column.size());
+  if (auto good = check_together(options, asked->peaks, asked->between, components); !good) return good;
+  const auto grid = grid_of(options);
+  return grid ? Result<void>{} : grid.error();
+}
+
+void SpectrumResult::forget() {
+  for (Component& component : components) {
+    std::vector<double>().swap(component.acceleration);
+    component.fourier = {};
+  }
 }
 
 }  // namespace cromer::core

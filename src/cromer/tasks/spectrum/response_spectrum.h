@@ -38,13 +38,14 @@ struct SpectrumOptions {
 struct Component {
   std::string file, column;
   std::string motion;                ///< event and station, where the file names them
-  std::vector<double> acceleration;  // [m/s^2] as recorded
+  std::vector<double> acceleration;  // [m/s^2] as recorded; empty after forget()
+  std::size_t samples = 0;           ///< filled in by the task
   double spacing = 0;                // [s]
   double peak = 0;                   // [m/s^2] largest |a|: the peak ground acceleration
   Intensity intensity;
   FourierAmplitude fourier;
 
-  double duration() const { return spacing * static_cast<double>(acceleration.size() - 1); }
+  double duration() const { return spacing * static_cast<double>(samples - 1); }
 };
 
 /// Largest absolute acceleration of the mass (ISO 18431-4), all as magnitudes [m/s^2].
@@ -83,7 +84,21 @@ struct SpectrumResult {
   bool by_frequency() const { return options.by_frequency(); }
 
   bool interrupted = false;  ///< then `spectra` is empty
+
+  /// Gives up what is as long as the recordings: accelerations and Fourier amplitudes.
+  void forget();
 };
+
+/// One of many motions: its spectra, or why there are none.
+struct MotionSpectra {
+  std::vector<std::string> files;  ///< one, or two of its components
+  Result<SpectrumResult> result;   ///< forgotten what is as long as the recordings
+
+  bool succeeded() const { return result.ok(); }
+};
+
+/// Checks of the options what can be checked without the recordings; a motion has so many `files`.
+Result<void> check_spectrum_options(const SpectrumOptions& options, std::size_t files);
 
 /// Checks the options and the recordings (one, or two components of one motion), then computes. An Error
 /// names option or file, value and cure.

@@ -9,9 +9,9 @@
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/grid.h"
-#include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
+#include "cromer/tasks/option/choice.h"
 #include "cromer/tasks/simulate/drive_record.h"
 
 namespace cromer::core {
@@ -22,20 +22,6 @@ constexpr double least_loss = 1e-3, most_loss = 2;
 constexpr double most_acceleration = 1e100;  // [m/s^2] its square is summed up
 constexpr double shortest_period = 1e-3;     // of a spacing: below, the mass follows the ground
 constexpr double longest_period = 1e6;       // of the recording's duration: above, the ground moves past it
-
-template <std::size_t n>
-Result<std::size_t> choice(std::string_view option, const std::string& typed,
-                           const std::array<std::string_view, n>& words) {
-  if (typed.empty()) return std::size_t{0};
-  const auto found = std::find(words.begin(), words.end(), typed);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  const std::string near = nearest(typed, {words.begin(), words.end()});
-  return Error{"unknown_choice",
-               {{"option", option},
-                {"typed", typed},
-                {"words", std::vector<std::string>(words.begin(), words.end())},
-                {"near", near.empty() ? Notice{} : Notice{"perhaps_choice", {{"near", near}}}}}};
-}
 
 /// Whether a notice is about a column whose unit is not known.
 bool says_no_unit(const Notice& notice) {
@@ -129,6 +115,11 @@ Result<void> match(std::vector<Component>& components, std::vector<Notice>& noti
   return {};
 }
 
+/// A period or frequency as it was asked for: "0.1 s", "20 rad/s".
+std::string typed(double value, bool by_frequency) {
+  return fmt::format("{} {}", shortest(value), by_frequency ? "rad/s" : "s");
+}
+
 std::string fill_in_periods(SpectrumOptions& options, const Component& component) {
   if (!options.shock) return options.periods = "0.01:10:200:log";
   // From a tenth of a cycle within the shock to ten samples a cycle.
@@ -178,12 +169,32 @@ Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
   return ratios;
 }
 
+Result<void> check_components(const SpectrumOptions& options, std::size_t files) {
+  const std::size_t given = files * std::max<std::size_t>(1, options.column.size());
+  if (given > 2) return Error{"too_many_components", {{"given", given}}};
+  return {};
+}
+
+Result<std::optional<Grid>> grid_of(const SpectrumOptions& options) {
+  if (!options.periods.empty() && !options.frequencies.empty()) return Error{"oscillators_said_twice"};
+  const bool listed = !options.these_periods.empty(), by_frequency = options.by_frequency();
+  if (!listed && !by_frequency && options.periods.empty()) return std::optional<Grid>{};
+  const std::string_view option = by_frequency ? "frequencies" : "periods";
+  const auto grid = listed         ? Result<Grid>(Grid(options.these_periods))
+                    : by_frequency ? parse_grid(options.frequencies, "rad/s")
+                                   : parse_grid(options.periods, "s");
+  if (!grid) return wrong_grid(option, grid.error());
+  if (!(grid->lowest() > 0))
+    return Error{"oscillator_not_positive",
+                 {{"option", option}, {"value", typed(grid->lowest(), by_frequency)}}};
+  return std::optional(*grid);
+}
+
 Result<std::vector<Component>> read_components(std::span<const Recording> recordings,
                                                const SpectrumOptions& options, std::vector<Notice>& notices) {
+  if (auto good = check_components(options, recordings.size()); !good) return good.error();
   const std::vector<std::string> columns =
       options.column.empty() ? std::vector<std::string>{""} : options.column;
-  if (recordings.size() * columns.size() > 2)
-    return Error{"too_many_components", {{"given", recordings.size() * columns.size()}}};
   std::vector<Component> components;
   for (const auto& recording : recordings)
     for (const auto& column : columns) {
@@ -198,29 +209,25 @@ Result<std::vector<Component>> read_components(std::span<const Recording> record
 
 Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component& component,
                                        std::size_t damping_ratios) {
-  if (!options.periods.empty() && !options.frequencies.empty()) return Error{"oscillators_said_twice"};
-  const bool listed = !options.these_periods.empty();
-  if (!listed && options.periods.empty() && options.frequencies.empty()) fill_in_periods(options, component);
-  const bool by_period = listed || !options.periods.empty();
-  const std::string_view option = by_period ? "periods" : "frequencies";
-  const auto grid = listed      ? Result<Grid>(Grid(options.these_periods))
-                    : by_period ? parse_grid(options.periods, "s")
-                                : parse_grid(options.frequencies, "rad/s");
-  if (!grid) return wrong_grid(option, grid.error());
+  if (options.these_periods.empty() && options.periods.empty() && options.frequencies.empty())
+    fill_in_periods(options, component);
+  const auto grid = grid_of(options);
+  if (!grid) return grid.error();
+  const bool by_frequency = options.by_frequency();
+  const std::string_view option = by_frequency ? "frequencies" : "periods";
   // For the results, and for what is written of them.
   const double bytes = 64 + 600 * static_cast<double>(damping_ratios);
-  auto values = values_of(*grid, bytes, options.memory);
+  auto values = values_of(**grid, bytes, options.memory);
   if (!values) return wrong_grid(option, values.error());
   for (double& value : *values) {
-    const std::string typed = fmt::format("{} {}", shortest(value), by_period ? "s" : "rad/s");
-    if (!(value > 0)) return Error{"oscillator_not_positive", {{"option", option}, {"value", typed}}};
-    if (!by_period) value = two_pi / value;
+    const std::string as_typed = typed(value, by_frequency);
+    if (by_frequency) value = two_pi / value;
     if (value < shortest_period * component.spacing)
       return Error{"period_too_short",
-                   {{"option", option}, {"value", typed}, {"spacing", component.spacing}}};
+                   {{"option", option}, {"value", as_typed}, {"spacing", component.spacing}}};
     if (value > longest_period * component.duration())
       return Error{"period_too_long",
-                   {{"option", option}, {"value", typed}, {"duration", component.duration()}}};
+                   {{"option", option}, {"value", as_typed}, {"duration", component.duration()}}};
   }
   return values;
 }

@@ -1,9 +1,11 @@
 // From the options of `spectrum` and its files to what is computed.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "cromer/base/grid.h"
 #include "cromer/result.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 
@@ -16,6 +18,12 @@ Result<BetweenSamples> between_of(const SpectrumOptions& options);
 
 /// Damping ratios, or loss factors if those are given.
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
+
+/// Periods [s], or frequencies [rad/s], as asked for, all positive; empty where nothing is asked for.
+Result<std::optional<Grid>> grid_of(const SpectrumOptions& options);
+
+/// One file, or two components of one motion, and no more.
+Result<void> check_components(const SpectrumOptions& options, std::size_t files);
 
 /// The one or two components, sampled alike and equally long; `notices` grows.
 Result<std::vector<Component>> read_components(std::span<const Recording> recordings,

@@ -1,15 +1,14 @@
-#include "fit_files.h"
+#include "many_files.h"
 
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <mutex>
-#include <new>
 #include <string_view>
 #include <thread>
 
 #include "cromer/base/ascii.h"
-#include "cromer/tasks/open_recording.h"
+#include "cromer/os/process.h"
 
 namespace cromer::core::cli {
 namespace {
@@ -75,19 +74,6 @@ class SharedProgress {
   double sum_ = 0;
 };
 
-std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions& options,
-                                      const Watch& watch) {
-  try {
-    const auto recording = open_recording(file, options.read);
-    if (!recording) return {not_fitted(file, options.run.value_or(1), recording.error().notice)};
-    auto fits = fit(*recording, options, watch);
-    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().notice)};
-    return *std::move(fits);
-  } catch (const std::bad_alloc&) {
-    return {not_fitted(file, 1, Notice{"no_memory_for_file"})};
-  }
-}
-
 }  // namespace
 
 Result<RecordingFiles> recording_files(const std::vector<std::string>& named) {
@@ -99,33 +85,29 @@ Result<RecordingFiles> recording_files(const std::vector<std::string>& named) {
       found.files.push_back(name);
       continue;
     }
-    found.many = true;
+    found.many = found.of_folder = true;
     if (auto good = open_folder(name, found); !good) return good.error();
   }
   return found;
 }
 
-std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
-                                       const Watch& watch) {
-  std::vector<std::vector<FittedRecording>> of_file(files.size());
-  SharedProgress progress(watch, files.size());
+void for_each_file(std::size_t count, const Watch& watch,
+                   FunctionRef<void(std::size_t i, const Watch& watch)> work) {
+  SharedProgress progress(watch, count);
   std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < files.size() && !watch.interrupted(); i = next++) {
-      of_file[i] = fit_file(files[i], options, progress.of(i));
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count && !watch.interrupted(); i = next++) {
+      work(i, progress.of(i));
       progress.tell(i, 1);
+      // What each leaves behind cuts the freed memory into pieces too small for the next one.
+      if (i % 16 == 15) os::give_memory_back();
     }
   };
-  const std::size_t threads =
-      std::min<std::size_t>(files.size(), std::max(1u, std::thread::hardware_concurrency()));
+  const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(take);
+  take();
   for (auto& thread : others) thread.join();
-
-  std::vector<FittedRecording> fits;
-  for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
-  return fits;
 }
 
 }  // namespace cromer::core::cli

@@ -1,10 +1,14 @@
-// Many recordings at once: which files, and their fits on all processors.
+// Many recordings at once: which files, and the work on each of them on all processors.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "cromer/tasks/fit/fit.h"
+#include "cromer/base/function_ref.h"
+#include "cromer/base/interrupt.h"
+#include "cromer/notice.h"
+#include "cromer/result.h"
 
 namespace cromer::core::cli {
 
@@ -12,6 +16,7 @@ namespace cromer::core::cli {
 struct RecordingFiles {
   std::vector<std::string> files;  ///< in the order named, a folder's by name, capitals first
   bool many = false;               ///< more than one file, or a folder, was named: the answer is a list
+  bool of_folder = false;          ///< a folder was named
   std::vector<Notice> notes;       ///< what of a folder was left aside
 };
 
@@ -19,10 +24,9 @@ struct RecordingFiles {
 /// Error.
 Result<RecordingFiles> recording_files(const std::vector<std::string>& named);
 
-/// The fits of all files in their order, each file's as if it were alone, on as many threads as there are
-/// processors. A file that cannot be read is a row that says why. After an interruption the files that were
-/// not begun are missing.
-std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
-                                       const Watch& watch);
+/// Calls `work` with each index below `count`, on as many threads as there are processors; `watch` tells the
+/// progress of all together. After an interruption no further one is begun.
+void for_each_file(std::size_t count, const Watch& watch,
+                   FunctionRef<void(std::size_t i, const Watch& watch)> work);
 
 }  // namespace cromer::core::cli
