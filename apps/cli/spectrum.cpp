@@ -230,7 +230,7 @@ int run_spectrum(const Arguments& arguments) {
   syntax.options.push_back({"files", &files, "", Range::any,
                             "each: every file is a motion of its own; pairs: two after each other are the "
                             "components of one",
-                            "pairs of exactly two files, else each", "The recording"});
+                            "pairs of exactly two files, else each", "Several files"});
   add_output_options(syntax.options, output.common, {.provenance = true},
                      "the spectrum as .csv, .json or .h5");
   syntax.options.push_back({"fourier", &output.fourier, "", Range::any,

@@ -248,8 +248,9 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
           table<FittedRecording>("fit") + table<CompareResult>("compare") +
           table<DescribedRun>("simulate: each of `runs[]`") +
           table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
-          table<SweepDocument>("sweep") + table<SpectrumDocument>("spectrum") +
-          table<MotionSpectra>("spectrum of many recordings: each of `motions[]`") +
+          table<SweepDocument>("sweep") +
+          table<SpectrumDocument>("spectrum; of many recordings each of `motions[]`, with its `files`, or "
+                                  "`files` and `message` alone") +
           table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
 }
 

@@ -171,12 +171,12 @@ TEST(Catalogue, HasEachCodeOnceInBothLanguages) {
 
 TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
   // What apps/cli and studies have beside the tables of the tasks.
-  std::set<std::string> known{"output",         "plot",    "json",     "quiet",          "verbose",
-                              "help",           "motion",  "fourier",  "tripartite",     "static",
-                              "mass-line",      "masses",  "gravity",  "resume",         "trajectories",
-                              "every",          "address", "points",   "frequency-from", "frequency-to",
-                              "damping-ratios", "longest", "halvings", "port",           "page",
-                              "panels"};
+  std::set<std::string> known{"output",       "plot",           "json",    "quiet",    "verbose",
+                              "help",         "motion",         "fourier", "files",    "tripartite",
+                              "static",       "mass-line",      "masses",  "gravity",  "resume",
+                              "trajectories", "every",          "address", "points",   "frequency-from",
+                              "frequency-to", "damping-ratios", "longest", "halvings", "port",
+                              "page",         "panels"};
   const auto add = [&](auto options) {
     for (const Option& option : options_of(options)) known.emplace(option.name);
   };
