@@ -30,22 +30,33 @@ namespace {
 /// What this command writes beside the common files.
 struct SpectrumOutput {
   OutputOptions common{};
-  std::string fourier{};
+  std::string fourier{}, motion{};
   bool tripartite = false;
 };
+
+/// Checks one of the further files, all of which are .csv, and none of the other `files` the command writes.
+Result<void> check_csv(const char* option, const std::string& file, const char* not_csv,
+                       std::initializer_list<std::pair<const char*, const std::string*>> files,
+                       const std::vector<std::string>& inputs) {
+  if (file.empty()) return {};
+  if (!file.ends_with(".csv")) return Error{not_csv, {{"file", file}}};
+  for (const auto& [name, other] : files)
+    if (file == *other)
+      return Error{"two_outputs_one_file", {{"first", name}, {"second", option}, {"file", file}}};
+  OutputOptions same;
+  same.output = file;
+  return check_outputs(same, inputs, option);
+}
 
 Result<void> check_output(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
   if (auto good = check_outputs(output.common, inputs); !good) return good;
   if (output.tripartite && output.common.plot.empty()) return Error{"tripartite_without_plot"};
   if (output.tripartite && shock) return Error{"tripartite_of_shock"};
-  if (output.fourier.empty()) return {};
-  if (!output.fourier.ends_with(".csv")) return Error{"fourier_is_csv", {{"file", output.fourier}}};
-  if (output.fourier == output.common.output)
-    return Error{"two_outputs_one_file",
-                 {{"first", "-o"}, {"second", "--fourier"}, {"file", output.fourier}}};
-  OutputOptions same;
-  same.output = output.fourier;
-  return check_outputs(same, inputs, "--fourier");
+  const std::pair<const char*, const std::string*> table{"-o", &output.common.output},
+      fourier{"--fourier", &output.fourier};
+  if (auto good = check_csv("--fourier", output.fourier, "fourier_is_csv", {table}, inputs); !good)
+    return good;
+  return check_csv("--motion", output.motion, "motion_is_csv", {table, fourier}, inputs);
 }
 
 /// The files of each motion: one, or the two components of one.
@@ -97,8 +108,9 @@ int run_one(const std::vector<std::string>& files, const SpectrumOptions& option
        .tables = [&] { return spectrum_tables(*result, command_line("spectrum", arguments)); },
        .figure = [&] { return output.tripartite ? tripartite_figure(*result) : spectrum_figure(*result); },
        .other_files = [&]() -> Result<void> {
-         if (output.fourier.empty()) return {};
-         return write_file(output.fourier, fourier_csv(*result, head));
+         if (!output.fourier.empty())
+           if (auto good = write_file(output.fourier, fourier_csv(*result, head)); !good) return good;
+         return output.motion.empty() ? Result<void>{} : write_file(output.motion, ground_csv(*result, head));
        },
        .notices = result->notices},
       output.common);
@@ -235,6 +247,11 @@ int run_spectrum(const Arguments& arguments) {
                      "the spectrum as .csv, .json or .h5");
   syntax.options.push_back({"fourier", &output.fourier, "", Range::any,
                             "the recording's Fourier amplitudes as .csv", "none", "Output"});
+  syntax.options.push_back(
+      {"motion", &output.motion, "", Range::any,
+       "the ground sample by sample as .csv: acceleration, and velocity and displacement "
+       "from rest at the first sample",
+       "none", "Output"});
   syntax.options.push_back({"tripartite", &output.tripartite, "", Range::any,
                             "draw pseudo-velocity over lines of displacement and acceleration",
                             "pseudo-acceleration", "Output"});
@@ -247,7 +264,8 @@ int run_spectrum(const Arguments& arguments) {
   if (!motions) return refuse(motions.error());
   options.memory = os::memory() / 2;  // what is computed is written out once more as text
   if (motions->size() == 1 && !found->of_folder) return run_one(motions->front(), options, output, arguments);
-  if (!output.fourier.empty()) return refuse(Error{"fourier_of_one_motion"});
+  for (const auto& [option, file] : {std::pair{"fourier", &output.fourier}, {"motion", &output.motion}})
+    if (!file->empty()) return refuse(Error{"file_of_one_motion", {{"option", option}}});
   if (auto good = check_spectrum_options(options, motions->front().size()); !good)
     return refuse(good.error());
   return run_many(*motions, found->notes, options, output, arguments);

@@ -48,11 +48,17 @@ struct ResponseSpectrum {
   std::vector<double> pseudo_velocity;      // [m/s] PSV = w SD
   std::vector<double> pseudo_acceleration;  // [m/s^2] PSA = w^2 SD
   std::vector<double> rotd50, rotd100;      // [m] of two components: SD over all horizontal directions
-  double peak_acceleration = 0;             // [m/s^2] of the ground
-  double arias_intensity = 0;               // [m/s]
-  double duration_5_95 = 0;                 // [s] significant duration
-  bool interrupted = false;                 ///< then the vectors are empty
-  std::vector<Notice> notices;              ///< what else there is to know
+  /// Of the ground, at its samples, from rest at the first one.
+  std::vector<double> ground_velocity, ground_displacement;  // [m/s], [m]
+  double peak_acceleration = 0;                              // [m/s^2] PGA of the ground
+  double peak_velocity = 0;                                  // [m/s] PGV
+  double peak_displacement = 0;                              // [m] PGD
+  double cumulative_absolute_velocity = 0;                   // [m/s] CAV
+  double arias_intensity = 0;                                // [m/s]
+  double duration_5_75 = 0, duration_5_95 = 0;               // [s] significant durations
+  double duration_bracketed = 0;  // [s] from the first to the last |a| of 0.05 g; 0: none
+  bool interrupted = false;       ///< then the vectors are empty
+  std::vector<Notice> notices;    ///< what else there is to know
   std::shared_ptr<const core::SpectrumResult> detail{};
 };
 

@@ -721,6 +721,22 @@ class Spectrum(Result):
         return self._of("pseudo_acceleration")
 
     @property
+    def ground_velocity(self) -> Numbers:
+        """Of the ground (the first component), from rest at the first sample, one for each sample [m/s]."""
+        return self._answer.arrays.get("ground_velocity", np.empty(0))
+
+    @property
+    def ground_displacement(self) -> Numbers:
+        """Of the ground, likewise [m]."""
+        return self._answer.arrays.get("ground_displacement", np.empty(0))
+
+    @property
+    def components(self) -> List[Dict[str, Any]]:
+        """What there is to say of each component itself: `peak_velocity`, `cumulative_absolute_velocity`, `duration_5_75`
+        and the other entries of the document (docs/results.md)."""
+        return self.to_dict()["components"]  # type: ignore[no-any-return]
+
+    @property
     def rotd50(self) -> Numbers:
         """Of two components, the median over all directions [m]."""
         return self._of("rotd50")

@@ -111,6 +111,29 @@ def test_a_spectrum_beside_scipy():
     assert several.sd.shape == (2, 3) and np.array_equal(several.sd[1], found.sd)
 
 
+def test_the_ground_of_a_spectrum_is_its_own_integral():
+    dt, fine = 0.02, 500
+    a = np.random.default_rng(7).normal(size=120)
+    a[-1] = 0
+    found = cromer.spectrum(a, dt, periods=[0.3])
+    t = np.arange(a.size) * dt
+    dense = np.interp(np.arange((a.size - 1) * fine + 1) * (dt / fine), t, a)
+    v = np.concatenate([[0], np.cumsum((dense[1:] + dense[:-1]) / 2) * (dt / fine)])
+    x = np.concatenate([[0], np.cumsum((v[1:] + v[:-1]) / 2) * (dt / fine)])
+    assert np.allclose(found.ground_velocity, v[::fine], atol=1e-12)
+    assert np.allclose(found.ground_displacement, x[::fine], atol=1e-8)
+    ground = found.components[0]
+    assert ground["peak_velocity"] == pytest.approx(np.abs(v).max(), rel=1e-6)
+    assert ground["peak_displacement"] == pytest.approx(np.abs(x).max(), rel=1e-6)
+    assert ground["cumulative_absolute_velocity"] == pytest.approx(np.abs(dense).sum() * dt / fine, rel=1e-5)
+    above = np.flatnonzero(np.abs(dense) >= 0.05 * 9.80665) * (dt / fine)
+    assert ground["duration_bracketed"] == pytest.approx(above[-1] - above[0], abs=2 * dt / fine)
+    energy = np.cumsum(dense ** 2) / np.sum(dense ** 2)
+    share = [np.searchsorted(energy, each) * (dt / fine) for each in (0.05, 0.75, 0.95)]
+    assert ground["duration_5_75"] == pytest.approx(share[1] - share[0], abs=2 * dt / fine)
+    assert ground["duration_5_95"] == pytest.approx(share[2] - share[0], abs=2 * dt / fine)
+
+
 def test_a_shock_spectrum_beside_scipy():
     signal = pytest.importorskip("scipy.signal")
     dt, length = 1e-4, 0.02

@@ -48,6 +48,79 @@ TEST(Intensity, OfARampIsByHand) {
   EXPECT_NEAR(through.duration, h * std::cbrt(0.9), 1e-14);
 }
 
+// One cycle of a rectangle: up for two steps, down for two.
+TEST(GroundPath, OfHeldSamplesIsByHand) {
+  const std::vector<double> a{3, 3, -3, -3};
+  const GroundPath path = ground_path(a, 0.5, hold);
+  EXPECT_EQ(path.velocity, (std::vector<double>{0, 1.5, 3, 1.5}));
+  EXPECT_EQ(path.displacement, (std::vector<double>{0, 0.375, 1.5, 2.625}));
+  EXPECT_EQ(path.peak_velocity, 3);
+  EXPECT_EQ(path.peak_displacement, 3);  // where the hold of the last sample ends
+  EXPECT_EQ(cumulative_absolute_velocity(a, 0.5, hold), 6);
+}
+
+// a = 1 - t from 0 to 2, then -1 + (t - 2): v = t - t^2/2 peaks at 1/2, and is 0 at 2 where x is highest.
+TEST(GroundPath, TurnsBetweenSamplesCount) {
+  const std::vector<double> a{1, -1.0, 1};
+  const GroundPath path = ground_path(a, 2, linear);
+  EXPECT_NEAR(path.peak_velocity, 0.5, 1e-15);
+  EXPECT_NEAR(path.peak_displacement, 2.0 / 3, 1e-15);
+  EXPECT_NEAR(path.velocity[1], 0, 1e-15);
+  EXPECT_NEAR(path.displacement[1], 2.0 / 3, 1e-15);
+  EXPECT_NEAR(path.displacement[2], 0, 1e-15);
+  EXPECT_NEAR(cumulative_absolute_velocity(a, 2, linear), 2, 1e-15);
+  // v = t^2/2 - t, x = t^3/6 - t^2/2: from rest backwards, its turn inside the only interval.
+  const GroundPath turned = ground_path(std::vector<double>{-1, 3}, 4, linear);
+  EXPECT_NEAR(turned.peak_velocity, 4, 1e-14);
+  EXPECT_NEAR(turned.peak_displacement, 8.0 / 3, 1e-14);
+  const GroundPath there = ground_path(std::vector<double>{-1, 1.5}, 2.5, linear);
+  EXPECT_NEAR(there.peak_displacement, 2.0 / 3, 1e-14);  // at 2, between the samples
+}
+
+TEST(GroundPath, IsThatOfAFineSum) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> a(25);
+  for (double& value : a) value = normal(random);
+  const double h = 0.3;
+  constexpr int fine = 4000;
+  for (const auto between : {hold, linear}) {
+    const GroundPath path = ground_path(a, h, between);
+    const double step = h / fine;
+    double v = 0, x = 0, most_v = 0, most_x = 0, sum = 0;
+    for (std::size_t i = 0; i + (between == linear) < a.size(); ++i) {
+      EXPECT_NEAR(path.velocity[i], v, 1e-9);
+      EXPECT_NEAR(path.displacement[i], x, 1e-7);
+      for (int k = 0; k < fine; ++k) {
+        const double p = (k + 0.5) / fine;
+        const double here = between == hold ? a[i] : a[i] + p * (a[i + 1] - a[i]);
+        x += step * (v + step * here / 2);
+        v += step * here;
+        sum += step * std::abs(here);
+        most_v = std::max(most_v, std::abs(v));
+        most_x = std::max(most_x, std::abs(x));
+      }
+    }
+    EXPECT_NEAR(path.peak_velocity, most_v, 1e-6);
+    EXPECT_NEAR(path.peak_displacement, most_x, 1e-6);
+    EXPECT_NEAR(cumulative_absolute_velocity(a, h, between), sum, 1e-6);
+  }
+}
+
+TEST(BracketedDuration, IsFromTheFirstToTheLastReach) {
+  const std::vector<double> a{0, 1, -2, 0, 0.5, 0};
+  EXPECT_NEAR(bracketed_duration(a, 2, linear, 0.5), 2 * (4 - 0.5), 1e-15);
+  EXPECT_NEAR(bracketed_duration(a, 2, linear, 1.0), 2 * (2.5 - 1), 1e-15);
+  EXPECT_NEAR(bracketed_duration(a, 2, linear, 1.5), 2 * (2.25 - (1 + 2.5 / 3)), 1e-15);
+  EXPECT_EQ(bracketed_duration(a, 2, linear, 2.5), 0);
+  EXPECT_EQ(bracketed_duration(a, 2, hold, 1.0), 4);
+  EXPECT_EQ(bracketed_duration(std::vector<double>{1, 1, 1}, 2, hold, 1.0), 6);
+}
+
+TEST(Intensity, OfAConstantReaches75PercentInTime) {
+  EXPECT_NEAR(of(std::vector(31, 2.0), 0.1, linear).duration_75, 0.7 * 3, 1e-14);
+}
+
 TEST(Intensity, IsThatOfAFineSum) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;

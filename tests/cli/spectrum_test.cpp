@@ -252,7 +252,7 @@ TEST(Spectrum, SaysTheIntensityOfAnySize) {
     return folder.run({"spectrum", "a.csv", "--periods", "0.1", "--peaks", "samples"});
   };
   // pi/(2 g) h 1e2n: of the three intervals two have 1/3, the crossing one 1/3 as well.
-  EXPECT_THAT(shaken("0").out, HasSubstr("0.0016018"));
+  EXPECT_THAT(shaken("0").out, HasSubstr("0.001602"));
   EXPECT_THAT(shaken("-100").out, HasSubstr("10⁻²⁰³"));
   EXPECT_THAT(shaken("-200").out, HasSubstr("about 10^-403"));
   EXPECT_THAT(shaken("-200").err, HasSubstr("about 10^-403 m/s, is below any number"));
@@ -279,6 +279,55 @@ TEST(Spectrum, ShowsFrequenciesToWhomeverAskedForThem) {
   const Finished shock = run({"--shock", "--periods", "2,0.5,0.25"});
   EXPECT_THAT(shock.out, HasSubstr("period (s)  "));
   EXPECT_THAT(folder.read("figure.svg"), testing::Not(HasSubstr("Hz")));
+}
+
+// Two components of a ground that goes to and fro in closed form: a = A sin w t, v = A/w (1 - cos w t).
+TEST(Spectrum, SaysTheMeasuresOfTheGround) {
+  const Folder folder;
+  const auto swing = [](double size) {
+    std::string bytes = "Time (s),acc (m/s^2)\n";
+    for (int i = 0; i <= 4000; ++i) {
+      char line[60];
+      std::snprintf(line, sizeof line, "%.4f,%.12f\n", i * 5e-4, size * std::sin(M_PI * i * 5e-4));
+      bytes += line;
+    }
+    return bytes;
+  };
+  folder.write("h1.csv", swing(2));
+  folder.write("h2.csv", swing(0.5));
+  const std::vector<std::string> two{"spectrum", "h1.csv", "h2.csv", "--periods", "1", "--json"};
+  auto with_motion = two;
+  with_motion.insert(with_motion.end(), {"--motion", "ground.csv", "--in-g"});
+  const auto document = folder.run(two).json();
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto found = document["components"][c];
+    const double size = c == 0 ? 2 : 0.5, w = M_PI;
+    EXPECT_NEAR(found["peak_acceleration"].get<double>(), size, 1e-6);
+    EXPECT_NEAR(found["peak_velocity"].get<double>(), 2 * size / w, 1e-6);
+    EXPECT_NEAR(found["peak_displacement"].get<double>(), size * 2 / w, 1e-6);
+    EXPECT_NEAR(found["cumulative_absolute_velocity"].get<double>(), 4 * size / w, 1e-6);
+    const double edge = std::asin(0.05 * 9.80665 / size) / w;
+    EXPECT_NEAR(found["duration_bracketed"].get<double>(), 2 - 2 * edge, c == 0 ? 1e-6 : 1e-5);
+    // sin^2 summed from 0 to t is t/2 - sin(2 w t)/(4 w), 1 in all: 75 % where that is 0.75.
+    const double from = found["from_5"], to = from + found["duration_5_75"].get<double>();
+    EXPECT_NEAR(from / 2 - std::sin(2 * w * from) / (4 * w), 0.05, 1e-6);
+    EXPECT_NEAR(to / 2 - std::sin(2 * w * to) / (4 * w), 0.75, 1e-6);
+  }
+  ASSERT_EQ(folder.run(with_motion).status, 0);
+  const auto lines = lines_of(folder.read("ground.csv"));
+  ASSERT_EQ(lines.size(), 4002u);
+  EXPECT_EQ(lines[0],
+            "t (s),acceleration 1 (g),velocity 1 (m/s),displacement 1 (m),acceleration 2 (g),"
+            "velocity 2 (m/s),displacement 2 (m)");
+  double t = 0, a = 0, v = 0, x = 0;
+  ASSERT_EQ(std::sscanf(lines[2001].c_str(), "%lf,%lf,%lf,%lf", &t, &a, &v, &x), 4);
+  EXPECT_EQ(t, 1);
+  EXPECT_NEAR(v, 4 / M_PI, 1e-6);
+  EXPECT_NEAR(x, 2 / M_PI, 1e-6);
+  with_motion[with_motion.size() - 2] = "ground.txt";
+  EXPECT_THAT(folder.run(with_motion).err, HasSubstr("--motion: ground.txt"));
+  with_motion[with_motion.size() - 2] = "h1.csv";
+  EXPECT_EQ(folder.run(with_motion).status, 2);
 }
 
 TEST(Spectrum, FourierAmplitudesGoToTheirFile) {
@@ -391,7 +440,9 @@ TEST(Spectrum, BadInputWritesNothing) {
           "--periods: it must be positive, not -1");
   refused({"quake.csv", "slow.csv", "path.csv", "--peaks", "sampls"}, "did you mean samples?");
   refused({"quake.csv", "slow.csv", "path.csv", "--fourier", "fas.csv"},
-          "--fourier writes the amplitudes of one");
+          "--fourier writes a file of one motion");
+  refused({"quake.csv", "slow.csv", "path.csv", "--motion", "m.csv"}, "--motion writes a file of one motion");
+  refused({"quake.csv", "--motion", "m.csv", "--fourier", "m.csv"}, "--fourier and --motion both name m.csv");
   refused({"quake.csv", "--periods", "0:10:50:log"}, "both ends must be positive");
   refused({"quake.csv", "--periods", "0.1:10:0"}, "asks for no points");
   refused({"quake.csv", "--periods", "0.1:10:1000000000000000"}, "1e+15 points need 664 PB of memory");

@@ -113,5 +113,20 @@ TEST(PublishedSpectra, Eqsig) {
   EXPECT_NEAR(most, 0.047, 0.002);
 }
 
+// PEER filters its records so that velocity and displacement end where they began.
+TEST(PublishedGround, IntegratesBackToRest) {
+  for (const char* name : {"RSN753_LOMAP_CLS000-hor1.AT2", "RSN8883_14383980_13849090.AT2"}) {
+    const SpectrumFile file = ground_motion(name);
+    if (file.bytes.empty()) GTEST_SKIP() << "no ../shared/data";
+    SpectrumOptions options;
+    options.periods = "1";
+    const auto result = response_spectrum({&file, 1}, options);
+    ASSERT_TRUE(result.ok());
+    const GroundPath& path = result->components[0].path;
+    EXPECT_LT(std::abs(path.velocity.back()), 2e-5 * path.peak_velocity) << name;
+    EXPECT_LT(std::abs(path.displacement.back()), 1e-4 * path.peak_displacement) << name;
+  }
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -314,6 +314,24 @@ void append_spectra(std::string& out, const MotionSpectra& motion, const std::st
   append_rows(out, *motion.result, fmt::format("{}", fmt::join(motion.files, " + ")), command, first);
 }
 
+std::string ground_csv(const SpectrumResult& result, const std::string& command) {
+  NamedColumns columns;
+  auto& t = columns.add("t (s)");
+  for (std::size_t i = 0; i < result.components[0].samples; ++i)
+    t.push_back(result.components[0].spacing * static_cast<double>(i));
+  for (std::size_t c = 0; c < result.components.size(); ++c) {
+    const Component& component = result.components[c];
+    const std::string which = result.components.size() > 1 ? fmt::format(" {}", c + 1) : "";
+    columns.add(heading("acceleration" + which, written_unit(result))) = component.acceleration;
+    for (double& a : columns.values.back()) a /= written_acceleration(result);
+    columns.add(heading("velocity" + which, "m/s")) = component.path.velocity;
+    columns.add(heading("displacement" + which, "m")) = component.path.displacement;
+  }
+  std::string out;
+  append_csv(out, csv_columns(columns), std::vector{command}, true);
+  return out;
+}
+
 std::string fourier_csv(const SpectrumResult& result, const std::string& command) {
   NamedColumns cells;
   auto& frequency = cells.add("frequency (Hz)");

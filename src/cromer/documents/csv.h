@@ -65,6 +65,10 @@ std::string spectrum_csv(const SpectrumResult& result, const std::string& comman
 /// " + ". The header and `command` come with the first one.
 void append_spectra(std::string& out, const MotionSpectra& motion, const std::string& command, bool first);
 
+/// The motion of the ground sample by sample: "t (s),acceleration (m/s²),velocity (m/s),displacement (m)", of
+/// two components "acceleration 1 (m/s²)" and so on.
+std::string ground_csv(const SpectrumResult& result, const std::string& command);
+
 /// Fourier amplitudes against frequency, one column for each component.
 std::string fourier_csv(const SpectrumResult& result, const std::string& command);
 

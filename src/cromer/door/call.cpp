@@ -389,6 +389,8 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   found->notices = in_arguments(std::move(found->notices), file->empty());
   const auto& kept = result.found.emplace<SpectrumResult>(*std::move(found));
   result.show("period", kept.periods);
+  result.show("ground_velocity", kept.components[0].path.velocity);
+  result.show("ground_displacement", kept.components[0].path.displacement);
   for (std::size_t i = 0; i < kept.spectra.size(); ++i) {
     const ResponseSpectrum& spectrum = kept.spectra[i];
     const std::string ratio = kept.spectra.size() > 1 ? std::to_string(i + 1) + "." : "";

@@ -17,7 +17,14 @@ ResponseSpectrum spectrum_of(std::shared_ptr<const core::SpectrumResult> result)
   const core::Component& ground = result->components.front();
   spectrum.peak_acceleration = ground.peak;
   spectrum.arias_intensity = ground.intensity.arias;
+  spectrum.ground_velocity = ground.path.velocity;
+  spectrum.ground_displacement = ground.path.displacement;
+  spectrum.peak_velocity = ground.path.peak_velocity;
+  spectrum.peak_displacement = ground.path.peak_displacement;
+  spectrum.cumulative_absolute_velocity = ground.absolute_velocity;
+  spectrum.duration_5_75 = ground.intensity.duration_75;
   spectrum.duration_5_95 = ground.intensity.duration;
+  spectrum.duration_bracketed = ground.bracketed_duration;
   spectrum.interrupted = result->interrupted;
   spectrum.notices = result->notices;
   if (!result->interrupted) {

@@ -151,8 +151,13 @@ std::vector<double> set_shock(const std::string& name, const ResponseSpectrum& s
 void collect(const std::string& id, const SpectrumResult& all, Results& results) {
   const Component& component = all.components.front();
   results.set(id + ".peak_acceleration", component.peak, "m/s²");
+  results.set(id + ".peak_velocity", component.path.peak_velocity, "m/s");
+  results.set(id + ".peak_displacement", component.path.peak_displacement, "m");
+  results.set(id + ".cumulative_absolute_velocity", component.absolute_velocity, "m/s");
   results.set(id + ".arias_intensity", component.intensity.arias, "m/s");
+  results.set(id + ".duration_5_75", component.intensity.duration_75, "s");
   results.set(id + ".duration_5_95", component.intensity.duration, "s");
+  results.set(id + ".duration_bracketed", component.bracketed_duration, "s");
   std::vector<double> frequencies;
   for (const double period : all.periods) frequencies.push_back(1 / period);
   for (std::size_t n = 0; n < all.spectra.size(); ++n) {

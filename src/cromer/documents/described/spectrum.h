@@ -168,7 +168,16 @@ struct Described<ComponentOf> {
           "duration", [](const C& c) { return c.component.duration(); }, "s", "duration of the record"),
       field(
           "peak_acceleration", [](const C& c) { return c.component.peak / written_acceleration(c.of); },
-          unit_as_written, "largest magnitude of the acceleration"),
+          unit_as_written, "PGA: largest magnitude of the acceleration"),
+      field(
+          "peak_velocity", [](const C& c) { return c.component.path.peak_velocity; }, "m/s",
+          "PGV: largest magnitude of the velocity, from rest at the first sample"),
+      field(
+          "peak_displacement", [](const C& c) { return c.component.path.peak_displacement; }, "m",
+          "PGD: largest magnitude of the displacement, likewise"),
+      field(
+          "cumulative_absolute_velocity", [](const C& c) { return c.component.absolute_velocity; }, "m/s",
+          "CAV: integral of |a|"),
       field(
           "arias_intensity", [](const C& c) { return c.component.intensity.arias; }, "m/s",
           "Arias intensity: pi/(2 g) times the integral of a²"),
@@ -176,8 +185,14 @@ struct Described<ComponentOf> {
           "from_5", [](const C& c) { return c.component.intensity.from; }, "s",
           "time when 5 % of the Arias intensity are reached"),
       field(
+          "duration_5_75", [](const C& c) { return c.component.intensity.duration_75; }, "s",
+          "time from 5 % to 75 % of the Arias intensity"),
+      field(
           "duration_5_95", [](const C& c) { return c.component.intensity.duration; }, "s",
-          "time from 5 % to 95 % of the Arias intensity"));
+          "time from 5 % to 95 % of the Arias intensity"),
+      field(
+          "duration_bracketed", [](const C& c) { return c.component.bracketed_duration; }, "s",
+          "time from the first to the last acceleration of 0.05 g; 0 where there is none"));
 };
 
 template <>

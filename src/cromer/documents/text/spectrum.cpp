@@ -18,24 +18,32 @@ bool is_alphanumeric(char c) { return is_digit(c) || (lower(c) >= 'a' && lower(c
 
 /// The power of ten if the number itself is beyond any double.
 std::string arias_intensity(const Intensity& intensity) {
-  return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
+  return std::isfinite(intensity.arias) ? rounded(intensity.arias, 4)
                                         : fmt::format("about 10^{:.0f}", intensity.decades);
 }
 
-const std::vector<std::string> recording_headings{
-    "recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"};
+std::vector<std::string> recording_headings(const SpectrumResult& result) {
+  return {"recording",  "samples",    "step (s)",  fmt::format("PGA ({})", written_unit(result)),
+          "PGV (m/s)",  "PGD (m)",    "CAV (m/s)", "Arias (m/s)",
+          "5-75 % (s)", "5-95 % (s)", "0.05 g (s)"};
+}
 
-std::vector<std::string> recording_row(const std::string& name, const Component& c) {
+std::vector<std::string> recording_row(const std::string& name, const Component& c, double unit) {
   return {name,
           fmt::format("{}", c.samples),
           rounded(c.spacing, 6),
-          rounded(c.peak, 5),
+          rounded(c.peak / unit, 5),
+          rounded(c.path.peak_velocity, 4),
+          rounded(c.path.peak_displacement, 4),
+          rounded(c.absolute_velocity, 4),
           arias_intensity(c.intensity),
-          rounded(c.intensity.duration, 5)};
+          rounded(c.intensity.duration_75, 4),
+          rounded(c.intensity.duration, 4),
+          rounded(c.bracketed_duration, 4)};
 }
 
 std::string recording_table(const std::vector<std::vector<std::string>>& rows) {
-  return text_table(rows, 1, recording_headings.size());
+  return text_table(rows, 1, rows[0].size());
 }
 
 /// Adds a row for each component; `file_names` are those of their files.
@@ -45,7 +53,8 @@ void add_recordings(std::vector<std::vector<std::string>>& rows, const SpectrumR
   const bool of_one_file = all.size() > 1 && all[0].file == all[1].file;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string& file = file_names[std::min(i, file_names.size() - 1)];
-    rows.push_back(recording_row(of_one_file ? fmt::format("{}, {}", file, all[i].column) : file, all[i]));
+    rows.push_back(recording_row(of_one_file ? fmt::format("{}, {}", file, all[i].column) : file, all[i],
+                                 written_acceleration(result)));
   }
 }
 
@@ -146,7 +155,7 @@ std::string component_name(const SpectrumResult& result, std::size_t c) {
 std::string spectrum_text(const SpectrumResult& result) {
   std::vector<std::string> files;
   for (const Component& component : result.components) files.push_back(component.file);
-  std::vector<std::vector<std::string>> recordings{recording_headings};
+  std::vector<std::vector<std::string>> recordings{recording_headings(result)};
   add_recordings(recordings, result, files);
   std::string text = recording_table(recordings);
   const std::size_t all = result.periods.size();
@@ -183,7 +192,7 @@ std::string spectra_text(std::span<const MotionSpectra> motions) {
   for (const MotionSpectra& motion : motions)
     files.insert(files.end(), motion.files.begin(), motion.files.end());
   const std::vector<std::string> short_ones = short_names(files), names = motion_names(motions);
-  std::vector<std::vector<std::string>> recordings{recording_headings}, summits;
+  std::vector<std::vector<std::string>> recordings, summits;
   const SpectrumResult* any = nullptr;
   std::size_t file = 0, done = 0;
   for (std::size_t m = 0; m < motions.size(); file += motions[m++].files.size()) {
@@ -191,6 +200,7 @@ std::string spectra_text(std::span<const MotionSpectra> motions) {
     const SpectrumResult& result = *motions[m].result;
     if (!any) {
       any = &result;
+      recordings.push_back(recording_headings(result));
       const bool shock = result.options.shock, two = result.components.size() > 1;
       summits = {{"motion", result.hysteretic() ? "loss factor" : "damping ratio",
                   fmt::format("highest {} ({})",

@@ -58,9 +58,9 @@ constexpr Entry entries[] = {
      "the other",
      "{--files} pairs: {files} Dateien ergeben keine Paare; bitte die zwei Komponenten jeder Bewegung "
      "nacheinander nennen"},
-    {"fourier_of_one_motion", error,
-     "{--fourier} writes the amplitudes of one motion; ask for the motions one after the other",
-     "{--fourier} schreibt die Amplituden einer Bewegung; bitte die Bewegungen nacheinander"},
+    {"file_of_one_motion", error,
+     "{option:option} writes a file of one motion; ask for the motions one after the other",
+     "{option:option} schreibt eine Datei einer einzigen Bewegung; bitte die Bewegungen nacheinander"},
     {"too_many_components", error,
      "spectrum takes one recording, or the two components of one motion; {given} are given",
      "ein Spektrum nimmt eine Aufnahme oder die zwei Komponenten einer Bewegung; gegeben sind {given}"},

@@ -91,11 +91,20 @@ void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
   }
 }
 
-void measure(Component& component, BetweenSamples between) {
+void keep_each(std::size_t n, std::vector<double>& values) {
+  for (std::size_t i = 0; i * n < values.size(); ++i) values[i] = values[i * n];
+  values.resize((values.size() + n - 1) / n);
+}
+
+void measure(Component& component, const GroundMotion& ground) {
   for (const double a : component.acceleration) component.peak = std::max(component.peak, std::abs(a));
-  const Shaking shaking(component, between);
-  component.intensity =
-      intensity(shaking.ground.acceleration, shaking.ground.spacing, shaking.ground.between);
+  const auto& [acceleration, spacing, between, refinement] = ground;
+  component.path = ground_path(acceleration, spacing, between);
+  keep_each(refinement, component.path.velocity);
+  keep_each(refinement, component.path.displacement);
+  component.absolute_velocity = cumulative_absolute_velocity(acceleration, spacing, between);
+  component.bracketed_duration = bracketed_duration(acceleration, spacing, between);
+  component.intensity = intensity(acceleration, spacing, between);
   component.fourier = fourier_amplitude(component.acceleration, component.spacing);
 }
 
@@ -202,8 +211,8 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
 
   std::vector<Shaking> shaking;
   for (auto& component : result.components) {
-    measure(component, between);
     shaking.emplace_back(component, between);
+    measure(component, shaking.back().ground);
   }
   for (const Component& component : result.components)
     if (std::isnan(component.intensity.arias))
@@ -271,7 +280,9 @@ Result<void> check_spectrum_options(const SpectrumOptions& options, std::size_t 
 
 void SpectrumResult::forget() {
   for (Component& component : components) {
-    std::vector<double>().swap(component.acceleration);
+    component.acceleration = std::vector<double>();
+    component.path.velocity = std::vector<double>();
+    component.path.displacement = std::vector<double>();
     component.fourier = {};
   }
 }

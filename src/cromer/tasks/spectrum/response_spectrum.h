@@ -42,6 +42,9 @@ struct Component {
   std::size_t samples = 0;           ///< filled in by the task
   double spacing = 0;                // [s]
   double peak = 0;                   // [m/s^2] largest |a|: the peak ground acceleration
+  GroundPath path;                   ///< at the samples; its motions are empty after forget()
+  double absolute_velocity = 0;      // [m/s] cumulative, CAV
+  double bracketed_duration = 0;     // [s] of 0.05 g
   Intensity intensity;
   FourierAmplitude fourier;
 
@@ -85,7 +88,7 @@ struct SpectrumResult {
 
   bool interrupted = false;  ///< then `spectra` is empty
 
-  /// Gives up what is as long as the recordings: accelerations and Fourier amplitudes.
+  /// Gives up what is as long as the recordings: motions and Fourier amplitudes.
   void forget();
 };
 
