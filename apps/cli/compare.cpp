@@ -19,12 +19,15 @@ int run_compare(const Arguments& arguments) {
   Syntax syntax{
       .command = "compare",
       .description =
-          "A recording beside simulations of it: one constant decay rate, and the law that fit chose.",
+          "A recording beside one constant decay rate, the law that fit chose, and that law simulated by "
+          "each "
+          "method.",
       .files = "FILE",
       .options = options_of(options),
       .example =
-          "  cromer compare lab.csv --mass \"217.6 g\" --method rk4 --segment \"30 s\" --plot compare.svg"};
-  add_output_options(syntax.options, output, {},
+          "  cromer compare lab.csv --mass \"217.6 g\" --method forward-euler --method euler-cromer \\\n"
+          "    --segment \"30 s\" --plot compare.svg --panels position,energy,phase"};
+  add_output_options(syntax.options, output, {.panels = true},
                      "measured and simulated motion as .csv, or the document as .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
@@ -37,7 +40,7 @@ int run_compare(const Arguments& arguments) {
   Answer answer{.text = [&] { return compare_text(*comparisons); },
                 .json = [&] { return to_json(*comparisons); },
                 .csv = [&] { return compare_csv(*comparisons); },
-                .figure = [&] { return compare_figure(*comparisons); },
+                .figure = [&] { return compare_figure(*comparisons, *parse_panels(output.panels)); },
                 .notices = said_of_runs(*comparisons)};
   for (const auto& comparison : *comparisons) {
     answer.good = answer.good && comparison.complete && comparison.recording.succeeded();

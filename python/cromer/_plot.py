@@ -11,7 +11,7 @@ from ._core import InputError
 
 if TYPE_CHECKING:
     from ._core import Numbers
-    from ._results import LawFit, Run, Spectrum, Sweep, _Compared
+    from ._results import Comparison, LawFit, Run, Spectrum, Sweep
 
 INK, SOFT, AXIS, GRID, LAW, BAND = "#171C24", "#4A5361", "#7B8594", "#E4E8ED", "#AA4488", "#C9CCD1"
 #: colour, dashes, width of each method's line
@@ -174,7 +174,7 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
     return ax
 
 
-def compared(found: "_Compared", of: str, ax: Any = None) -> Any:
+def compared(found: "Comparison", of: str, ax: Any = None) -> Any:
     names = {"position": "displacement x", "residual": "measured less simulated", "phase_error": "phase error (rad)"}
     name = _chosen(of, names)
     own = ax is None
@@ -187,7 +187,7 @@ def compared(found: "_Compared", of: str, ax: Any = None) -> Any:
         if curve.label != curve.law:  # one constant decay rate
             look["linestyle"] = DASHES
         _curve(ax, curve.t, curve.x if of == "position" else getattr(curve, of), swings,
-               label=f"{curve.label},\nby {curve.method}", **look)
+               label=curve.label.replace(" by ", "\nby "), **look)
     _styled(ax, "time t (s)", name + ("" if of == "phase_error" else f" ({law._unit.strip()})" if law._unit else ""))
     _name(ax, own)
     return ax

@@ -454,29 +454,26 @@ class Run(_Motion):
         return f"Run: {self.label}, {self.status}, {self.t.size} states\n  {self.in_words}".rstrip()
 
 
-Named = TypeVar("Named", "Run", "Comparison")
+class Runs(Result, Sequence[Run]):
+    """Several runs of the same law: by number, or by the name of the method."""
 
-
-class _Several(Sequence[Named]):
-    """Results by number, or by name."""
-
-    _each: List[Named]
-
-    def _names(self, each: Named) -> Sequence[str]:
-        raise NotImplementedError
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        said = self._document.get("notices", [])
+        self._each = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
 
     def keys(self) -> List[str]:
         """Their names."""
-        return [self._names(each)[0] for each in self._each if self._names(each)]
+        return [each.label for each in self._each]
 
     @overload
-    def __getitem__(self, index: Union[int, str]) -> Named: ...
+    def __getitem__(self, index: Union[int, str]) -> Run: ...
     @overload
-    def __getitem__(self, index: slice) -> List[Named]: ...
-    def __getitem__(self, index: Union[int, str, slice]) -> Union[Named, List[Named]]:
+    def __getitem__(self, index: slice) -> List[Run]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[Run, List[Run]]:
         if isinstance(index, str):
             for each in self._each:
-                if index in self._names(each):
+                if index in (each.label, each.method):
                     return each
             raise KeyError(_unknown(index, self.keys(), "this"))
         return self._each[index]
@@ -486,18 +483,6 @@ class _Several(Sequence[Named]):
 
     def __repr__(self) -> str:
         return "\n".join(repr(each) for each in self._each)
-
-
-class Runs(Result, _Several[Run]):
-    """Several runs of the same law: by number, or by the name of the method."""
-
-    def __init__(self, answer: Answer) -> None:
-        super().__init__(answer)
-        said = self._document.get("notices", [])
-        self._each = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
-
-    def _names(self, each: Run) -> Sequence[str]:
-        return each.label, each.method
 
     def to_pandas(self) -> Any:
         """All states, one below the other, with the run's label."""
@@ -520,8 +505,8 @@ def _phase(t: Numbers, x: Numbers) -> Numbers:
 
 
 class Curve:
-    """One simulated curve of a comparison: per sample `t` [s], `x` [m], `v` [m/s], `residual` and `phase_error`; `label`,
-    `law` and `method`; `numbers` are those of docs/results.md (`rms`, `r_squared`, `phase_drift`, `law_rms`,
+    """One curve of a comparison: per sample `t` [s], `x` [m], `v` [m/s], `residual` and `phase_error`; `label`,
+    `law` and `method` (exact: none); `numbers` are those of docs/results.md (`rms`, `r_squared`, `phase_drift`, `law_rms`,
     `method_phase`, ...), each an attribute too. For energies simulate the fit: cromer.simulate(comparison.fit, ...)."""
 
     def __init__(self, comparison: "Comparison", prefix: str, document: Dict[str, Any]) -> None:
@@ -552,7 +537,7 @@ class Curve:
         return _frame({"t": self.t, "x": self.x, "v": self.v, "residual": self.residual, "phase_error": self.phase_error}, "t")
 
     def __repr__(self) -> str:
-        return f"Curve: {self.label} by {self.method}, rms {self.numbers.get('rms', float('nan')):.3g}"
+        return f"Curve: {self.label}, rms {self.numbers.get('rms', float('nan')):.3g}"
 
     def __getattr__(self, name: str) -> float:
         numbers: Dict[str, float] = self.__dict__.get("numbers", {})
@@ -561,22 +546,41 @@ class Curve:
         raise AttributeError(name)
 
 
-class _Compared:
-    """What one comparison has, and several."""
+class Comparison(Result):
+    """A recorded motion beside its simulations: `curves` (one constant decay rate and the law, without a method's error, then
+    the law by each method), one of them by the name of its method (`comparison["rk4"]`), `status` (of the fit), `message` (what
+    went wrong), `explanation` (in words) and `fit`."""
 
-    _each: "List[Comparison]"
-    curves: List[Curve]
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        if "comparisons" in self._document:
+            raise InputError("the recording has several runs: name one with run=", "run", "several_runs")
+        self._fit: Optional[LawFit] = None
+        run = self._document["recording"]["run"]
+        self.status: str = self._document["status"]
+        self.message: str = self._document.get("message") or ""
+        self.explanation: str = self._document.get("explanation") or ""
+        self.curves = [Curve(self, f"{run}.{i + 1}.", each) for i, each in enumerate(self._document.get("curves") or [])]
+
+    def __getitem__(self, method: str) -> Curve:
+        """The law by this method; "exact" is the law itself."""
+        for each in reversed(self.curves):
+            if each.method == method:
+                return each
+        raise KeyError(_unknown(method, [each.method for each in self.curves[1:]], "this"))
 
     @property
     def fit(self) -> LawFit:
         """The fit of the record, as `fit` finds it; made when it is first asked for."""
-        raise NotImplementedError
+        if self._fit is None:
+            self._fit = LawFit(self._answer.by("fit", without=["method", "step"]))
+        return self._fit
 
     def to_pandas(self) -> Any:
-        """A row of numbers for each curve, by method and label; a Curve has its samples."""
+        """A row of numbers for each curve, by label; a Curve has its samples."""
         import pandas
-        rows = [{"method": each.method, "simulated": each.label, **each.numbers} for each in self.curves]
-        return pandas.DataFrame(rows).set_index(["method", "simulated"]) if rows else pandas.DataFrame()
+        rows = [{"simulated": each.label, "method": each.method, **each.numbers} for each in self.curves]
+        return pandas.DataFrame(rows).set_index("simulated") if rows else pandas.DataFrame()
 
     def plot(self, of: str = "position", ax: Any = None) -> Any:
         """`of`: "position" (with the measured one), "residual" or "phase_error" of each curve against time. Returns
@@ -588,60 +592,11 @@ class _Compared:
         names = ["rms", "r_squared", "amplitude_ratio_end", "phase_drift"]
         rows = [[each.method, each.label, *(f"{each.numbers[name]:.4g}" if name in each.numbers else "" for name in names)]
                 for each in self.curves]
-        said = "".join(f"<p>{html.escape(each.explanation or each.message)}</p>" for each in self._each)
+        said = f"<p>{html.escape(self.explanation or self.message)}</p>"
         return _table("Comparison", ["method", "simulated", *(name.replace("_", " ") for name in names)], rows) + said
-
-
-class Comparison(_Compared, Result):
-    """A recorded motion beside its simulations by one method: `curves` (one constant decay rate, the law), `status`
-    (of the fit), `message` (what went wrong), `explanation` (in words) and `fit`."""
-
-    def __init__(self, answer: Answer, first: Optional["Comparison"] = None) -> None:
-        """`first`: a comparison of the same record, which has the same fit."""
-        super().__init__(answer)
-        if "comparisons" in self._document:
-            raise InputError("the recording has several runs: name one with run=", "run", "several_runs")
-        self._each = [self]
-        self._first = first
-        self._fit: Optional[LawFit] = None
-        run = self._document["recording"]["run"]
-        self.status: str = self._document["status"]
-        self.message: str = self._document.get("message") or ""
-        self.explanation: str = self._document.get("explanation") or ""
-        self.curves = [Curve(self, f"{run}.{i + 1}.", each) for i, each in enumerate(self._document.get("curves") or [])]
-
-    @property
-    def fit(self) -> LawFit:
-        """The fit of the record, as `fit` finds it; made when it is first asked for."""
-        if self._first is not None:
-            return self._first.fit
-        if self._fit is None:
-            self._fit = LawFit(self._answer.by("fit", without=["method", "step"]))
-        return self._fit
 
     def __repr__(self) -> str:
         return f"Comparison: {self.status}, {len(self.curves)} curves\n  {self.explanation or self.message}"
-
-
-class Comparisons(_Compared, _Several[Comparison]):
-    """A Comparison for each method: by number, or by the name of the method. `curves` and `explanation` are those of all,
-    `fit` is of the record. Each Comparison has its document, table and figure (`to_dict()`, ...)."""
-
-    def __init__(self, each_method: Sequence[Comparison]) -> None:
-        self._each = list(each_method)
-        self.curves = [curve for each in self._each for curve in each.curves]
-        self.explanation = "\n".join(each.explanation for each in self._each)
-
-    @property
-    def fit(self) -> LawFit:
-        """The fit of the record, as `fit` finds it; made when it is first asked for."""
-        return self._each[0].fit
-
-    def _names(self, each: Comparison) -> Sequence[str]:
-        return [curve.method for curve in each.curves[:1]]
-
-    def __str__(self) -> str:
-        return "\n\n".join(str(each) for each in self._each)
 
 
 class Methods(Result, Sequence[Dict[str, Any]]):

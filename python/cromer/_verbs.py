@@ -14,7 +14,7 @@ from ._arguments import arrays_of, request_of
 from ._core import Answer, InputError, Progress, call
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
                        SpectrumOptions, SweepOptions)
-from ._results import Comparison, Comparisons, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
+from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -224,48 +224,35 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
     return runs if isinstance(method, (list, tuple)) else runs[0]
 
 
-@overload
-def compare(t: Any, y: Any = None, *, method: Optional[str] = ..., observed: Optional[str] = None,
-            language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-            **options: "Unpack[CompareOptions]") -> Comparison: ...
-@overload
-def compare(t: Any, y: Any = None, *, method: Union[List[str], Tuple[str, ...]], observed: Optional[str] = None,
-            language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-            **options: "Unpack[CompareOptions]") -> Comparisons: ...
 @_documented
 def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, observed: Optional[str] = None,
             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
-            **options: "Unpack[CompareOptions]") -> Union[Comparison, Comparisons]:
-    """A recorded motion beside the simulation of its law, and of one constant decay rate.
+            **options: "Unpack[CompareOptions]") -> Comparison:
+    """A recorded motion beside its law, one constant decay rate, and the law simulated by each method.
 
     Parameters
     ----------
     t, y, observed
         As of `fit`.
     method : str or list of str
-        Of the simulation (euler-cromer if not given); `methods()` lists them. Of several, each has a comparison.
+        Each simulates the law (euler-cromer if none is given); `methods()` lists them.
     {options}
 
     Returns
     -------
-    Comparison of one method, Comparisons of a list of methods
+    Comparison
     """
     request, arrays = _motion("compare", t, y)
-    request.update(request_of({**options, "observed": observed, "language": language}, "compare"))
-    made: List[Comparison] = []
     method = _names(method)
-    names: Sequence[Optional[str]] = method if isinstance(method, (list, tuple)) else [method]
+    given: Dict[str, Any] = {**options, "observed": observed, "language": language}
+    if method is not None:
+        given["method"] = method
+    request.update(request_of(given, "compare"))
     with _shown(progress, "compare") as shown:
-
-        def part(done: float) -> Any:
-            return shown((len(made) + done) / len(names)) if shown else None
-
-        for each in names:
-            asked = request if each is None else {**request, "method": each}
-            answer = call("compare", asked, arrays_of(arrays, observed), part)
-            made.append(Comparison(answer, made[0] if made else None))
-            told(made[-1], answer, strict, made[-1].message or made[-1].status)
-    return Comparisons(made) if isinstance(method, (list, tuple)) else made[0]
+        answer = call("compare", request, arrays_of(arrays, observed), shown)
+    found = Comparison(answer)
+    told(found, answer, strict, found.message or found.status)
+    return found
 
 
 @_documented

@@ -194,12 +194,35 @@ TEST(Compare, LaysSimulationsBesideTheRecording) {
   const Finished end = folder.run({"compare", "lab.csv", "--law", "viscous", "--method", "rk4", "--json"});
   ASSERT_EQ(end.status, 0) << end.err;
   const auto document = end.json();
-  ASSERT_FALSE(document["curves"].empty());
+  ASSERT_EQ(document["curves"].size(), 3u);
+  EXPECT_EQ(document["curves"][1]["method"], "exact");
+  EXPECT_TRUE(document["curves"][1]["step"].is_null());
+  EXPECT_EQ(document["curves"][2]["method"], "rk4");
+  EXPECT_EQ(document["curves"][2]["label"], "viscous by rk4");
   for (const auto& curve : document["curves"]) {
-    EXPECT_EQ(curve["method"], "rk4");
     EXPECT_GT(curve["r_squared"].get<double>(), 0.9999);
     EXPECT_NEAR(curve["amplitude_ratio_end"].get<double>(), 1, 1e-3);
   }
+}
+
+TEST(Compare, DrawsEachMethodInThePanelsAsked) {
+  const Folder folder;
+  folder.write("lab.csv", recording(3000));
+  const Finished end =
+      folder.run({"compare", "lab.csv", "--law", "viscous", "--method", "forward-euler", "--method", "rk4",
+                  "--plot", "lab.svg", "--panels", "energy,phase", "-o", "lab.csv.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::string picture = folder.read("lab.svg");
+  for (const char* word : {"Energy against time and the phase portrait, measured and simulated",
+                           "one constant rate", "forward-euler", "rk4"})
+    EXPECT_THAT(picture, HasSubstr(word));
+  EXPECT_THAT(end.out, HasSubstr("viscous by forward-euler"));
+  for (const char* row : {"\n1,one constant decay rate,0,", "\n1,viscous,0,", "\n1,viscous by rk4,0,"})
+    EXPECT_THAT(folder.read("lab.csv.csv"), HasSubstr(row));
+  const Finished wrong = folder.run({"compare", "lab.csv", "--panels", "speed", "--plot", "no.svg"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--panels: there is no panel \"speed\""));
+  EXPECT_EQ(folder.read("no.svg"), "");
 }
 
 }  // namespace

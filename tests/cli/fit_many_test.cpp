@@ -235,7 +235,7 @@ TEST(FitMany, CompareGoesOnWithTheOtherRuns) {
   EXPECT_EQ(as_json.status, 1);
   const auto document = as_json.json();
   ASSERT_EQ(document["comparisons"].size(), 3u);
-  EXPECT_EQ(document["comparisons"][0]["curves"].size(), 2u);
+  EXPECT_EQ(document["comparisons"][0]["curves"].size(), 3u);
   EXPECT_EQ(document["comparisons"][1]["status"], "wrong_input");
   EXPECT_THAT(document["comparisons"][1]["message"].get<std::string>(), HasSubstr("has no values"));
   EXPECT_EQ(document["message"], "2 of 3 fits did not succeed");

@@ -31,7 +31,7 @@ TEST(CompareTask, ExplainsTheMisfitInASentence) {
   CompareOptions options;
   options.fit.segment = 30;
   options.fit.segments = 3;
-  options.method = "rk4";
+  options.method = {"rk4"};
   const std::string drag = in_words(explanation(compared(disc_recording(), options)));
   EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. It falls from 0.014"));
   EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 0.00030"));
@@ -54,14 +54,14 @@ TEST(CompareTask, OneRateLeavesWhatTheViscousFitLeaves) {
   viscous.law = "viscous";
   const Result<FittedRecording> fit = fit_series(disc_recording(), "recording2.csv", viscous);
   ASSERT_TRUE(fit.ok());
-  ASSERT_EQ(result.curves.size(), 2u);
+  ASSERT_EQ(result.curves.size(), 3u);
   EXPECT_NEAR(result.curves[0].law_rms, fit->fit.residual.rms, 0.01 * fit->fit.residual.rms);
 }
 
 // The temperature and the seed need the disc and the trials, which the fit of one rate does not ask for.
 TEST(CompareTask, WhatIsAskedOfTheFitIsNotAskedOfTheOneRate) {
   CompareOptions options;
-  options.method = "rk4";
+  options.method = {"rk4"};
   options.fit.law = "viscous+drag";
   const CompareResult plain = compared(disc_recording(4, 20), options);
   options.fit.mass = Quantity{0.2176, 0};
@@ -72,8 +72,8 @@ TEST(CompareTask, WhatIsAskedOfTheFitIsNotAskedOfTheOneRate) {
   options.fit.goal = "drag 1 %";
   options.fit.textbook = true;
   const CompareResult asked = compared(disc_recording(4, 20), options);
-  ASSERT_EQ(plain.curves.size(), 2u);
-  ASSERT_EQ(asked.curves.size(), 2u);
+  ASSERT_EQ(plain.curves.size(), 3u);
+  ASSERT_EQ(asked.curves.size(), 3u);
   EXPECT_EQ(asked.curves[0].rms, plain.curves[0].rms);
 }
 
@@ -86,7 +86,7 @@ TEST(CompareTask, BothCurvesAreOfTheSameSamples) {
   series.y.insert(series.y.begin(), 200, free.y.front());
   series.lines.insert(series.lines.begin(), 200, 0);
   CompareOptions options;
-  options.method = "rk4";
+  options.method = {"rk4"};
   options.fit.law = "viscous+drag";
   options.fit.from = 0;
   FitOptions viscous;
@@ -95,7 +95,7 @@ TEST(CompareTask, BothCurvesAreOfTheSameSamples) {
   const Result<FittedRecording> alone = fit_series(series, "recording2.csv", viscous);
   ASSERT_TRUE(alone.ok());
   const CompareResult result = compared(series, options);
-  ASSERT_EQ(result.curves.size(), 2u);
+  ASSERT_EQ(result.curves.size(), 3u);
   EXPECT_NEAR(result.curves[0].law_rms, alone->fit.residual.rms, 0.01 * alone->fit.residual.rms);
 }
 
@@ -103,9 +103,9 @@ TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {
   CompareOptions options;
   options.fit.segment = 30;
   options.fit.segments = 3;
-  options.method = "rk4";
+  options.method = {"rk4"};
   const CompareResult result = compared(disc_recording(), options);
-  ASSERT_EQ(result.curves.size(), 2u);
+  ASSERT_EQ(result.curves.size(), 3u);
   const ComparedCurve &constant = result.curves[0], &law = result.curves[1];
   EXPECT_EQ(in_words(constant.label), "one constant decay rate");
   EXPECT_EQ(in_words(law.label), "viscous+drag");
@@ -125,15 +125,15 @@ TEST(CompareTask, EveryMethodFollowsTheRecording) {
   for (const MethodInfo& info : method_infos) {
     CompareOptions options;
     options.fit.law = "viscous";
-    options.method = info.name;
+    options.method = {std::string(info.name)};
     options.step = 1e-3;
     const CompareResult result = compared(series, options);
-    ASSERT_EQ(result.curves.size(), 2u) << info.name;
+    ASSERT_EQ(result.curves.size(), 3u) << info.name;
     // First-order methods that gain or lose energy are known to do so by w² h/2.
     const bool keeps_energy = info.order != 1 || info.symplectic;
     const double expected =
         keeps_energy ? 1 : std::exp((info.implicit ? -1 : 1) * 8.849 * 8.849 * 1e-3 / 2 * 20);
-    EXPECT_NEAR(result.curves[1].amplitude_ratio_end, expected, 0.03 * expected) << info.name;
+    EXPECT_NEAR(result.curves[2].amplitude_ratio_end, expected, 0.03 * expected) << info.name;
   }
 }
 
@@ -149,7 +149,7 @@ TEST(CompareTask, PhaseDriftBeyondATurnIsNotFoldedBack) {
   const double simulated = std::acos((1 - b * h - w * w * h * h / 2) / std::sqrt(1 - 2 * b * h)) / h;
   const double drift = (simulated - w) * 100 + w * h / 2;
   EXPECT_GT(drift, 6.3);
-  EXPECT_NEAR(result.curves[1].phase_drift, drift, 0.05);
+  EXPECT_NEAR(result.curves[2].phase_drift, drift, 0.05);
 }
 
 TEST(CompareTask, DefaultStepDividesTheSamplesAndThePeriod) {
@@ -158,20 +158,20 @@ TEST(CompareTask, DefaultStepDividesTheSamplesAndThePeriod) {
   const Series series = disc_recording(4, 20);
   CompareOptions by_default, divided, odd;
   by_default.fit.law = divided.fit.law = odd.fit.law = "viscous";
-  by_default.method = divided.method = odd.method = "rk4";
+  by_default.method = divided.method = odd.method = {"rk4"};
   divided.step = 0.01 / 3;
   odd.step = 0.0031;
   const CompareResult a = compared(series, by_default), b = compared(series, divided),
                       c = compared(series, odd);
   for (std::size_t i = 0; i < series.t.size(); ++i) {
-    EXPECT_EQ(a.curves[1].trajectory.x[i], b.curves[1].trajectory.x[i]);
-    EXPECT_NEAR(a.curves[1].trajectory.x[i], c.curves[1].trajectory.x[i], 2e-8);
+    EXPECT_EQ(a.curves[2].trajectory.x[i], b.curves[2].trajectory.x[i]);
+    EXPECT_NEAR(a.curves[2].trajectory.x[i], c.curves[2].trajectory.x[i], 2e-8);
   }
 }
 
 CompareOptions by_method(const char* method) {
   CompareOptions options;
-  options.method = method;
+  options.method = {method};
   return options;
 }
 
@@ -204,11 +204,11 @@ TEST(CompareTask, ARunThatDivergesIsAWarning) {
   const Series series = disc_recording(4, 60);
   CompareOptions options;
   options.fit.law = "viscous+drag";
-  options.method = "forward-euler";
+  options.method = {"forward-euler"};
   options.step = 0.5;
   const CompareResult result = compared(series, options);
-  ASSERT_EQ(result.curves.size(), 2u);
-  EXPECT_TRUE(std::isnan(result.curves[1].rms));
+  ASSERT_EQ(result.curves.size(), 3u);
+  EXPECT_TRUE(std::isnan(result.curves[2].rms));
   EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("not_finite")));
 }
 
@@ -234,14 +234,14 @@ TEST(CompareTask, SamplesThatFitSetsAsideCountNowhere) {
   series.y[333] = 1;
   CompareOptions options;
   options.fit.law = "viscous+drag";
-  options.method = "rk4";
+  options.method = {"rk4"};
   const CompareResult result = compared(series, options);
-  ASSERT_EQ(result.curves.size(), 2u);
-  EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
-  EXPECT_GT(result.curves[1].r_squared, 0.999);
-  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  ASSERT_EQ(result.curves.size(), 3u);
+  EXPECT_NEAR(result.curves[2].rms, 3e-4, 0.2e-4);
+  EXPECT_GT(result.curves[2].r_squared, 0.999);
+  EXPECT_NEAR(result.curves[2].amplitude_ratio_end, 1, 0.01);
   EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("set aside")));
-  EXPECT_EQ(result.curves[1].trajectory.size(), series.t.size());
+  EXPECT_EQ(result.curves[2].trajectory.size(), series.t.size());
 }
 
 TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
@@ -251,8 +251,8 @@ TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
   CompareOptions options;
   options.fit.law = "viscous+drag";
   const CompareResult result = compared(disc_recording(), options);
-  ASSERT_EQ(result.curves.size(), 2u);
-  const ComparedCurve& law = result.curves[1];
+  ASSERT_EQ(result.curves.size(), 3u);
+  const ComparedCurve& law = result.curves[2];
   const double w = std::sqrt(17.04 / 0.2176), h = 0.01 / 3;
   EXPECT_NEAR(law.step, h, 1e-12);
   EXPECT_NEAR(law.law_rms, 3e-4, 0.1e-4);
@@ -267,13 +267,41 @@ TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
   EXPECT_THAT(sentence, HasSubstr("the method adds a phase of 0.069"));
 }
 
-TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
+TEST(CompareTask, EachMethodIsACurveBesideTheLawItself) {
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  options.method = {"forward-euler", "euler-cromer", "rk4"};
+  options.step = 1e-3;
+  const CompareResult all = compared(disc_recording(4, 20), options);
+  ASSERT_EQ(all.curves.size(), 5u);
+  EXPECT_EQ(all.curves[0].method, "exact");
+  EXPECT_EQ(all.curves[1].method, "exact");
+  for (std::size_t i = 0; i < options.method.size(); ++i) {
+    EXPECT_EQ(all.curves[i + 2].method, options.method[i]);
+    EXPECT_EQ(in_words(all.curves[i + 2].label), "viscous+drag by " + options.method[i]);
+    EXPECT_EQ(all.curves[i + 2].law_rms, all.curves[1].rms);
+    CompareOptions alone = options;
+    alone.method = {options.method[i]};
+    EXPECT_EQ(compared(disc_recording(4, 20), alone).curves[2].rms, all.curves[i + 2].rms);
+  }
+  // What is left without a method's error is what the fit leaves.
+  EXPECT_NEAR(all.curves[1].rms, all.recording.fit.residual.rms, 1e-9);
+  EXPECT_EQ(all.curves[1].method_amplitude_ratio, 1);
+  EXPECT_EQ(all.curves[1].method_phase, 0);
+  const std::string said = in_words(explanation(all));
+  EXPECT_THAT(said, HasSubstr("Simulated by forward-euler in steps of 0.00100"));
+  EXPECT_THAT(said, HasSubstr("Simulated by euler-cromer in steps of 0.00100"));
+  EXPECT_THAT(said, testing::Not(HasSubstr("rk4")));  // adds nothing that shows
+}
+
+TEST(CompareTask, AStepTooLongForTheMethodLeavesTheVerdict) {
   CompareOptions options;
   options.fit.law = "viscous";
   options.step = 5;
   const CompareResult result = compared(disc_recording(4, 20), options);
-  ASSERT_EQ(result.curves.size(), 2u);
-  EXPECT_TRUE(result.curves[0].diverged);
+  EXPECT_THAT(in_words(explanation(result)), HasSubstr("No other law was tried: with one rate"));
+  ASSERT_EQ(result.curves.size(), 3u);
+  EXPECT_TRUE(result.curves[2].diverged);
   EXPECT_THAT(in_words(explanation(result)), HasSubstr("the motion runs away"));
 }
 
@@ -285,16 +313,16 @@ TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
   CompareOptions options;
   options.fit.law = "viscous+friction";
   for (const char* method : {"rk4", "exact"}) {
-    options.method = method;
+    options.method = {method};
     const CompareResult result = compared(series, options);
-    ASSERT_EQ(result.curves.size(), 2u);
+    ASSERT_EQ(result.curves.size(), 3u);
     for (const ComparedCurve& curve : result.curves) {
       EXPECT_TRUE(curve.measured_at_rest);
       EXPECT_TRUE(std::isnan(curve.amplitude_ratio_end));
       EXPECT_TRUE(std::isnan(curve.phase_drift));
     }
-    EXPECT_TRUE(result.curves[1].at_rest);
-    EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
+    EXPECT_TRUE(result.curves[2].at_rest);
+    EXPECT_NEAR(result.curves[2].rms, 3e-4, 0.2e-4);
     EXPECT_THAT(in_words(explanation(result)), HasSubstr("swings where the measured motion has died down"));
   }
 }
@@ -303,12 +331,13 @@ TEST(CompareTask, APendulumIsSimulatedAsOne) {
   const FreeSwing pendulum{.angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
   CompareOptions options;
   options.fit.law = "viscous+pendulum";
-  options.method = "rk4";
+  options.method = {"rk4"};
   const CompareResult result = compared(recording_of(pendulum, 60, 0.005, "angle"), options);
-  ASSERT_EQ(result.curves.size(), 2u) << in_words(result.recording.fit.message);
+  ASSERT_EQ(result.curves.size(), 3u) << in_words(result.recording.fit.message);
   EXPECT_EQ(in_words(result.curves[1].label), "viscous+pendulum");
-  EXPECT_NEAR(result.curves[1].rms, 0.005, 0.0003);
-  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  EXPECT_EQ(in_words(result.curves[2].label), "viscous+pendulum by rk4");
+  EXPECT_NEAR(result.curves[2].rms, 0.005, 0.0003);
+  EXPECT_NEAR(result.curves[2].amplitude_ratio_end, 1, 0.01);
   EXPECT_GT(result.curves[0].rms, 0.1);
 }
 
@@ -351,7 +380,7 @@ TEST(CompareTask, WhatIsSaidOfAFileStaysWhereItsFirstRunCannotBeCompared) {
   EXPECT_EQ(result->at(0).recording.of_file, 2u);
   EXPECT_THAT(in_words(result->at(0).notices),
               testing::ElementsAre(HasSubstr("1 bad row left out"), HasSubstr("is called")));
-  EXPECT_EQ(result->at(1).curves.size(), 2u);
+  EXPECT_EQ(result->at(1).curves.size(), 3u);
   EXPECT_THAT(in_words(result->at(1).notices), testing::Not(testing::Contains(HasSubstr("left out"))));
 }
 

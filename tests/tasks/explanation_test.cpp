@@ -10,20 +10,18 @@
 namespace cromer::core {
 namespace {
 
-/// Two curves that the law fits: the law alone leaves 0.02 m and 0.01 m.
+/// One rate leaves 0.02 m, the law 0.01 m, alone and by a method.
 CompareResult compared() {
   CompareResult both;
   both.recording.series.quantity = "position";
-  both.curves.resize(2);
-  for (ComparedCurve& curve : both.curves) {
-    curve.method = "rk4";
-    curve.step = 0.01;
-    curve.law_amplitude_ratio_end = 0.9;
-  }
+  both.curves.resize(3);
+  for (ComparedCurve& curve : both.curves) curve.amplitude_ratio_end = 0.9;
   both.curves[0].law = law_of("viscous");
   both.curves[0].rms = both.curves[0].law_rms = 0.02;
-  both.curves[1].law = law_of("viscous+drag");
-  both.curves[1].rms = both.curves[1].law_rms = 0.01;
+  both.curves[1].law = both.curves[2].law = law_of("viscous+drag");
+  both.curves[1].rms = both.curves[1].law_rms = both.curves[2].rms = both.curves[2].law_rms = 0.01;
+  both.curves[2].method = "rk4";
+  both.curves[2].step = 0.01;
   both.recording.decay_by_amplitude = {{0, 1, 0.5, {}, 0.4}, {1, 2, 0.25, {}, 0.2}};
   return both;
 }
@@ -36,15 +34,15 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
             "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
             "0.500\u00a0m to 0.250\u00a0m; " +
                 left + "10\u00a0% too small" + end);
-  both.curves[0].law_amplitude_ratio_end = 1.1;
+  both.curves[0].amplitude_ratio_end = 1.1;
   std::swap(both.recording.decay_by_amplitude[0], both.recording.decay_by_amplitude[1]);
   EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It rises from 0.200 to 0.400\u00a01/s as the swing grows from "
             "0.250\u00a0m to 0.500\u00a0m; " +
                 left + "10\u00a0% too large" + end);
-  both.curves[0].law_amplitude_ratio_end = 1.0004;
+  both.curves[0].amplitude_ratio_end = 1.0004;
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "right to 0.05\u00a0%"));
-  both.curves[0].law_amplitude_ratio_end = 0.999;
+  both.curves[0].amplitude_ratio_end = 0.999;
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "0.10\u00a0% too small"));
 }
 
@@ -89,21 +87,28 @@ TEST(Explanation, ADoubtIsNoVerdict) {
             "äon. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left.");
 }
 
-TEST(Explanation, ThereIsNoneOfWhatDidNotEnd) {
+TEST(Explanation, AMethodThatRunsAwayIsNoWordOnTheLaw) {
   CompareResult both = compared();
-  both.curves[0].diverged = true;
-  EXPECT_EQ(in_words(explanation(both)),
-            "Simulated by rk4 in steps of 0.0100\u00a0s the motion runs away: that step is too long for the "
-            "method, "
-            "and nothing follows about the law. Take a smaller --step or another --method.");
-  both = compared();
-  both.curves[1].complete = false;
-  EXPECT_EQ(in_words(explanation(both)), "");
-  both = compared();
-  both.curves[0].complete = false;
-  EXPECT_EQ(in_words(explanation(both)), "");
-  both = compared();
-  both.curves.pop_back();
+  both.recording.decay_by_amplitude.clear();
+  const std::string verdict = in_words(explanation(both));
+  both.curves[2].diverged = true;
+  both.curves[2].complete = false;
+  const std::string gone =
+      " Simulated by rk4 in steps of 0.0100\u00a0s the motion runs away: that step is too long for the "
+      "method. "
+      "Take a smaller --step or another --method.";
+  EXPECT_EQ(in_words(explanation(both)), verdict + gone);
+  both.curves.push_back(both.curves[2]);
+  both.curves[3].method = "heun";
+  both.curves[3].diverged = false;
+  both.curves[3].method_phase = 0.5;
+  both.curves[3].rms = 0.03;
+  EXPECT_EQ(
+      in_words(explanation(both)),
+      verdict + gone +
+          " Simulated by heun in steps of 0.0100\u00a0s the same law leaves 0.0300\u00a0m: the method adds "
+          "a phase of 0.50\u00a0rad by the end.");
+  both.curves.resize(1);
   EXPECT_EQ(in_words(explanation(both)), "");
 }
 
@@ -112,9 +117,9 @@ TEST(Explanation, SaysWhatTheMethodAddsToTheLaw) {
   both.recording.decay_by_amplitude.clear();
   const std::string before = in_words(explanation(both));
   const auto added = [&](double phase, double ratio, double rms = 0.01) {
-    both.curves[1].method_phase = phase;
-    both.curves[1].method_amplitude_ratio = ratio;
-    both.curves[1].rms = rms;
+    both.curves[2].method_phase = phase;
+    both.curves[2].method_amplitude_ratio = ratio;
+    both.curves[2].rms = rms;
     return in_words(explanation(both)).substr(before.size());
   };
   const std::string leaves = " Simulated by rk4 in steps of 0.0100\u00a0s the same law leaves ";

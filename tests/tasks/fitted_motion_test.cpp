@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cromer/base/concat.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {
@@ -51,6 +55,38 @@ TEST(MotionUnits, HaveAnEnergyWithAMass) {
   fitted.series.quantity = "position";
   fitted.parameters.push_back({"stiffness", {}, "N/m"});
   EXPECT_EQ(motion_units(fitted).energy, "J");
+}
+
+// Two thirds of a turn to each side: far from a sinusoid, and a fifth slower than a small swing.
+TEST(FittedMotion, TheVelocityOfAWidePendulumIsItsOwn) {
+  SimulateOptions options;
+  options.law.pendulum = 9;
+  options.stiffness = 0;
+  options.position = 2;
+  options.damping = 0.02;
+  options.method = {"rk4"};
+  options.step = 0.01;
+  options.until = 40;
+  const auto run = simulate(options);
+  ASSERT_TRUE(run.ok());
+  const Trajectory& truth = run->runs[0].trajectory;
+  std::string file = "Time (s),Angle (rad)\n";
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    file += std::to_string(truth.t[i]) + "," + std::to_string(truth.x[i]) + "\n";
+  for (const char* law : {"viscous+pendulum", "viscous+cubic"}) {
+    FitOptions fit_options;
+    fit_options.law = law;
+    const auto fits = fit(file, "pendulum.csv", fit_options);
+    ASSERT_TRUE(fits.ok() && fits->front().succeeded()) << law;
+    const FittedMotion motion = fitted_motion(fits->front());
+    int n = 0;
+    for (std::size_t i = 0; i < motion.t.size(); ++i) {
+      if (std::isnan(motion.local_velocity[i])) continue;
+      EXPECT_NEAR(motion.local_velocity[i], truth.v[i], 0.02 * 5) << law << motion.t[i];
+      ++n;
+    }
+    EXPECT_GT(n, 3000) << law;
+  }
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(SelfSustainedTask, SegmentsMayGrow) {
 
 TEST(SelfSustainedTask, GrowsInWords) {
   CompareOptions options;
-  options.method = "rk4";
+  options.method = {"rk4"};
   const Result<FittedRecording> fit = fit_series(growing(), "growing.csv", {});
   ASSERT_TRUE(fit.ok());
   const Result<CompareResult> comparison = compare_fitted(*fit, options);

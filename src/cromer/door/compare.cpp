@@ -16,7 +16,7 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
     return Error{Notice{"fit_without_law", {{"what", fit.detail->fit.message}}}, "fit"};
   core::CompareOptions asked;
   asked.fit = fit.detail->options;
-  asked.method = options.method.name();
+  for (const Method& method : options.method) asked.method.push_back(method.name());
   asked.step = options.step;
   const core::Watching watching(options.progress);
   auto compared = core::compare_fitted(*fit.detail, asked, watching.watch());
@@ -29,7 +29,7 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
   for (const core::ComparedCurve& each : detail->curves)
     comparison.curves.push_back({text(each.label), core::to_text(each.law), each.step, each.trajectory,
                                  each.complete, each.rms, each.r_squared, each.amplitude_ratio_end,
-                                 each.phase_drift});
+                                 each.phase_drift, each.method});
   comparison.explanation = core::message_of(core::in_arguments(core::explanation(*detail), of_arrays));
   comparison.complete = detail->complete;
   comparison.interrupted = watching.watch().interrupted();

@@ -4,78 +4,280 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
+#include "cromer/figures/length_unit.h"
 #include "cromer/figures/motion_curves.h"
+#include "cromer/report/enhanced_text.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
 namespace {
 
-/// The error of the amplitude at the end, in words.
-std::string at_the_end(const ComparedCurve& curve) {
-  if (curve.diverged) return "runs away: step too long";
-  if (!curve.complete) return "ends early";
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// How the end of a law compares with the measured one, in words.
+std::string beside_measured(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return curve.at_rest ? "stops as measured" : "swings on after the stop";
   const double ratio = curve.amplitude_ratio_end, off = std::abs(ratio - 1);
   if (off < 5e-3) return "within 0.5 % at the end";
   return fmt::format("{} % too {} at the end", rounded(100 * off, 2), ratio > 1 ? "large" : "small");
 }
 
-/// Method and step, if the method itself changes the amplitude visibly.
-std::string by_its_method(const ComparedCurve& curve) {
-  if (!curve.complete || curve.diverged || !(std::abs(curve.method_amplitude_ratio - 1) > 5e-3)) return "";
-  return fmt::format("by {} in steps of {} s:\n", curve.method, rounded(curve.step, 3));
+/// What the method makes of the law by the end, in words.
+std::string beside_law(const ComparedCurve& curve) {
+  if (curve.diverged) return "runs away: step too long";
+  if (!curve.complete) return "ends early";
+  if (std::isnan(curve.method_amplitude_ratio)) return "";
+  const double off = std::abs(curve.method_amplitude_ratio - 1), phase = std::abs(curve.method_phase);
+  std::string words;
+  if (off >= 5e-3)
+    words = fmt::format("{} % too {}", rounded(100 * off, 2),
+                        curve.method_amplitude_ratio > 1 ? "large" : "small");
+  if (phase >= 0.01)
+    words += fmt::format("{}{} rad {}", words.empty() ? "" : ",\n", rounded(phase, 2),
+                         curve.method_phase > 0 ? "ahead" : "behind");
+  return words.empty() ? "as the law" : words + " of the law";
 }
 
-/// The law in the colour of fits; one constant decay rate dashed, in the colour of its method.
-Curve look_of(const ComparedCurve& compared) {
-  const bool constant = compared.label.code == "one_constant_decay_rate";
-  Curve look;
-  look.role = constant ? compared.method : "fitted";
-  look.name = constant ? "one constant rate" : to_text(compared.law);
-  look.remark = by_its_method(compared) + at_the_end(compared);
-  look.dashed = constant;
-  look.sets_axes = !compared.diverged;
-  return look;
+/// The three kinds of curves, the law first.
+enum class Kind { law, one_rate, method };
+Kind kind_of(const ComparedCurve& curve) {
+  if (curve.label.code == "one_constant_decay_rate") return Kind::one_rate;
+  return curve.label.code == "law_by_method" ? Kind::method : Kind::law;
 }
+
+/// What the panels show of one recording.
+class Compared {
+ public:
+  explicit Compared(const CompareResult& comparison)
+      : comparison_(comparison),
+        recording_(comparison.recording),
+        position_(measured_axis(recording_)),
+        velocity_(position_) {
+    for (const ComparedCurve& curve : comparison.curves) curves_.push_back(&curve);
+    std::stable_sort(curves_.begin(), curves_.end(), [](const ComparedCurve* a, const ComparedCurve* b) {
+      return kind_of(*a) < kind_of(*b);
+    });
+    if (curves_.empty()) return;
+    const Trajectory& law = curves_.front()->trajectory;
+    largest_x_ = largest_of(law.x);
+    largest_v_ = largest_of(law.v);
+    set_velocity_axis();
+    set_energy_axis(largest_of(energies_of(recording_, law.x, law.v)));
+  }
+
+  Panel panel(MotionPanel what) const {
+    Panel panel = what == MotionPanel::phase      ? portrait()
+                  : what == MotionPanel::energy   ? energy()
+                  : what == MotionPanel::velocity ? velocity()
+                                                  : position();
+    constexpr std::size_t most_at_curves = 6;
+    const auto named = std::count_if(panel.curves.begin(), panel.curves.end(),
+                                     [](const Curve& curve) { return !curve.name.empty(); });
+    if (static_cast<std::size_t>(named) > most_at_curves) panel.names_listed = true;
+    return panel;
+  }
+
+ private:
+  void set_velocity_axis() {
+    velocity_.equilibrium = 0;
+    if (recording_.series.quantity == "position" && recording_.series.to_si == 1) {
+      const LengthUnit unit = length_unit(largest_v_);
+      velocity_.unit = unit.symbol;
+      velocity_.unit_size = unit.metres;
+    }
+    velocity_.name = recording_.series.quantity == "angle" ? "angular velocity" : "velocity {/:Italic v}";
+    if (!velocity_.unit.empty()) velocity_.name += fmt::format(" ({}/s)", velocity_.unit);
+  }
+
+  void set_energy_axis(double largest) {
+    const std::string unit = motion_units(recording_).energy;
+    const EnergyUnit scale = unit.empty() ? EnergyUnit{"", 1} : energy_unit(largest);
+    joules_ = scale.joules;
+    energy_name_ = "energy {/:Italic E}";
+    if (!unit.empty())
+      energy_name_ += fmt::format(" ({})", figure_text(std::string(scale.symbol) + unit.substr(1)));
+  }
+
+  /// A run that leaves the frame of the others is cut at it.
+  bool leaves(const ComparedCurve& curve) const {
+    constexpr double most = 4;  // times the law's own motion
+    return curve.diverged || largest_of(curve.trajectory.x) > most * largest_x_;
+  }
+
+  /// The law is the road that the methods stay on or leave.
+  Curve look_of(const ComparedCurve& compared, bool remarks) const {
+    Curve look;
+    switch (kind_of(compared)) {
+      case Kind::law:
+        look.role = "exact";
+        look.name = to_text(compared.law);
+        break;
+      case Kind::one_rate:
+        look.role = "constant-rate";
+        look.name = "one constant rate";
+        look.dashed = true;
+        break;
+      case Kind::method:
+        look.role = look.name = compared.method;
+        break;
+    }
+    if (remarks)
+      look.remark = kind_of(compared) == Kind::method ? beside_law(compared) : beside_measured(compared);
+    look.sets_axes = !leaves(compared);
+    return look;
+  }
+
+  Panel on_time(std::string name) const {
+    Panel panel;
+    panel.x.name = position_.time_name;
+    panel.y.name = std::move(name);
+    return panel;
+  }
+
+  Panel position() const {
+    Panel panel = on_time(position_.name);
+    add_measured(panel, recording_, position_);
+    for (const ComparedCurve* curve : curves_)
+      add_motion(panel, recording_, position_, {curve->trajectory.t, position_.scaled(curve->trajectory.x)},
+                 look_of(*curve, true));
+    return panel;
+  }
+
+  /// Adds the measured values at the samples, in SI units, as dots.
+  void add_dots(Panel& panel, std::vector<double> values, double unit) const {
+    for (double& value : values) value /= unit;
+    panel.curves.push_back(measured_dots(recording_, position_, {measured().t, std::move(values)}));
+    panel.curves.back().name = "measured";
+  }
+
+  Panel velocity() const {
+    Panel panel = on_time(velocity_.name);
+    add_dots(panel, measured().local_velocity, velocity_.unit_size);
+    for (const ComparedCurve* curve : curves_)
+      add_motion(panel, recording_, position_, {curve->trajectory.t, velocity_.scaled(curve->trajectory.v)},
+                 look_of(*curve, false));
+    return panel;
+  }
+
+  Panel energy() const {
+    Panel panel = on_time(energy_name_);
+    add_dots(panel, energies_of(recording_, displacement(), measured().local_velocity), joules_);
+    for (const ComparedCurve* curve : curves_) {
+      std::vector<double> values = energies_of(recording_, curve->trajectory.x, curve->trajectory.v);
+      for (double& value : values) value /= joules_;
+      add_line(panel, recording_, position_, {curve->trajectory.t, std::move(values)},
+               look_of(*curve, false));
+    }
+    return panel;
+  }
+
+  Panel portrait() const {
+    Panel panel;
+    panel.phase_portrait = true;
+    panel.names_listed = true;
+    panel.x.name = position_.name;
+    panel.y.name = velocity_.name;
+    const std::vector<double>& t = recording_.series.t;
+    const PortraitPart part =
+        portrait_part(t.front(), t.back(), two_pi / recording_.fit.angular_frequency().value);
+    panel.title = part.title;
+    const auto orbit = [&](Curve look, const std::vector<double>& at, const std::vector<double>& x,
+                           const std::vector<double>& v) {
+      constexpr double room = 1.5;  // for a run that leaves
+      for (std::size_t i = 0; i < std::min(x.size(), v.size()); ++i) {
+        const bool seen =
+            part.has(at[i]) &&
+            (look.sets_axes || (std::abs(x[i]) <= room * largest_x_ && std::abs(v[i]) <= room * largest_v_));
+        if (!seen && !look.y.empty() && std::isnan(look.y.back())) continue;
+        look.x.push_back(seen ? x[i] / position_.unit_size : gap);
+        look.y.push_back(seen ? v[i] / velocity_.unit_size : gap);
+      }
+      panel.curves.push_back(std::move(look));
+    };
+    Curve dots;
+    dots.role = dots.name = "measured";
+    dots.mark = Mark::dots;
+    orbit(std::move(dots), measured().t, displacement(), measured().local_velocity);
+    for (const ComparedCurve* curve : curves_)
+      orbit(look_of(*curve, false), curve->trajectory.t, curve->trajectory.x, curve->trajectory.v);
+    return panel;
+  }
+
+  const FittedMotion& measured() const {
+    if (measured_.t.empty()) measured_ = fitted_motion(recording_);
+    return measured_;
+  }
+
+  std::vector<double> displacement() const {
+    std::vector<double> x = measured().measured;
+    for (double& each : x) each -= recording_.fit.equilibrium().value;
+    return x;
+  }
+
+  const CompareResult& comparison_;
+  const FittedRecording& recording_;
+  MeasuredAxis position_, velocity_;
+  std::vector<const ComparedCurve*> curves_{};  ///< the law first
+  double largest_x_ = 0, largest_v_ = 0;        ///< of the law
+  double joules_ = 1;                           ///< of the energy's unit
+  std::string energy_name_{};
+  mutable FittedMotion measured_{};  ///< made where it is first needed
+};
 
 }  // namespace
 
-Figure compare_figure(std::span<const CompareResult> comparisons) {
+Figure compare_figure(std::span<const CompareResult> comparisons, std::span<const MotionPanel> asked) {
   Figure figure;
   figure.id = "compare";
-  figure.title = "Measured motion and simulations of it";
+  figure.title = panels_in_words(asked) + ", measured and simulated";
   figure.size = FigureSize::wide;
   constexpr std::size_t most_in_full = 3, most_panels = 24;
   const auto drawable = static_cast<std::size_t>(
       std::count_if(comparisons.begin(), comparisons.end(),
                     [](const CompareResult& each) { return !each.recording.series.t.empty(); }));
+  figure.shared_x = drawable == 1;
   const bool grid = drawable > most_in_full;
+  const std::size_t most_runs = most_panels / asked.size();
   if (grid) {
-    figure.columns = 3;
+    figure.columns = asked.size() == 1 ? 3 : static_cast<int>(asked.size());
     figure.note =
-        "Dots: measured. Line, or envelope: the law. Dashed: one constant rate. Crosses: set aside.";
-    if (drawable > most_panels)
-      figure.note += fmt::format(" The first {} of {} runs.", most_panels, drawable);
+        "Dots: measured. Grey, or its envelope: the law. Dashed: one constant rate. Crosses: set aside.";
+    if (drawable > most_runs) figure.note += fmt::format(" The first {} of {} runs.", most_runs, drawable);
   }
+  std::size_t runs = 0;
   for (const auto& comparison : comparisons) {
-    if (comparison.recording.series.t.empty() || figure.panels.size() == most_panels) continue;
-    const MeasuredAxis axis = measured_axis(comparison.recording);
-    Panel panel;
-    if (comparisons.size() > 1) panel.title = fmt::format("Run {}", comparison.recording.series.run);
-    panel.x.name = axis.time_name;
-    panel.y.name = axis.name;
-    add_measured(panel, comparison.recording, axis);
-    // In reverse order, so that the law lies below.
-    for (auto each = comparison.curves.rbegin(); each != comparison.curves.rend(); ++each)
-      add_motion(panel, comparison.recording, axis, {each->trajectory.t, axis.scaled(each->trajectory.x)},
-                 look_of(*each));
-    if (grid) {
-      panel.title += ": " + to_text(comparison.recording.fit.law);
-      for (Curve& curve : panel.curves) curve.name = curve.remark = "";
+    if (comparison.recording.series.t.empty() || runs == most_runs) continue;
+    ++runs;
+    const Compared compared(comparison);
+    // What could not be fitted has no velocity and no energy either.
+    const std::span<const MotionPanel> possible =
+        comparison.curves.empty() ? std::span<const MotionPanel>(position_alone) : asked;
+    for (const MotionPanel each : possible) {
+      Panel panel = compared.panel(each);
+      if (comparisons.size() > 1) {
+        const std::string run = fmt::format("Run {}", comparison.recording.series.run);
+        panel.title = panel.title.empty() ? run : run + ": " + panel.title;
+      }
+      if (grid) {
+        if (!panel.phase_portrait) panel.title += ": " + to_text(comparison.recording.fit.law);
+        for (Curve& curve : panel.curves) curve.name = curve.remark = "";
+      }
+      figure.panels.push_back(std::move(panel));
     }
-    figure.panels.push_back(std::move(panel));
   }
+  set_portrait_size(figure);
   return figure;
 }
 

@@ -27,8 +27,10 @@ Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel
 /// recordings share a grid, one panel each.
 Figure fit_figure(std::span<const FittedRecording> fits);
 
-/// One panel for each recording: its simulations over the measured motion.
-Figure compare_figure(std::span<const CompareResult> comparisons);
+/// For each recording the panels asked for, one under the other: the law, one constant rate and the law by
+/// each method over the measured motion. More than three recordings share a grid.
+Figure compare_figure(std::span<const CompareResult> comparisons,
+                      std::span<const MotionPanel> panels = position_alone);
 
 /// One panel for each measure: a curve over one swept option; over two, a curve for each value of the outer
 /// one, or a map if it takes more than five. An Error if more than two options are swept.

@@ -157,6 +157,13 @@ void outermost(std::vector<double>& t, std::vector<double>& x, double window, do
   x = std::move(kept_x);
 }
 
+/// Takes away a start that is no turning point: the first one lies beyond it.
+void drop_start(std::vector<double>& t, std::vector<double>& x) {
+  if (x.size() < 2 || std::abs(x[0]) >= std::abs(x[1])) return;
+  t.erase(t.begin());
+  x.erase(x.begin());
+}
+
 double period_of(const FittedRecording& fitted) {
   double w = fitted.fit.swing_frequency().value;
   if (const Estimate* drive = fitted.fit.find("drive_frequency")) w = std::min(w, drive->value);
@@ -211,18 +218,22 @@ std::vector<double> free_values(const FittedRecording& fitted, const std::vector
 /// The samples of the fit, broken where samples are missing.
 Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   const FittedSamples good = without_outliers(fitted.series);
-  Curve curve;
-  for (const SampledMotion& stretch :
-       stretches_of(broken_at_gaps({good.t, axis.displacements(good.y)}, fitted.series.gaps)))
-    append(curve, axis, stretch.t, stretch.y);
-  curve.role = "measured";
+  Curve curve = measured_dots(fitted, axis, {good.t, axis.displacements(good.y)});
   curve.name = "measured";
   curve.remark = fmt::format("{} samples", good.t.size());
-  curve.mark = Mark::dots;
   return curve;
 }
 
 }  // namespace
+
+Curve measured_dots(const FittedRecording& fitted, const MeasuredAxis& axis, const SampledMotion& motion) {
+  Curve curve;
+  for (const SampledMotion& stretch : stretches_of(broken_at_gaps(motion, fitted.series.gaps)))
+    append(curve, axis, stretch.t, stretch.y);
+  curve.role = "measured";
+  curve.mark = Mark::dots;
+  return curve;
+}
 
 Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   const FittedSamples good = without_outliers(fitted.series);
@@ -234,12 +245,8 @@ Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
     rest.y.push_back(measured[rest.t.size()] - law.y[i]);
     rest.t.push_back(law.t[i]);
   }
-  Curve curve;
-  for (const SampledMotion& stretch : stretches_of(broken_at_gaps(rest, fitted.series.gaps)))
-    append(curve, axis, stretch.t, stretch.y);
-  curve.role = "measured";
+  Curve curve = measured_dots(fitted, axis, rest);
   curve.name = "residual";
-  curve.mark = Mark::dots;
   return curve;
 }
 
@@ -348,6 +355,8 @@ bool add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   for (const SampledMotion& stretch : stretches) {
     around.push_back(envelope(stretch.t, stretch.y));
     Envelope& e = around.back();
+    drop_start(e.top_t, e.top);
+    drop_start(e.bottom_t, e.bottom);
     swings += e.top.size();
     outermost(e.top_t, e.top, window, 1);
     outermost(e.bottom_t, e.bottom, window, -1);

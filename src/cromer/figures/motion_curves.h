@@ -43,6 +43,9 @@ struct SampledMotion {
   std::vector<double> y;  ///< in the unit of the axis, from the equilibrium
 };
 
+/// A measured motion, in the unit of the axis, as dots, broken at NaN and where samples are missing.
+Curve measured_dots(const FittedRecording& fitted, const MeasuredAxis& axis, const SampledMotion& motion);
+
 /// Adds the samples of the fit as dots, and those set aside as crosses, which do not widen the axes.
 void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis);
 

@@ -66,7 +66,7 @@ EnergyUnit energy_unit(double largest) {
 }
 
 PortraitPart portrait_part(double begin, double end, double period) {
-  constexpr double first = 8, last = 4, most = 20;  // periods
+  constexpr double first = 5, last = 3, most = 20;  // periods
   if (!(period > 0) || end - begin <= most * period)
     return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
             "Phase portrait"};

@@ -38,7 +38,7 @@ EnergyUnit energy_unit(double largest);
 /// and the last ones, because rings upon rings would fill it.
 struct PortraitPart {
   double first_until, last_from;  // [s]
-  std::string title;              ///< "Phase portrait of the first 8 and the last 4 periods"
+  std::string title;              ///< "Phase portrait of the first 5 and the last 3 periods"
 
   bool has(double t) const { return t <= first_until || t >= last_from; }
 };

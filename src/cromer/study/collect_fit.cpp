@@ -120,8 +120,8 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
     const std::string name = id + "." + std::to_string(i + 1);
     facts_of(compared.recording, results).set(name, curve);
     results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
-    // The last curve is the fitted law.
-    collect_excess(name, envelopes[i], envelopes.back(), results);
+    // The second curve is the fitted law.
+    collect_excess(name, envelopes[i], envelopes[1], results);
     results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");
     results.set_column(name + ".x", curve.trajectory.x, unit, "position *x*");
     results.set_column(name + ".top_t", envelopes[i].top_t, "s", "time *t*");

@@ -441,11 +441,11 @@ export interface Fit extends FittedRecording {
 }
 
 export interface ComparedCurve {
-  /** one constant decay rate, or the law */
+  /** one constant decay rate, the law, or the law by a method */
   label: string
   /** terms of the law */
   law: string
-  /** method of the simulation */
+  /** method of the simulation; `exact`: none, the law itself */
   method: string
   /** [of the column] rms of measured minus simulated */
   rms: Maybe
@@ -456,7 +456,7 @@ export interface ComparedCurve {
   /** [rad] simulated minus measured phase at the end; null if the measured motion has stopped */
   phase_drift: Maybe
   /** [s] step of the method */
-  step: number
+  step: Maybe
   /** [of the column] rms of measured minus the exact solution of the law */
   law_rms: Maybe
   /** simulated over exact amplitude at the end */
@@ -474,7 +474,7 @@ export interface ComparedRecording {
   status: string
   /** why there is no fit, or why a simulation ended early; only then */
   message?: Said
-  /** the simulations */
+  /** one constant decay rate and the law, without a method's error, then the law by each method */
   curves: ComparedCurve[]
   /** whether the measured motion is below the noise at the end */
   measured_at_rest?: boolean

@@ -59,9 +59,12 @@ export function fitOptions(state: Settings, runs = 1, law = state.law): Options 
   ])
 }
 
-/// The fitted `law` simulated by `method`.
-export function compareOptions(state: Settings, runs: number, law: string, method: string): Options {
-  return given([...samplesOf(state, runs), ['law', law], ['mass', state.mass], ['method', method]])
+/// What the law is simulated by beside the recording.
+const methods = ['forward-euler', 'euler-cromer'].map((method): [string, string] => ['method', method])
+
+/// The fitted `law` simulated by each method.
+export function compareOptions(state: Settings, runs: number, law: string): Options {
+  return given([...samplesOf(state, runs), ['law', law], ['mass', state.mass], ...methods])
 }
 
 /// A word as a shell reads it back: bare where nothing in it means something to the shell.
@@ -72,7 +75,7 @@ export function quoted(word: string): string {
 
 export function commandLine(file: string, state: Settings, runs = 1, overlay = false): string {
   const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
-  for (const [name, value] of fitOptions(state, runs)) {
+  for (const [name, value] of [...fitOptions(state, runs), ...(overlay ? methods : [])]) {
     if (name === 'temperature' && value === '20 °C') continue
     words.push(`--${name}`, ...(name === 'skip-bad-rows' ? [] : [quoted(value)]))
   }

@@ -264,22 +264,16 @@ async function simulate(mine: number, law: string): Promise<void> {
   session.notSimulated = ''
   const state = $state.snapshot(page.measure)
   const found: Simulated[] = []
-  for (const method of ['forward-euler', 'euler-cromer']) {
-    const answer = await ask(mine, 'compare', compareOptions(state, session.runs, law, method), session.file!)
-    if (mine !== turn) return
-    if (!answer) continue
-    if (answer.status === 2) {
-      session.notSimulated = answer.document.message
-      continue
-    }
+  const answer = await ask(mine, 'compare', compareOptions(state, session.runs, law), session.file!)
+  if (mine !== turn) return
+  if (answer?.status === 2) session.notSimulated = answer.document.message
+  else if (answer) {
     const compared = answer.document.comparisons[0]!
-    const i = compared.curves.length - 1
-    const curve = compared.curves[i]
-    if (!curve) continue
-    if (method === 'euler-cromer') session.constantAtEnd = compared.curves[0]!.amplitude_ratio_end
-    const { method_amplitude_ratio: amplitude, method_phase: phase, diverged, step } = curve
+    session.constantAtEnd = compared.curves[0]?.amplitude_ratio_end ?? null
     const atRest = compared.measured_at_rest === true
-    found.push({ method, law: curve.law, step, amplitude, phase, diverged, atRest, ...compared.states[i]! })
+    compared.curves.forEach(({ method, law, step, method_amplitude_ratio: amplitude, method_phase: phase, diverged }, i) => {
+      if (step !== null) found.push({ method, law, step, amplitude, phase, diverged, atRest, ...compared.states[i]! })
+    })
   }
   session.simulated = found
   session.busy = ''

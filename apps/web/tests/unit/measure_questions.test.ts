@@ -21,8 +21,8 @@ describe('questions', () => {
     expect(fitOptions({ ...measureDefaults, run: 2 }, 3)).toEqual([['run', '2']])
   })
   it('compare without what only a fit uses', () => {
-    const names = compareOptions(lab, 1, 'viscous+drag', 'forward-euler').map(([name]) => name)
-    expect(names).toEqual(['from', 'to', 'law', 'mass', 'method'])
+    const names = compareOptions(lab, 1, 'viscous+drag').map(([name]) => name)
+    expect(names).toEqual(['from', 'to', 'law', 'mass', 'method', 'method'])
   })
 })
 
@@ -32,7 +32,7 @@ describe('the command line', () => {
       'cromer fit "disc 12.csv" --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"'
     )
     expect(commandLine('a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
-    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"')
+    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm" --method forward-euler --method euler-cromer')
   })
   it('is safe in a shell', () => {
     expect(quoted('$(rm).csv')).toBe("'$(rm).csv'")

@@ -495,6 +495,7 @@ constexpr Entry entries[] = {
     {"interrupted_before_simulating", worth_knowing, "interrupted before anything was simulated",
      "abgebrochen, bevor etwas simuliert war"},
     {"law_by_name", clause, "{law}", "{law}"},
+    {"law_by_method", clause, "{law} by {method}", "{law} mit {method}"},
     {"one_constant_decay_rate", clause, "one constant decay rate", "eine feste Abklingrate"},
     {"curve_interrupted", worth_knowing, "{law}: interrupted at {t:.6g} s",
      "{law}: abgebrochen bei {t:.6g} s"},
@@ -514,12 +515,12 @@ constexpr Entry entries[] = {
      "wählen"},
 
     // Whether one decay rate is enough
+    {"one_then_another", clause, "{one}{another}", "{one}{another}"},
     {"simulation_runs_away", clause,
-     "Simulated by {method} in steps of {step:n}\u00a0s the motion runs away: that step is too long for the "
-     "method, and nothing follows about the law. Take a smaller {--step} or another {--method}.",
-     "Mit {method} in Schritten von {step:n}\u00a0s simuliert läuft die Bewegung davon: dieser Schritt ist "
-     "zu lang für das Verfahren, und über das Gesetz folgt nichts. Bitte ein kleineres {--step} oder ein "
-     "anderes {--method} nehmen."},
+     " Simulated by {method} in steps of {step:n}\u00a0s the motion runs away: that step is too long for the "
+     "method. Take a smaller {--step} or another {--method}.",
+     " Mit {method} in Schritten von {step:n}\u00a0s simuliert läuft die Bewegung davon: dieser Schritt ist "
+     "zu lang für das Verfahren. Bitte ein kleineres {--step} oder ein anderes {--method} nehmen."},
     {"no_verdict", clause, "{doubt:A}. No verdict on the damping: {one_rate}.",
      "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}."},
     {"no_verdict_with_law", clause, "{doubt:A}. No verdict on the damping: {one_rate}, {with_law}.",

@@ -190,7 +190,7 @@ double noise_amplitude(double rms, std::size_t samples) {
   return standard_errors * rms * std::sqrt(2 / static_cast<double>(std::max<std::size_t>(samples, 1)));
 }
 
-// The samples not set aside, and two motions at their times.
+// The samples not set aside, and the motions of a law at their times.
 struct Samples {
   std::vector<double> t, measured, simulated, law;
 };
@@ -215,15 +215,13 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
   curve.rms = rms_of_difference(samples.measured, samples.simulated);
   curve.r_squared = 1 - std::pow(curve.rms / scatter, 2);
   curve.law_rms = rms_of_difference(samples.measured, samples.law);
-  const EndComparison end = compare_ends(samples.t, samples.measured, samples.simulated, samples.law, w),
-                      of_law = compare_ends(samples.t, samples.measured, samples.law, samples.law, w);
+  const EndComparison end = compare_ends(samples.t, samples.measured, samples.simulated, samples.law, w);
   const double noise = noise_amplitude(recording.fit.residual.rms, end.samples);
   curve.measured_at_rest = end.first_amplitude < noise;
   curve.at_rest = end.second_amplitude < noise;
   if (curve.measured_at_rest) return;
   curve.amplitude_ratio_end = end.amplitude_ratio;
   curve.phase_drift = end.phase_drift;
-  curve.law_amplitude_ratio_end = of_law.amplitude_ratio;
 }
 
 // The method's own part: against the same law solved without its error.
@@ -237,13 +235,43 @@ void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, co
   curve.method_phase = end.phase_drift;
 }
 
-/// Runs the law over the recording's times, by the method and step of the options. The figures leave out
-/// samples set aside. A run that ended early, or that grows tenfold, is a notice. A law that the method
+double largest_of(const std::vector<double>& x) {
+  double largest = 0;
+  for (const double each : x) largest = std::max(largest, std::abs(each));
+  return largest;
+}
+
+ComparedCurve begun_curve(Notice label, const Law& law, std::string_view method) {
+  ComparedCurve curve;
+  curve.label = std::move(label);
+  curve.law = law;
+  curve.method = method;
+  curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = not_known;
+  curve.law_rms = curve.method_amplitude_ratio = curve.method_phase = not_known;
+  return curve;
+}
+
+/// The law itself at the recording's times, without a method's error. A law whose motion leaves all bounds is
+/// an Error.
+Result<ComparedCurve> law_curve(const FittedRecording& recording, const NamedLaw& law, double step) {
+  const Series& series = recording.series;
+  ComparedCurve curve = begun_curve(law.label, law.law, without_method);
+  const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
+  curve.trajectory = motion_states(law.motion, {}, series.t, law_step);
+  if (curve.trajectory.size() < series.t.size()) return Error{"law_runs_away", {{"law", law.label}}};
+  compare_with_measured(curve, recording, good_samples(recording, curve.trajectory, curve.trajectory));
+  curve.method_amplitude_ratio = 1;
+  curve.method_phase = 0;
+  return curve;
+}
+
+/// Runs the law over the recording's times, by a method in steps. The figures leave out samples set aside. A
+/// run that ended early, or that grows to ten times the law's own motion, is a notice. A law that the method
 /// cannot integrate is an Error.
 Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
-                                     const CompareOptions& options, double step, std::vector<Notice>& notices,
-                                     const Watch& watch) {
-  if (options.method == "exact")
+                                     const ComparedCurve& itself, const std::string& method, double step,
+                                     std::vector<Notice>& notices, const Watch& watch) {
+  if (method == "exact")
     if (const std::string_view term = why_no_closed_form(law); !term.empty())
       return Error{"compared_has_no_closed_form", {{"term", term}}};
   const Series& series = recording.series;
@@ -253,21 +281,16 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   KeepAt keep(series.t, 1e-6 * step);
   KeepEvery each{AnyRecorder(keep)};
   const LawRun run{.oscillator = motion.per_mass,
-                   .method = options.method,
+                   .method = method,
                    .interval = interval,
                    .start = {motion.position, motion.velocity},
                    .control = step};
   const Outcome outcome = run_law(run, each, watch);
 
-  ComparedCurve curve;
-  curve.label = law.label;
-  curve.law = law.law;
-  curve.method = options.method;
+  ComparedCurve curve =
+      begun_curve(Notice{"law_by_method", {{"law", law.label}, {"method", method}}}, law.law, method);
   curve.step = step;
   curve.trajectory = keep.take();
-  curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = not_known;
-  curve.law_rms = curve.law_amplitude_ratio_end = curve.method_amplitude_ratio = curve.method_phase =
-      not_known;
   if (outcome.status != Status::reached_end || curve.trajectory.size() < series.t.size()) {
     curve.complete = false;
     curve.diverged = !outcome.interrupted;
@@ -275,26 +298,20 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
                           ? Notice{"curve_interrupted", {{"law", law.label}, {"t", outcome.t}}}
                           : Notice{"curve_ended",
                                    {{"law", law.label},
-                                    {"method", options.method},
+                                    {"method", method},
                                     {"t", outcome.t},
                                     {"status", name(outcome.status)}}});
     return curve;
   }
-  const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
-  const Trajectory itself = motion_states(motion, {}, series.t, law_step);
-  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", law.label}}};
-  const Samples samples = good_samples(recording, curve.trajectory, itself);
+  const Samples samples = good_samples(recording, curve.trajectory, itself.trajectory);
   compare_with_measured(curve, recording, samples);
   compare_with_law(curve, recording, samples);
-  // A free swing never exceeds its start by much: one that does has grown from step to step.
-  double largest = 0;
-  const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency());
-  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
-  if (largest > 10 * start) {
+  const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency()),
+               largest = largest_of(curve.trajectory.x);
+  if (largest > 10 * std::max(start, largest_of(itself.trajectory.x))) {
     curve.diverged = true;
-    notices.push_back(
-        Notice{"curve_grows",
-               {{"law", law.label}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
+    notices.push_back(Notice{
+        "curve_grows", {{"law", law.label}, {"method", method}, {"step", step}, {"times", largest / start}}});
   }
   return curve;
 }
@@ -337,10 +354,20 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
 
 }  // namespace
 
+namespace {
+
+Result<void> check_methods(const CompareOptions& options) {
+  for (const std::string& method : options.method)
+    if (const Result<void> known = check_method_name(method); !known)
+      return Error{"method_is_wrong", {{"what", known.error().notice}}};
+  return {};
+}
+
+}  // namespace
+
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch) {
-  if (const Result<void> known = check_method_name(options.method); !known)
-    return Error{"method_is_wrong", {{"what", known.error().notice}}};
+  if (const Result<void> known = check_methods(options); !known) return known.error();
   const auto refuse = [&](const Notice& why) {
     return Error{recording.file.empty() ? why : in_file(recording.file, why)};
   };
@@ -380,12 +407,20 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   }
   const NamedLaw chosen{Notice{"law_by_name", {{"law", to_text(fit.law)}}}, fit.law, fit.motion};
   for (const NamedLaw& law : {*constant, chosen}) {
-    const double done = result.curves.empty() ? 0.2 : 0.6;
-    const Watch part = part_of(watch, done, done + 0.4);
-    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.notices, part);
+    Result<ComparedCurve> curve = law_curve(recording, law, step);
+    if (!curve) return curve.error();
+    result.curves.push_back(std::move(*curve));
+  }
+  const std::vector<std::string> by_default{"euler-cromer"},
+      &methods = options.method.empty() ? by_default : options.method;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const double each = 0.7 / static_cast<double>(methods.size()), done = 0.3 + each * static_cast<double>(i);
+    Result<ComparedCurve> curve = simulate_curve(recording, chosen, result.curves[1], methods[i], step,
+                                                 result.notices, part_of(watch, done, done + each));
     if (!curve) return curve.error();
     result.complete = result.complete && curve->complete;
     result.curves.push_back(std::move(*curve));
+    if (watch.progress) watch.progress(done + each);
   }
   return result;
 }
@@ -428,8 +463,7 @@ CompareResult not_compared(const FittedRecording& fitted, const Notice& why) {
 
 Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
                                            const Watch& watch) {
-  if (const Result<void> known = check_method_name(options.method); !known)
-    return Error{"method_is_wrong", {{"what", known.error().notice}}};
+  if (const Result<void> known = check_methods(options); !known) return known.error();
   if (is_driven(options.fit)) return Error{"compare_has_no_drive"};
   const Result<std::vector<FittedRecording>> fits = fit(recording, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/tasks/fit/fit.h"
@@ -12,37 +13,40 @@ namespace cromer::core {
 
 struct CompareOptions {
   FitOptions fit{};
-  std::string method = "euler-cromer";
+  std::vector<std::string> method{};  ///< names; euler-cromer by default
   std::optional<double>
       step;  // [s] > 0; by default the sample spacing, divided until a period has at least 200 steps
 };
 
-/// One simulation at the recording's own times; x is the displacement from the fitted equilibrium. The
-/// figures leave out the samples that the fit set aside.
+/// The `method` of a law without any method's error: by its closed form, or integrated so finely that nothing
+/// shows.
+inline constexpr std::string_view without_method = "exact";
+
+/// One motion at the recording's own times; x is the displacement from the fitted equilibrium. The figures
+/// leave out the samples that the fit set aside.
 struct ComparedCurve {
-  Notice label;  ///< one constant decay rate, or the law by its name
+  Notice label;  ///< one constant decay rate, the law by its name, or the law by a method
   Law law;
   std::string method;
-  double step = 0;  // [s]
+  double step = 0;  // [s] of the method; 0 without one
   Trajectory trajectory;
   bool complete = true;   ///< reached the recording's end; if not, the figures are NaN
   bool diverged = false;  ///< the method is not stable at this step: the figures say nothing about the law
   double rms = 0;         // [m] or the column's SI unit
   double r_squared = 0;
-  double amplitude_ratio_end = 0;  ///< simulated over measured, at the end (extrapolated from the last ten
-                                   ///< periods); NaN if the measured motion has stopped
-  double phase_drift = 0;          // [rad] simulated minus measured, at the end; NaN likewise
-  bool measured_at_rest = false;   ///< the measured swing is below the noise at the end
-  bool at_rest = false;            ///< the simulated swing is
-  double law_rms = 0;              ///< as rms, of the exact law: without the method's error
-  double law_amplitude_ratio_end = 0;  ///< of the exact law; NaN if the measured motion has stopped
-  double method_amplitude_ratio = 1;   ///< simulated over the exact law, at the end; NaN if that has stopped
-  double method_phase = 0;             // [rad] simulated minus the exact law, at the end; NaN likewise
+  double amplitude_ratio_end = 0;     ///< simulated over measured, at the end (extrapolated from the last ten
+                                      ///< periods); NaN if the measured motion has stopped
+  double phase_drift = 0;             // [rad] simulated minus measured, at the end; NaN likewise
+  bool measured_at_rest = false;      ///< the measured swing is below the noise at the end
+  bool at_rest = false;               ///< the simulated swing is
+  double law_rms = 0;                 ///< as rms, of the exact law: without the method's error
+  double method_amplitude_ratio = 1;  ///< simulated over the exact law, at the end; NaN if that has stopped
+  double method_phase = 0;            // [rad] simulated minus the exact law, at the end; NaN likewise
 };
 
 struct CompareResult {
   FittedRecording recording;
-  std::vector<ComparedCurve> curves;
+  std::vector<ComparedCurve> curves;  ///< one constant decay rate, the law, and the law by each method
   bool complete = true;  ///< every curve is, and none is missing unless the fit was refused or undetermined
   bool others_tried = true;     ///< the fit chose among several laws
   std::vector<Notice> doubts;   ///< why no law describes the motion; also among the notices
@@ -51,13 +55,14 @@ struct CompareResult {
 
 inline const FittedRecording& fit_of_run(const CompareResult& result) { return result.recording; }
 
-/// Whether a single decay rate is enough, with the numbers. Empty if no simulation reached the end.
+/// Whether a single decay rate is enough, with the numbers, and what each method adds. Empty without the
+/// first two curves.
 Notice explanation(const CompareResult& comparison);
 
 /// Simulates one fitted recording. A run that ended early (diverged, interrupted) has NaN figures and a
-/// notice that says when; a run that grows tenfold is said to be unstable. A refused fit has no curves.
-/// Errors: a driven motion, a column that is no position or angle, a method that does not exist or cannot
-/// integrate the law, a step that is not positive or would take more than 1e8 steps.
+/// notice that says when; a run that grows to ten times its law's motion is said to be unstable. A refused
+/// fit has no curves. Errors: a driven motion, a column that is no position or angle, a method that does not
+/// exist or cannot integrate the law, a step that is not positive or would take more than 1e8 steps.
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch = {});
 

@@ -17,14 +17,16 @@ std::string with_unit(double value, std::string_view unit) {
 /// "the amplitude at the end is 10 % too small"
 Notice amplitude_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return Notice{curve.at_rest ? "both_have_died_down" : "it_still_swings"};
-  const double off = 100 * std::abs(curve.law_amplitude_ratio_end - 1);
+  const double off = 100 * std::abs(curve.amplitude_ratio_end - 1);
   if (off < 0.05) return Notice{"end_is_right"};
-  return Notice{curve.law_amplitude_ratio_end > 1 ? "end_too_large" : "end_too_small",
+  return Notice{curve.amplitude_ratio_end > 1 ? "end_too_large" : "end_too_small",
                 {{"off", rounded(off, 2)}}};
 }
 
 /// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
+  if (curve.diverged)
+    return Notice{"simulation_runs_away", {{"method", curve.method}, {"step", rounded(curve.step, 3)}}};
   const double phase = std::abs(curve.method_phase), change = std::abs(curve.method_amplitude_ratio - 1);
   if (!(curve.rms > 1.02 * curve.law_rms || phase > 0.01 || change > 0.005)) return {};
   std::vector<Notice> adds;
@@ -39,28 +41,18 @@ Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
                  {"adds", adds}}};
 }
 
-/// A simulation that ran away says nothing about the law.
-Notice divergence(const std::vector<ComparedCurve>& curves) {
-  for (const ComparedCurve& curve : curves)
-    if (curve.diverged)
-      return Notice{"simulation_runs_away", {{"method", curve.method}, {"step", rounded(curve.step, 3)}}};
-  return {};
-}
-
 }  // namespace
 
 Notice explanation(const CompareResult& comparison) {
   const auto& curves = comparison.curves;
   if (curves.size() < 2) return {};
-  if (Notice gone = divergence(curves); !gone.empty()) return gone;
-  if (!curves.front().complete || !curves.back().complete) return {};
-  const ComparedCurve& one = curves.front();
-  const ComparedCurve& law = curves.back();
+  const ComparedCurve& one = curves[0];
+  const ComparedCurve& law = curves[1];
   const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
   const bool viscous = law.law == law_of("viscous");
   const Notice left{comparison.recording.decay_rate_mean ? "mean_rate_leaves" : "one_rate_leaves",
-                    {{"left", with_unit(one.law_rms, unit)}}};
-  const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.law_rms, unit)}}};
+                    {{"left", with_unit(one.rms, unit)}}};
+  const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.rms, unit)}}};
   if (!comparison.doubts.empty())
     return Notice{viscous ? "no_verdict" : "no_verdict_with_law",
                   {{"doubt", comparison.doubts.front()}, {"one_rate", left}, {"with_law", with_law}}};
@@ -69,7 +61,11 @@ Notice explanation(const CompareResult& comparison) {
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
   const bool constant = std::abs(first - last) < 0.02 * std::max(std::abs(first), std::abs(last));
-  const Notice method = method_adds(law, unit), end = amplitude_at_the_end(one);
+  const Notice end = amplitude_at_the_end(one);
+  Notice method;
+  for (std::size_t i = curves.size(); i-- > 2;)
+    if (Notice adds = method_adds(curves[i], unit); !adds.empty())
+      method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
   if (viscous)
     return Notice{comparison.others_tried ? "one_rate_is_enough" : "no_other_law_tried",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};

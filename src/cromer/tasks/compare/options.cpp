@@ -10,7 +10,9 @@ namespace cromer::core {
 std::vector<Option> options_of(CompareOptions& o) {
   constexpr std::string_view integration = "Integration";
   const Option own[] = {
-      {"method", &o.method, "", Range::any, "a name from `cromer methods`", "euler-cromer", integration},
+      {"method", &o.method, "", Range::any,
+       "a name from `cromer methods`, which simulates the law; may be given several times", "euler-cromer",
+       integration},
       {"step", &o.step, "s", Range::positive, "time step",
        "the sample spacing, divided to have 200 steps in a period", integration},
   };

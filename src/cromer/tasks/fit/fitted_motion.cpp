@@ -77,8 +77,9 @@ class SlidingSinusoid {
   Sums sums_;
 };
 
-std::vector<double> local_velocities(const Series& series, double w, double level) {
-  const double half = pi / w;
+/// The slopes of the series.
+std::vector<double> local_slopes(const Series& series, double w) {
+  const double half = pi / w, level = 0;
   const FittedSamples good = without_outliers(series);
   SlidingSinusoid window(good, w, level);
   std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());
@@ -141,9 +142,12 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   motion.energy = energies_of(fitted, motion.x, motion.v);
   const Series& series = fitted.series;
   if (derivative_order(series.quantity) <= 0 && !fitted.driven) {
-    const Motion& p = fitted.fit.motion;
-    motion.local_velocity = local_velocities(series, p.angular_frequency(), p.equilibrium);
+    Series rest = series;
+    rest.y = motion.residual;
+    rest.y.resize(rest.t.size(), std::numeric_limits<double>::quiet_NaN());
+    motion.local_velocity = local_slopes(rest, fitted.fit.motion.angular_frequency());
     motion.local_velocity.resize(motion.t.size());
+    for (std::size_t i = 0; i < motion.t.size(); ++i) motion.local_velocity[i] += motion.v[i];
   }
   return motion;
 }

@@ -1,8 +1,8 @@
 // Velocity and energy of a recorded motion without the bias of finite differences, and their units.
 //
 // A difference of neighbouring samples multiplies their noise and shrinks an oscillation. The fitted law's
-// own velocity does neither. A check uses the samples alone: a sinusoid and a level are fitted to a window of
-// a period around each sample, and their slope in the middle is the velocity.
+// own velocity does neither. The samples correct it: a sinusoid and a level are fitted to what the law leaves
+// in a window of a period around each sample, and their slope in the middle is added.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct FittedMotion {
   std::vector<double> residual;  ///< measured less fitted
   std::vector<double> x, v;      ///< displacement from the equilibrium and velocity of the law
   std::vector<double>
-      local_velocity;          ///< from samples not set aside; NaN if a window is cut off or has less than 8
+      local_velocity;  ///< by the samples not set aside; NaN if a window is cut off or has less than 8
   std::vector<double> energy;  ///< of the law, with its mass [J], else per unit mass
   bool per_mass = true;
 };
