@@ -11,9 +11,9 @@ from ._core import InputError
 from ._core import version as __version__
 from ._estimate import Estimate
 from ._results import (Comparison, CromerWarning, Curve, Fits, FitWarning, LawFit, Methods, NoSuccess, Notice,
-                       Recording, Residual, Run, Runs, Spectrum, Sweep, Trajectory)
+                       Recognition, Recording, Residual, Run, Runs, Spectrum, Sweep, Trajectory)
 from ._verbs import compare, fit, fit_all, methods, read, simulate, spectrum, sweep
 
 __all__ = ["Comparison", "CromerWarning", "Curve", "Estimate", "FitWarning", "Fits", "InputError", "LawFit", "Methods",
-           "NoSuccess", "Notice", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
+           "NoSuccess", "Notice", "Recognition", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
            "__version__", "compare", "fit", "fit_all", "methods", "read", "simulate", "spectrum", "sweep"]

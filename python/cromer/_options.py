@@ -134,6 +134,31 @@ class MethodsOptions(TypedDict, total=False):
     beta: Value
     gamma: Value
     rho_inf: Value
+    column: str
+    velocity_column: str
+    run: int
+    mass: Value
+    stiffness: Value
+    damping: Value
+    drag: Value
+    friction: Value
+    static_friction: Value
+    cubic: Value
+    quadratic: Value
+    odd_quadratic: Value
+    quintic: Value
+    van_der_pol: Value
+    hysteresis_stiffness: Value
+    hysteresis_beta: Value
+    hysteresis_gamma: Value
+    hysteresis_exponent: Value
+    pendulum: Value
+    quality_factor: Value
+    rate: Value
+    time_column: str
+    delimiter: str
+    decimal: str
+    skip_bad_rows: bool
     markdown: bool
 
 
@@ -319,6 +344,31 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "beta": ("Value", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("Value", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("Value", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
+        "column": ("str", "its column of the position [found]"),
+        "velocity_column": ("str", "its column of the velocity [found]"),
+        "run": ("int", "which of several runs in the file; must be positive [the only one]"),
+        "mass": ("Value", "[kg] mass m; must be positive [1 kg]"),
+        "stiffness": ("Value", "[N/m] spring constant k; negative with a cubic is a double well [fitted, with the damping, where no law is given]"),
+        "damping": ("Value", "[kg/s] viscous damping c [0]"),
+        "drag": ("Value", "[kg/m] quadratic drag d; must not be negative [0]"),
+        "friction": ("Value", "[N] dry friction f while it slides; must not be negative [0]"),
+        "static_friction": ("Value", "[N] largest force that dry friction holds at rest, at least friction; must not be negative [as friction]"),
+        "cubic": ("Value", "[N/m^3] cubic stiffness k3 [0]"),
+        "quadratic": ("Value", "[N/m^2] quadratic stiffness k2 [0]"),
+        "odd_quadratic": ("Value", "[N/m^2] odd quadratic stiffness ka, of x|x| [0]"),
+        "quintic": ("Value", "[N/m^5] quintic stiffness k5 [0]"),
+        "van_der_pol": ("Value", "[kg/(m^2 s)] damping e of x^2 x' [0]"),
+        "hysteresis_stiffness": ("Value", "[N/m] stiffness A of the hysteretic force where it begins [0]"),
+        "hysteresis_beta": ("Value", "[1/m] how soon the hysteretic force gives way, beta (N^(1-n)/m with an exponent n) [0]"),
+        "hysteresis_gamma": ("Value", "[1/m] what sets the shape of its loops, gamma (N^(1-n)/m) [0]"),
+        "hysteresis_exponent": ("Value", "how sharply it gives way, n of beta |x'| |z|^(n-1) z + gamma x' |z|^n; must be at least 1 [1]"),
+        "pendulum": ("Value", "[N] force p of p sin x, x an angle [0]"),
+        "quality_factor": ("Value", "in place of damping: c = sqrt(k m) / Q; must be positive"),
+        "rate": ("Value", "[Hz] samples per second, 1e-6 to 1e12, for files without time [from the time column]"),
+        "time_column": ("str", "name of the time column [found]"),
+        "delimiter": ("str", "\",\", \";\", tab or blank [found]"),
+        "decimal": ("str", "decimal mark, \".\" or \",\" [found]"),
+        "skip_bad_rows": ("bool", "leave out rows with a word in a number column [such a row is an error]"),
         "markdown": ("bool", "print the table as docs/methods.md has it"),
     },
     "sweep": {

@@ -633,6 +633,40 @@ class Methods(Result, Sequence[Dict[str, Any]]):
         return f"Methods: {', '.join(self.names)}"
 
 
+class Recognition(Result, Sequence[Dict[str, Any]]):
+    """Which method made a run: the nearest first ("method", "same_map", "step", "distance", "decay_rate_added",
+    "frequency_shift"). `verdict` is "made", "the_law" (no error of a method shows), "other_law" or "none"."""
+
+    @overload
+    def __getitem__(self, index: int) -> Dict[str, Any]: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Dict[str, Any]]: ...
+    def __getitem__(self, index: Union[int, slice]) -> Union[Dict[str, Any], List[Dict[str, Any]]]:
+        found: List[Dict[str, Any]] = self._document["recognised"]
+        return found[index]
+
+    def __len__(self) -> int:
+        return len(self._document["recognised"])
+
+    @property
+    def verdict(self) -> str:
+        """What there is to say of the first."""
+        return str(self._document["verdict"])
+
+    def to_pandas(self) -> Any:
+        """A row for each method and step."""
+        import pandas
+        return pandas.DataFrame(self._document["recognised"])
+
+    def __repr__(self) -> str:
+        return f"Recognition: {self.in_words}"
+
+    @property
+    def in_words(self) -> str:
+        """The verdict as a sentence."""
+        return str(self._document["in_words"])
+
+
 #: the curves of a shock spectrum
 SHOCK = ("maximax", "primary", "residual", "positive", "negative")
 

@@ -14,7 +14,7 @@ from ._arguments import arrays_of, request_of
 from ._core import Answer, InputError, Progress, call
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
                        SpectrumOptions, SweepOptions)
-from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recording, Run, Runs, Spectrum, Sweep, told
+from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recognition, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -255,21 +255,31 @@ def compare(t: Any, y: Any = None, *, method: Union[None, str, List[str], Tuple[
     return found
 
 
+@overload
+def methods(*, recognise: None = None, language: Optional[str] = None, strict: bool = False,
+            **options: "Unpack[MethodsOptions]") -> Methods: ...
+@overload
+def methods(*, recognise: "Union[str, os.PathLike[str]]", language: Optional[str] = None, strict: bool = False,
+            **options: "Unpack[MethodsOptions]") -> Recognition: ...
 @_documented
-def methods(*, language: Optional[str] = None, **options: "Unpack[MethodsOptions]") -> Methods:
-    """The methods of integration; with a step, what each simulates in place of your law.
+def methods(*, recognise: "Union[None, str, os.PathLike[str]]" = None, language: Optional[str] = None, strict: bool = False,
+            **options: "Unpack[MethodsOptions]") -> Union[Methods, Recognition]:
+    """The methods of integration; with a step, what each simulates in place of your law. Or which of them made a run.
 
     Parameters
     ----------
+    recognise : str or path, optional
+        File of any simulator with time, position and velocity: which method made it, with which step, under the law
+        given; a linear law is fitted where none is.
     {options}
 
     Returns
     -------
-    Methods
+    Methods; with `recognise` Recognition
     """
-    answer = call("methods", request_of({**options, "language": language}, "methods"), {})
-    made = Methods(answer)
-    told(made, answer, False)
+    answer = call("methods", request_of({**options, "recognise": recognise, "language": language}, "methods"), {})
+    made = Methods(answer) if recognise is None else Recognition(answer)
+    told(made, answer, strict, made.to_dict().get("message", ""))
     return made
 
 

@@ -74,6 +74,21 @@ def test_methods_say_what_they_simulate():
     assert table["implicit-euler"]["stable"]
 
 
+def test_a_run_is_recognised(tmp_path):
+    run = cromer.simulate(mass=0.2, stiffness=16, damping=0.02, method="heun", step=0.01, every=3, until=6)
+    path = tmp_path / "run.csv"
+    path.write_text(run.to_csv())
+    found = cromer.methods(recognise=path, mass=0.2, stiffness=16, damping=0.02)
+    assert found.verdict == "made" and found[0]["method"] == "heun" and found[0]["same_map"] == []
+    assert found[0]["step"] == pytest.approx(0.01, rel=1e-12) and "heun" in str(found) and len(found) > 1
+    assert found.to_pandas()["distance"].is_monotonic_increasing
+    with pytest.warns(cromer.FitWarning, match="check the law"):
+        assert cromer.methods(recognise=path, mass=0.2, stiffness=17).verdict == "other_law"
+    with pytest.raises(cromer.NoSuccess):
+        cromer.methods(recognise=path, mass=0.2, stiffness=17, strict=True)
+
+
+
 def test_a_sweep_is_the_closed_form():
     w = np.linspace(1, 5, 50)
     found = cromer.sweep(stiffness=9, damping=0.2, method="exact", drive_amplitude=1, drive_frequency=w)

@@ -127,6 +127,36 @@ TEST(Methods, AreListedWithTheirOrders) {
                          {"forward-euler", "euler-cromer", "implicit-euler", "verlet", "rk4", "exact"}));
 }
 
+TEST(Methods, RecogniseTheRunOfAFile) {
+  const Folder folder;
+  folder.run({"simulate", "--mass", "0.2 kg", "--stiffness", "16", "--method", "implicit-midpoint", "--step",
+              "0.01", "--every", "2", "--until", "5", "-o", "run.csv"});
+  const std::vector<std::string> ask{"methods", "--recognise", "run.csv", "--mass", "0.2 kg", "--json"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ask.begin(), ask.end());
+    return folder.run(more);
+  };
+  const Finished made = with({"--stiffness", "16"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto best = made.json()["recognised"][0];
+  EXPECT_EQ(best["method"], "newmark");
+  EXPECT_EQ(best["same_map"], std::vector<std::string>{"implicit-midpoint"});
+  EXPECT_NEAR(best["step"].get<double>(), 0.01, 1e-12);
+  EXPECT_LT(best["distance"].get<double>(), 1e-12);
+  EXPECT_LT(best["frequency_shift"].get<double>(), 0);
+  EXPECT_NEAR(best["decay_rate_added"].get<double>(), 0, 1e-11);
+
+  const Finished other = with({"--stiffness", "16.5"});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.json()["message"].get<std::string>(), HasSubstr("check the law"));
+
+  EXPECT_EQ(folder.run({"methods", "--recognise", "none.csv"}).status, 2);
+  EXPECT_EQ(with({"--step", "0.007"}).status, 2);
+  const Finished alone = folder.run({"methods", "--stiffness", "16"});
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--recognise"));
+}
+
 TEST(Inspect, SaysWhatIsInAFileAndConvertsIt) {
   const Folder folder;
   folder.write("lab.csv", "Time (s);Position (mm)\n0,00;1,5\n0,01;1,75\n0,02;2,0\n0,03;2,5\n");

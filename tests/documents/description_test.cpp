@@ -7,6 +7,7 @@
 
 #include "apps/web/core/described.h"
 #include "cromer/documents/described/describe.h"
+#include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/described/spring.h"
@@ -247,7 +248,8 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
       "`warnings` (texts) and `notices` (`code`, `severity`, `text`, `values`) at its top as well.\n" +
           table<FittedRecording>("fit") + table<CompareResult>("compare") +
           table<DescribedRun>("simulate: each of `runs[]`") +
-          table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
+          table<MethodRow>("methods: each of `methods[]`") +
+          table<RecogniseResult>("methods with a run to recognise") + table<InspectedFile>("inspect") +
           table<SweepDocument>("sweep") +
           table<SpectrumDocument>("spectrum; of many recordings each of `motions[]`, with its `files`, or "
                                   "`files` and `message` alone") +

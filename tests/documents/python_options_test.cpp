@@ -89,7 +89,7 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
   append<FitOptions>(types, table, "fit", "FitOptions");
   append<SimulateOptions>(types, table, "simulate", "SimulateOptions", "method");
   append<CompareOptions>(types, table, "compare", "CompareOptions", "method");
-  append<MethodsOptions>(types, table, "methods", "MethodsOptions");
+  append<RecogniseOptions>(types, table, "methods", "MethodsOptions", "recognise");
   append<SweepOptions>(types, table, "sweep", "SweepOptions");
   append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions", "periods");
   expect_in("python/cromer/_options.py",

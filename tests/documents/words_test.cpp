@@ -15,8 +15,8 @@
 #include "cromer/documents/words/catalogue.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/option/option.h"
+#include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/record/options.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -183,7 +183,7 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
   add(SimulateOptions{});
   add(FitOptions{});
   add(CompareOptions{});
-  add(MethodsOptions{});
+  add(RecogniseOptions{});
   add(SweepOptions{});
   add(SpectrumOptions{});
   add(RecordOptions{});

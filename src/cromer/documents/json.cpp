@@ -8,6 +8,7 @@
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/described/inspect.h"
 #include "cromer/documents/described/methods.h"
+#include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/described/spring.h"
@@ -40,6 +41,12 @@ std::string to_json(std::span<const MethodRow> methods, const Voice& voice) {
 
 // The page has not these tasks, or has documents of its own for them.
 #ifndef CROMER_PAGE
+
+std::string to_json(const RecogniseResult& result, const Voice& voice) {
+  Json document = json_of(result, voice);
+  if (!result.ok()) document["message"] = said(result.words, voice);
+  return to_text(document);
+}
 
 std::string to_json(const SweepResult& result, bool with_rows, const Voice& voice) {
   return to_text(json_of(SweepDocument{result, with_rows}, voice), true);

@@ -11,6 +11,7 @@
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -23,6 +24,9 @@ std::string to_json(const SimulateResult& result, bool with_states, const Voice&
 
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {});
+
+/// {"recognised": [...], "verdict", ...}, with "message" if no method made the rows.
+std::string to_json(const RecogniseResult& result, const Voice& voice = {});
 
 /// The swept options, the columns and how the points ended, on one line; `with_rows` adds the rows.
 std::string to_json(const SweepResult& result, bool with_rows = true, const Voice& voice = {});

@@ -11,6 +11,7 @@
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/option/option.h"
+#include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -69,5 +70,8 @@ std::string option_text(const Option& option);
 
 /// Their table; where `options` ask for a step, what each of them simulates instead.
 std::string methods_text(const MethodsOptions& options, std::span<const MethodRow> methods);
+
+/// Which method made the rows, and a table of the nearest.
+std::string recognise_text(const RecogniseResult& result);
 
 }  // namespace cromer::core

@@ -27,6 +27,7 @@
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
+#include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/version.h"
@@ -340,12 +341,23 @@ Result<void> simulate_verb(Call& call, cromer_result& result) {
 }
 
 Result<void> methods_verb(Call& call, cromer_result& result) {
-  MethodsOptions options;
+  RecogniseOptions options;
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  auto rows = list_methods(options);
+  if (!options.recognise.empty()) {
+    const auto recording = open_recording(options.recognise, options.read);
+    if (!recording) return recording.error();
+    auto found = recognise(*recording, options, call.watch());
+    if (!found) return found.error();
+    if (!found->ok()) result.status = CROMER_NO_SUCCESS;
+    result.document = to_json(*found, call.voice());
+    result.found = *std::move(found);
+    return {};
+  }
+  if (auto good = only_with_file(options); !good) return good;
+  auto rows = list_methods(options.methods);
   if (!rows) return rows.error();
   result.document = to_json(std::span<const MethodRow>(*rows), call.voice());
-  result.found = ListedMethods{std::move(options), *std::move(rows)};
+  result.found = ListedMethods{options.methods, *std::move(rows)};
   return {};
 }
 

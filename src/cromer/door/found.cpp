@@ -44,6 +44,11 @@ struct Writer {
     return has_no_form();
   }
 
+  Result<std::string> operator()(const RecogniseResult& result) const {
+    if (form == "text") return recognise_text(result);
+    return has_no_form();
+  }
+
   Result<std::string> operator()(const SpectrumResult& result) const {
     if (form == "text") return spectrum_text(result);
     if (result.interrupted) return Error{"no_result"};

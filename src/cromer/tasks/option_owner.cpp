@@ -4,8 +4,8 @@
 
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/option/option.h"
+#include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
@@ -24,7 +24,7 @@ std::string_view option_owner(std::string_view name) {
   if (has<SimulateOptions>(name)) return "simulate";
   if (has<FitOptions>(name)) return "fit";
   if (has<CompareOptions>(name)) return "compare";
-  return has<MethodsOptions>(name) ? "methods" : "";
+  return has<RecogniseOptions>(name) ? "methods" : "";
 }
 
 }  // namespace cromer::core

@@ -22,6 +22,7 @@ struct SimulateOptions;
 struct FitOptions;
 struct CompareOptions;
 struct MethodsOptions;
+struct RecogniseOptions;
 struct SweepOptions;
 struct SpectrumOptions;
 
@@ -79,6 +80,9 @@ std::vector<Option> options_of(FitOptions& options);  ///< with those of its Rea
 std::vector<Option> options_of(
     CompareOptions& options);  ///< with those of its FitOptions but the driven ones
 std::vector<Option> options_of(MethodsOptions& options);
+/// With those of its MethodsOptions, the law of simulate and those of its ReadOptions: all that `methods`
+/// takes.
+std::vector<Option> options_of(RecogniseOptions& options);
 /// Options of simulate that can have a grid are texts here, whatever their unit.
 std::vector<Option> options_of(SweepOptions& options);
 std::vector<Option> options_of(SpectrumOptions& options);  ///< with those of its ReadOptions
