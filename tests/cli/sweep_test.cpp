@@ -5,7 +5,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -25,6 +27,43 @@ const std::vector<std::string> curve{"sweep", "--damping-ratio",  "0.1", "--driv
 std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
+}
+
+// T = sqrt((1 + (2 z r)^2)/((1 - r^2)^2 + (2 z r)^2)): in closed form, and stepped until it has settled.
+TEST(SweepCommand, TransmissibilityIsTheClosedForm) {
+  const Folder folder;
+  const auto rows_of = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"sweep", "--natural-frequency", "3 Hz", "--damping-ratio", "0.02,0.1,0.7", "--drive", "base",
+                 "--base-displacement", "2 mm", "--drive-frequency", "0.3,2,2.9,3,4,4.5,30 Hz", "--measure",
+                 "transmissibility,amplitude", "-o", "-"});
+    const Finished end = folder.run(more);
+    EXPECT_EQ(end.status, 0) << end.err;
+    std::vector<std::array<double, 4>> rows;
+    std::istringstream lines(end.out);
+    for (std::string line; std::getline(lines, line);) {
+      std::array<double, 4> row{};
+      if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &row[0], &row[1], &row[2], &row[3]) == 4)
+        rows.push_back(row);
+    }
+    EXPECT_THAT(end.out, HasSubstr("transmissibility,amplitude (m)"));
+    return rows;
+  };
+  const auto truth = [](double zeta, double w) {
+    const double r = w / (6 * M_PI), damped = 4 * zeta * zeta * r * r;
+    return std::sqrt((1 + damped) / ((1 - r * r) * (1 - r * r) + damped));
+  };
+  const auto exact = rows_of({"--method", "exact"});
+  ASSERT_EQ(exact.size(), 21u);
+  for (const auto& [zeta, w, found, relative] : exact)
+    EXPECT_NEAR(found / truth(zeta, w), 1, 1e-11) << zeta << " " << w;
+  for (const auto& [zeta, w, found, relative] :
+       rows_of({"--method", "rk4", "--step", "1 ms", "--settle", "200"}))
+    EXPECT_NEAR(found / truth(zeta, w), 1, 2e-3) << zeta << " " << w;
+  const Finished forced = folder.run({"sweep", "--natural-frequency", "3 Hz", "--drive-amplitude", "1",
+                                      "--drive-frequency", "1:5:10", "--measure", "transmissibility"});
+  EXPECT_EQ(forced.status, 2);
+  EXPECT_THAT(forced.err, HasSubstr("--measure transmissibility compares the mass with the base"));
 }
 
 TEST(SweepCommand, WritesTheColumnsOfTheContract) {

@@ -98,6 +98,12 @@ constexpr Entry entries[] = {
      "{--drive-amplitude} and {--drive-frequency}",
      "{--measure} {measure}: ohne Antrieb klingt die Bewegung ab; bitte peak, final oder energy messen, "
      "oder {--drive-amplitude} und {--drive-frequency} angeben"},
+    {"measure_of_base", error,
+     "{--measure} {measure} compares the mass with the base that shakes it; give {--drive} base and "
+     "{--base-displacement}",
+     "{--measure} {measure} vergleicht die Masse mit dem Fußpunkt, der sie schüttelt; bitte {--drive} base "
+     "und "
+     "{--base-displacement} angeben"},
     // How points are found.
     {"no_such_direction", error, "{--direction}: \"{typed}\" is none of up, down and both",
      "{--direction}: „{typed}“ ist weder up noch down noch both"},

@@ -122,7 +122,8 @@ std::vector<Option> options_of(SweepOptions& o) {
       options.end(),
       {{"measure", &o.measure, "", Range::any,
         "amplitude, phase (lag behind the force), peak (largest |x|), mean and rms (of x over whole "
-        "cycles), energy (likewise, or at the end), final (x and v); several with commas",
+        "cycles), energy (likewise, or at the end), final (x and v), transmissibility (the mass's own "
+        "amplitude over that of the shaking base); several with commas",
         "amplitude,phase of the settled motion; without a drive peak,final,energy", sweep},
        {"settle", &o.settle, "", Range::not_negative, "cycles of the drive that are dropped",
         "as many as it takes until the changes still to come are below 1e-6", sweep},

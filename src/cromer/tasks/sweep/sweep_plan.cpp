@@ -337,6 +337,9 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   auto measures = find_measures(options.measure, work->driven);
   if (!measures) return measures.error();
   work->measures = *std::move(measures);
+  for (const Measure* measure : work->measures)
+    if (measure->of_base && work->base.drive != "base")
+      return Error{"measure_of_base", {{"measure", measure->name}}};
   if (auto good = check_settled_loss(options, *work); !good) return good.error();
   if (auto good = choose_way(options, *work); !good) return good.error();
   if (auto good = check_cycles(*work); !good) return good.error();

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "cromer/analysis/effective_oscillator.h"
+#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"
@@ -63,10 +64,10 @@ void name_status(const SweepWork& work, const MethodSettings& settings, const Po
 }
 
 /// A point without numbers has no settled motion to measure.
-void write_measures(const SweepWork& work, const PointResult& found, double* to) {
+void write_measures(const SweepWork& work, const PointResult& found, const Point& point, double* to) {
   const PointResult result = has_numbers(found.status) ? found : PointResult{.status = found.status};
   for (const Measure* measure : work.measures) {
-    measure->write(result, to);
+    measure->write(result, point, to);
     to += measure->columns.size();
   }
   *to = static_cast<double>(result.status);
@@ -119,7 +120,10 @@ bool make_in_closed_form(const SweepWork& work, SweepPoints& points, std::uint64
       double* row = rows + i * width;
       points.values_of(first + i, row);
       const auto at = points.at(row);
-      write_measures(work, at ? in_closed_form(method, *at) : without_numbers(), row + axes);
+      if (at)
+        write_measures(work, in_closed_form(method, *at), at->point, row + axes);
+      else
+        write_measures(work, without_numbers(), {}, row + axes);
     }
     return true;
   });
@@ -142,7 +146,7 @@ bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t fi
         until.push_back(at->until);
         place.push_back(i);
       } else {
-        write_measures(work, without_numbers(), row + axes);
+        write_measures(work, without_numbers(), {}, row + axes);
       }
     }
     if (group.empty()) continue;
@@ -154,7 +158,7 @@ bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t fi
     if (!made) return false;
     for (std::size_t k = 0; k < results.size(); ++k) {
       name_status(work, settings, group[k], results[k]);
-      write_measures(work, results[k], rows + place[k] * width + axes);
+      write_measures(work, results[k], group[k], rows + place[k] * width + axes);
     }
   }
   return true;
@@ -195,7 +199,7 @@ bool make_chains(const SweepWork& work, SweepPoints& points, std::uint64_t first
     if (!settle_group(work.unit, group, work.stepping(settings), work.settling, ended, watch)) return false;
     for (std::uint64_t c = 0; c < chains; ++c) {
       name_status(work, settings, group[c], ended[c]);
-      write_measures(work, ended[c], rows + places[c] * width + axes);
+      write_measures(work, ended[c], group[c], rows + places[c] * width + axes);
     }
     before = group;
   }
@@ -212,7 +216,7 @@ bool make_one_by_one(const SweepWork& work, SweepPoints& points, std::uint64_t f
     auto result = at ? run_point(work, *at, watch) : std::optional(without_numbers());
     if (!result) return false;
     if (at) name_status(work, at->settings, at->point, *result);
-    write_measures(work, *result, row + axes);
+    write_measures(work, *result, at ? at->point : Point{}, row + axes);
   }
   return true;
 }
@@ -233,6 +237,12 @@ bool make_stretch(const SweepWork& work, SweepPoints& points, std::uint64_t firs
   return true;
 }
 
+/// [m] Amplitude of the base whose shaking is this drive, m Y w^2 cos(w t).
+double base_displacement(const Point& point) {
+  const double w = point.drive.frequency;
+  return point.drive.amplitude / (point.oscillator.mass * w * w);
+}
+
 /// All that --measure knows.
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
@@ -240,17 +250,41 @@ const std::vector<Measure>& measures() {
        true,
        true,
        {"amplitude (m)"},
-       [](const PointResult& r, double* to) { to[0] = r.amplitude; }},
-      {"phase", true, true, {"phase (rad)"}, [](const PointResult& r, double* to) { to[0] = r.phase_lag; }},
-      {"peak", false, true, {"peak (m)"}, [](const PointResult& r, double* to) { to[0] = r.peak; }},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.amplitude; }},
+      {"phase",
+       true,
+       true,
+       {"phase (rad)"},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.phase_lag; }},
+      {"peak",
+       false,
+       true,
+       {"peak (m)"},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.peak; }},
       {"final",
        false,
        false,
        {"x (m)", "v (m/s)"},
-       [](const PointResult& r, double* to) { to[0] = r.end.x, to[1] = r.end.v; }},
-      {"mean", true, true, {"mean (m)"}, [](const PointResult& r, double* to) { to[0] = r.mean; }},
-      {"rms", true, true, {"rms (m)"}, [](const PointResult& r, double* to) { to[0] = r.rms; }},
-      {"energy", false, true, {"energy (J)"}, [](const PointResult& r, double* to) { to[0] = r.energy; }},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.end.x, to[1] = r.end.v; }},
+      {"mean",
+       true,
+       true,
+       {"mean (m)"},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.mean; }},
+      {"rms", true, true, {"rms (m)"}, [](const PointResult& r, const Point&, double* to) { to[0] = r.rms; }},
+      {"energy",
+       false,
+       true,
+       {"energy (J)"},
+       [](const PointResult& r, const Point&, double* to) { to[0] = r.energy; }},
+      {"transmissibility",
+       true,
+       true,
+       {"transmissibility"},
+       [](const PointResult& r, const Point& point, double* to) {
+         to[0] = transmitted_motion(base_displacement(point), {r.amplitude, r.phase_lag}).amplitude;
+       },
+       true},
   };
   return all;
 }

@@ -75,7 +75,8 @@ struct Measure {
   bool of_settled_motion;  ///< exists only under a drive that keeps the motion going
   bool in_closed_form;     ///< known of a linear law without stepping
   std::vector<std::string> columns;
-  void (*write)(const PointResult& result, double* to);
+  void (*write)(const PointResult& result, const Point& point, double* to);
+  bool of_base = false;  ///< compares the motion with that of a shaking base
 };
 
 /// The measures of these names, also several with commas; without names the usual ones. An Error suggests the
