@@ -209,6 +209,10 @@ class SpectrumOptions(TypedDict, total=False):
     peaks: str
     between_samples: str
     shock: bool
+    baseline: str
+    band_pass: str
+    band_pass_order: int
+    causal: bool
     in_g: bool
     column: Union[str, Sequence[str]]
     run: int
@@ -404,7 +408,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "beta": ("str", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("str", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("str", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
-        "measure": ("Union[str, Sequence[str]]", "amplitude, phase (lag behind the force), peak (largest |x|), mean and rms (of x over whole cycles), energy (likewise, or at the end), final (x and v); several with commas [amplitude,phase of the settled motion; without a drive peak,final,energy]"),
+        "measure": ("Union[str, Sequence[str]]", "amplitude, phase (lag behind the force), peak (largest |x|), mean and rms (of x over whole cycles), energy (likewise, or at the end), final (x and v), transmissibility (the mass's own amplitude over that of the shaking base); several with commas [amplitude,phase of the settled motion; without a drive peak,final,energy]"),
         "settle": ("Value", "cycles of the drive that are dropped; must not be negative [as many as it takes until the changes still to come are below 1e-6]"),
         "direction": ("str", "up, down or both: each point starts where the one before ended, so that jumps show [each point by itself]"),
         "threads": ("int", "how many work at once; must be positive [one for each processor]"),
@@ -417,6 +421,10 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "peaks": ("str", "where the largest values are looked for: continuous (everywhere, after the recording's end too), samples (at the samples alone) or peer (at ten points a period at least, straight lines between samples) [continuous]"),
         "between_samples": ("str", "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear) [linear]"),
         "shock": ("bool", "shock response spectrum (ISO 18431-4): absolute acceleration, primary, residual, maximax, positive, negative [relative displacement]"),
+        "baseline": ("str", "take off the polynomial of least squares: constant, linear, quadratic or cubic [none]"),
+        "band_pass": ("str", "Butterworth filter, after the baseline: \"0.1:25 Hz\", or one corner, \"0.1 Hz:\", \":25 Hz\" [none]"),
+        "band_pass_order": ("int", "its order, to 12; must be positive [4]"),
+        "causal": ("bool", "filter forwards alone [forwards and backwards: no phase shift]"),
         "in_g": ("bool", "write accelerations in g (9.80665 m/s^2) [m/s^2]"),
         "column": ("Union[str, Sequence[str]]", "the acceleration; twice for two components in one file [the only one]"),
         "run": ("int", "which run of the file, from 1; must be positive [the first]"),

@@ -149,6 +149,53 @@ def test_the_ground_of_a_spectrum_is_its_own_integral():
     assert ground["duration_5_95"] == pytest.approx(share[2] - share[0], abs=2 * dt / fine)
 
 
+def butterworth_response(order, low, high, frequency, dt):
+    """The complex response of the definition: analogue poles of the prototype, s -> (s² + W0²)/(B s), bilinear."""
+    warp = lambda f: np.tan(np.pi * f * dt)
+    s = 1j * warp(frequency[1:])
+    p = (s ** 2 + warp(low) * warp(high)) / ((warp(high) - warp(low)) * s)
+    response = np.ones(frequency.size, complex)
+    for k in range(order):
+        response[1:] /= p - np.exp(1j * np.pi * (2 * k + order + 1) / (2 * order))
+    response[0] = 0
+    return response
+
+
+@pytest.mark.parametrize("order, causal", [(2, False), (4, False), (4, True), (3, True)])
+def test_a_corrected_ground_is_the_filter_of_its_definition(order, causal):
+    dt, n, low, high = 0.01, 3000, 0.2, 20
+    t = np.arange(n) * dt
+    a = np.random.default_rng(3).normal(size=n) * np.exp(-((t - 12) / 5) ** 2) + 0.05 + 0.01 * t
+    found = cromer.spectrum(a, dt, periods=[0.3], baseline="linear", band_pass=f"{low}:{high} Hz", band_pass_order=order,
+                            causal=causal)
+    left = a - np.polyval(np.polyfit(t, a, 1), t)
+    size = 1 << 16  # so long that what rings has died down when the record comes round again
+    frequency = np.fft.rfftfreq(size, dt)
+    response = butterworth_response(order, low, high, frequency, dt)
+    truth = np.fft.irfft(np.fft.rfft(left, size) * (response if causal else np.abs(response) ** 2), size)
+    ground = found.components[0]
+    before = round(-ground["begins"] / dt)
+    assert (before == 0) == causal and ground["samples"] == n + (1 if causal else 2) * (ground["samples"] - n - before)
+    truth = np.roll(truth, before)[:ground["samples"]]
+    assert ground["peak_acceleration"] == pytest.approx(np.abs(truth).max(), rel=1e-6)
+    v = np.concatenate([[0], np.cumsum((truth[1:] + truth[:-1]) / 2 * dt)])
+    assert np.abs(found.ground_velocity - v).max() < 1e-5 * np.abs(v).max()
+    assert abs(v[-1]) < 1e-4 * np.abs(v).max()
+    assert found.to_dict()["correction"] == {"baseline": "linear", "band_pass": {"low": low, "high": high, "order": order,
+                                                                               "causal": causal}}
+
+
+def test_a_correction_beside_scipy():
+    signal = pytest.importorskip("scipy.signal")
+    dt = 0.005
+    a = np.random.default_rng(4).normal(size=4000)
+    found = cromer.spectrum(a, dt, periods=[0.3], band_pass="0.5:30 Hz", causal=True)
+    sections = signal.butter(4, [0.5, 30], "bandpass", fs=1 / dt, output="sos")
+    ours = np.diff(found.ground_velocity) / dt
+    theirs = signal.sosfilt(sections, np.concatenate([a, np.zeros(found.ground_velocity.size - a.size)]))
+    assert np.abs(ours - (theirs[1:] + theirs[:-1]) / 2).max() < 1e-9
+
+
 def test_a_shock_spectrum_beside_scipy():
     signal = pytest.importorskip("scipy.signal")
     dt, length = 1e-4, 0.02

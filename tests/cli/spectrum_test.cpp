@@ -230,7 +230,7 @@ TEST(Spectrum, OfAShock) {
 
 TEST(Spectrum, SaysOnceWhatItTakesAColumnFor) {
   const Folder folder;
-  folder.write("plain.csv", "time (s),shaking\n0,0\n0.01,1\n0.02,-1\n0.03,0.5\n");
+  folder.write("plain.csv", "time (s),shaking\n0,0\n0.01,1\n0.02,-1\n0.03,0\n");
   const Finished one = folder.run({"spectrum", "plain.csv", "--periods", "0.1"});
   ASSERT_EQ(one.status, 0) << one.err;
   EXPECT_THAT(one.err,
@@ -328,6 +328,60 @@ TEST(Spectrum, SaysTheMeasuresOfTheGround) {
   EXPECT_THAT(folder.run(with_motion).err, HasSubstr("--motion: ground.txt"));
   with_motion[with_motion.size() - 2] = "h1.csv";
   EXPECT_EQ(folder.run(with_motion).status, 2);
+}
+
+TEST(Spectrum, CorrectsARecordingAndSaysSo) {
+  const Folder folder;
+  std::string drifting = "Time (s),acc (m/s^2)\n";
+  for (int i = 0; i <= 2000; ++i) {
+    char line[60];
+    std::snprintf(line, sizeof line, "%.2f,%.12f\n", i * 0.01, 0.02 + 0.003 * i * 0.01);
+    drifting += line;
+  }
+  folder.write("line.csv", drifting);
+  const std::vector<std::string> base{"spectrum", "line.csv", "--periods", "1"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), base.begin(), base.end());
+    return folder.run(more);
+  };
+  EXPECT_THAT(with({}).err,
+              HasSubstr("line.csv: the integrated velocity ends at 1 m/s, 100 % of its largest"));
+  // A line is its own baseline: nothing is left of it.
+  const Finished straight = with({"--baseline", "linear", "--json"});
+  EXPECT_EQ(straight.err, "");
+  EXPECT_EQ(straight.json()["correction"]["baseline"], "linear");
+  EXPECT_TRUE(straight.json()["correction"]["band_pass"].is_null());
+  EXPECT_NEAR(straight.json()["components"][0]["baseline"].get<double>(), 0.08, 1e-9);
+  EXPECT_LT(straight.json()["components"][0]["peak_acceleration"].get<double>(), 1e-10);
+  EXPECT_THAT(with({"--baseline", "constant"}).out, HasSubstr("corrected: constant baseline taken off\n"));
+  const Finished filtered = with({"--baseline", "constant", "--band-pass", "0.2:20 Hz", "--band-pass-order",
+                                  "2", "--plot", "s.svg", "--motion", "m.csv"});
+  EXPECT_THAT(filtered.out, HasSubstr("corrected: constant baseline taken off; band-pass from 0.2 to 20 Hz, "
+                                      "Butterworth of order 2, zero phase (forwards and backwards, -6 dB"));
+  EXPECT_THAT(folder.read("s.svg"), HasSubstr("band-pass from 0.2 to 20 Hz"));
+  EXPECT_THAT(lines_of(folder.read("m.csv"))[1], StartsWith("-"));  // the zeros before the recording
+  const auto causal = with({"--band-pass", "0.2:", "--causal", "--json"}).json();
+  EXPECT_EQ(causal["correction"]["band_pass"]["low"], 0.2);
+  EXPECT_TRUE(causal["correction"]["band_pass"]["high"].is_null());
+  EXPECT_EQ(causal["correction"]["band_pass"]["causal"], true);
+  EXPECT_EQ(causal["components"][0]["begins"], 0);
+  EXPECT_GT(causal["components"][0]["samples"], 2001);
+  const auto refused = [&](std::vector<std::string> more, const char* why) {
+    const Finished end = with(more);
+    EXPECT_EQ(end.status, 2) << why;
+    EXPECT_THAT(end.err, HasSubstr(why));
+  };
+  refused({"--baseline", "linar"}, "did you mean linear?");
+  refused({"--band-pass", "25"}, "two corners with a colon");
+  refused({"--band-pass", ":"}, "two corners with a colon");
+  refused({"--band-pass", "25:0.1 Hz"}, "the second one the higher");
+  refused({"--band-pass", "0:25 Hz"}, "must be positive");
+  refused({"--band-pass", "1:50 Hz"}, "not below half the sampling rate, 50 Hz");
+  refused({"--band-pass", "1e-7:20 Hz"}, "far slower than the recording");
+  refused({"--band-pass", "1 s:2 s"}, "--band-pass");
+  refused({"--band-pass-order", "3"}, "--band-pass-order says how --band-pass filters");
+  refused({"--causal"}, "--causal says how --band-pass filters");
+  refused({"--band-pass", "1:20 Hz", "--band-pass-order", "13"}, "between 1 and 12, not 13");
 }
 
 TEST(Spectrum, FourierAmplitudesGoToTheirFile) {

@@ -318,7 +318,7 @@ std::string ground_csv(const SpectrumResult& result, const std::string& command)
   NamedColumns columns;
   auto& t = columns.add("t (s)");
   for (std::size_t i = 0; i < result.components[0].samples; ++i)
-    t.push_back(result.components[0].spacing * static_cast<double>(i));
+    t.push_back(result.components[0].begins + result.components[0].spacing * static_cast<double>(i));
   for (std::size_t c = 0; c < result.components.size(); ++c) {
     const Component& component = result.components[c];
     const std::string which = result.components.size() > 1 ? fmt::format(" {}", c + 1) : "";

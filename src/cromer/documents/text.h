@@ -34,6 +34,10 @@ std::string failure_text(const FittedRecording& fitted);
 /// A table for each damping ratio, of at most 24 periods, and where the spectrum is highest.
 std::string spectrum_text(const SpectrumResult& result);
 
+/// What was taken off the recordings; "" for nothing: "corrected: linear baseline taken off; ...". `brief`
+/// leaves out how the filter was run.
+std::string correction_text(const Correction& correction, bool brief = false);
+
 /// The recordings of many motions, and where the spectra of each are highest. Without those that could not be
 /// computed.
 std::string spectra_text(std::span<const MotionSpectra> motions);

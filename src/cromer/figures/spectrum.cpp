@@ -212,6 +212,7 @@ Figure spectrum_figure(const SpectrumResult& result) {
   figure.title = shock ? "Shock response spectrum" : "Response spectrum";
   figure.size = FigureSize::single;
   figure.panels.push_back(shock ? shock_panel(result) : response_panel(result));
+  figure.note = correction_text(result.correction, true);
   return figure;
 }
 
@@ -357,6 +358,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
   figure.title = "Tripartite response spectrum";
   figure.size = FigureSize::single;
   figure.panels.push_back(std::move(panel));
+  figure.note = correction_text(result.correction, true);
   return figure;
 }
 
@@ -479,6 +481,7 @@ Figure spectra_figure(std::span<const MotionSpectra> motions, bool tripartite) {
   figure.size = FigureSize::single;
   for (std::size_t r = 0; r < results[0]->spectra.size(); ++r)
     figure.panels.push_back(panel_of_motions(results, names, r, tripartite));
+  figure.note = correction_text(results[0]->correction, true);
   return figure;
 }
 

@@ -146,6 +146,33 @@ struct Described<SpectrumOf> {
           .left_out());
 };
 
+template <>
+struct Described<Correction> {
+  using C = Correction;
+  static constexpr std::string_view name = "Correction";
+  static constexpr auto entries = members(
+      field(
+          "baseline",
+          [](const C& c) {
+            return c.baseline ? std::optional(baselines[static_cast<std::size_t>(*c.baseline)])
+                              : std::nullopt;
+          },
+          "",
+          "the polynomial taken off, by least squares: constant, linear, quadratic or cubic; null for none"),
+      group_if(
+          "band_pass", "the Butterworth filter after it; null for none",
+          [](const C& c) { return c.band.has_value(); },
+          members(field(
+                      "low", [](const C& c) { return unless_zero(c.band->low); }, "Hz",
+                      "low corner; null for none"),
+                  field(
+                      "high", [](const C& c) { return c.band->high; }, "Hz", "high corner; null for none"),
+                  field("order", &C::order, "", "order of the filter"),
+                  field("causal", &C::causal, "",
+                        "it runs forwards alone; otherwise backwards too, without phase shift and with 6 dB "
+                        "in place of 3 dB at the corners"))));
+};
+
 struct ComponentOf {
   const SpectrumResult& of;
   const Component& component;
@@ -166,6 +193,17 @@ struct Described<ComponentOf> {
           "spacing", [](const C& c) { return c.component.spacing; }, "s", "spacing of the samples"),
       field(
           "duration", [](const C& c) { return c.component.duration(); }, "s", "duration of the record"),
+      field(
+          "begins", [](const C& c) { return c.component.begins; }, "s",
+          "time of the first sample; below 0 where a filter needed zeros before the recording"),
+      field(
+          "baseline",
+          [](const C& c) {
+            return c.of.correction.baseline ? std::optional(c.component.baseline / written_acceleration(c.of))
+                                            : std::nullopt;
+          },
+          unit_as_written, "largest magnitude of the baseline that was taken off; only then")
+          .left_out(),
       field(
           "peak_acceleration", [](const C& c) { return c.component.peak / written_acceleration(c.of); },
           unit_as_written, "PGA: largest magnitude of the acceleration"),
@@ -263,6 +301,13 @@ struct Described<SpectrumDocument> {
       field(
           "between_samples", [](const S& s) { return s.result.options.between_samples; }, "",
           "interpolation of the record: linear, hold or band-limited"),
+      field(
+          "correction",
+          [](const S& s) {
+            return s.result.correction.any() ? std::optional(s.result.correction) : std::nullopt;
+          },
+          "", "what was taken off the recordings first; only then")
+          .left_out(),
       group(
           "units", "units of the columns",
           members(field(

@@ -152,12 +152,33 @@ std::string component_name(const SpectrumResult& result, std::size_t c) {
   return column.substr(0, column.find(" ("));
 }
 
+std::string correction_text(const Correction& correction, bool brief) {
+  if (!correction.any()) return "";
+  std::string text = "corrected: ";
+  if (correction.baseline)
+    text += fmt::format("{} baseline taken off", baselines[static_cast<std::size_t>(*correction.baseline)]);
+  if (!correction.band) return text;
+  const PassBand& band = *correction.band;
+  if (correction.baseline) text += "; ";
+  text += band.has_low() && band.has_high()
+              ? fmt::format("band-pass from {} to {} Hz", shortest(band.low), shortest(band.high))
+          : band.has_low() ? fmt::format("high-pass from {} Hz", shortest(band.low))
+                           : fmt::format("low-pass to {} Hz", shortest(band.high));
+  text += fmt::format(", Butterworth of order {}, {}", correction.order,
+                      correction.causal ? "causal" : "zero phase");
+  if (brief) return text;
+  return text + (correction.causal
+                     ? " (forwards alone, -3 dB at a corner, zeros added behind)"
+                     : " (forwards and backwards, -6 dB at a corner, zeros added at both ends)");
+}
+
 std::string spectrum_text(const SpectrumResult& result) {
   std::vector<std::string> files;
   for (const Component& component : result.components) files.push_back(component.file);
   std::vector<std::vector<std::string>> recordings{recording_headings(result)};
   add_recordings(recordings, result, files);
   std::string text = recording_table(recordings);
+  if (result.correction.any()) text += correction_text(result.correction) + '\n';
   const std::size_t all = result.periods.size();
   for (const auto& spectrum : result.spectra) {
     text += fmt::format("\n{}: {}\n", damping_text(result, spectrum), conventions(result));
@@ -221,8 +242,8 @@ std::string spectra_text(std::span<const MotionSpectra> motions) {
   }
   std::string text;
   if (any)
-    text =
-        fmt::format("{}\n{}\n{}", recording_table(recordings), conventions(*any), text_table(summits, 1, 4));
+    text = fmt::format("{}{}{}\n{}\n{}", recording_table(recordings), correction_text(any->correction),
+                       any->correction.any() ? "\n" : "", conventions(*any), text_table(summits, 1, 4));
   return text + fmt::format("{} of {} motions; a file (-o) has their spectra\n", done, motions.size());
 }
 

@@ -46,6 +46,44 @@ constexpr Entry entries[] = {
     {"loss_factor_takes_long", error,
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},
+    // Corrections.
+    {"no_band", error, "{--band-pass}: \"{typed}\": {what}", "{--band-pass}: „{typed}“: {what}"},
+    {"band_has_two_corners", clause,
+     "two corners with a colon between them are expected, \"0.1:25 Hz\", or one of them, \"0.1 Hz:\", \":25 "
+     "Hz\"",
+     "erwartet werden zwei Ecken mit Doppelpunkt, „0.1:25 Hz“, oder eine davon, „0.1 Hz:“, „:25 Hz“"},
+    {"band_rises", clause, "the corners must be positive, and the second one the higher",
+     "die Ecken müssen größer als 0 sein, und die zweite die höhere"},
+    {"without_band_pass", error, "{option:option} says how {--band-pass} filters; give that too",
+     "{option:option} sagt, wie {--band-pass} filtert; bitte auch das angeben"},
+    {"order_out_of_range", error, "{--band-pass-order}: it must lie between 1 and {most}, not {order}",
+     "{--band-pass-order}: das muss zwischen 1 und {most} liegen, nicht bei {order}"},
+    {"band_above_half_rate", error,
+     "{--band-pass}: {file}: a corner of {corner:.6g} Hz is not below half the sampling rate, {most:.6g} Hz: "
+     "the "
+     "recording holds nothing that fast; leave the high corner out",
+     "{--band-pass}: {file}: eine Ecke von {corner:.6g} Hz liegt nicht unter der halben Abtastrate von "
+     "{most:.6g} "
+     "Hz: so Schnelles enthält die Aufnahme nicht; bitte die obere Ecke weglassen"},
+    {"band_too_slow", error,
+     "{--band-pass}: {file}: a corner of {corner:.6g} Hz is far slower than the recording of {duration:.6g} "
+     "s "
+     "shows; take a higher one",
+     "{--band-pass}: {file}: eine Ecke von {corner:.6g} Hz ist weit langsamer, als die Aufnahme von "
+     "{duration:.6g} s zeigt; bitte eine höhere wählen"},
+    {"too_few_for_baseline", error,
+     "{--baseline}: {file}: {samples} samples are too few for this polynomial; take a lower degree",
+     "{--baseline}: {file}: {samples} Messwerte sind zu wenig für dieses Polynom; bitte einen kleineren "
+     "Grad"},
+    {"ground_ends_moving", worth_knowing,
+     "{file}: the integrated velocity ends at {velocity:.3g} m/s, {percent:.0f} % of its largest: the "
+     "recording ends "
+     "while the ground moves, or its baseline drifts; {--baseline} and {--band-pass} take a drift off",
+     "{file}: die integrierte Geschwindigkeit endet bei {velocity:.3g} m/s, {percent:.0f} % ihrer größten: "
+     "die "
+     "Aufnahme endet, während der Boden sich bewegt, oder ihre Nulllinie driftet; {--baseline} und "
+     "{--band-pass} "
+     "nehmen eine Drift weg"},
     // Recordings.
     {"motions_failed", clause, "{failed} of {all} motions did not succeed",
      "{failed} von {all} Bewegungen sind nicht gelungen"},

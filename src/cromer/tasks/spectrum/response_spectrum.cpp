@@ -158,12 +158,27 @@ double pseudo_acceleration(double displacement, double period) {
 
 namespace {
 
+/// Says which integrals may drift: that of a ground that does not come to rest.
+void add_drifts(SpectrumResult& result) {
+  constexpr double at_rest = 0.1;  // of the largest velocity
+  if (result.options.shock || result.correction.any()) return;
+  for (const Component& component : result.components) {
+    const GroundPath& path = component.path;
+    const double share = std::abs(path.velocity.back()) / path.peak_velocity;
+    if (share > at_rest)
+      result.notices.push_back(
+          Notice{"ground_ends_moving",
+                 {{"file", component.file}, {"velocity", path.velocity.back()}, {"percent", 100 * share}}});
+  }
+}
+
 /// What the options say by themselves.
 struct Asked {
   Peaks peaks;
   BetweenSamples between;
   std::vector<double> ratios;
   KernelUnit unit;
+  Correction correction;
 };
 
 Result<Asked> asked_of(const SpectrumOptions& options) {
@@ -175,7 +190,9 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   if (!ratios) return ratios.error();
   const auto unit = choose_unit_by_environment();
   if (!unit) return unit.error();
-  return Asked{*peaks, *between, *std::move(ratios), *unit};
+  const auto correction = correction_of(options);
+  if (!correction) return correction.error();
+  return Asked{*peaks, *between, *std::move(ratios), *unit, *correction};
 }
 
 /// Makes the components once the options are checked; its notices come first.
@@ -185,12 +202,13 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
                                    const Watch& watch) {
   const auto asked = asked_of(options);
   if (!asked) return asked.error();
-  const auto& [peaks, between, ratios, unit] = *asked;
+  const auto& [peaks, between, ratios, unit, correction] = *asked;
   const PeakSearch search{
       .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .walk = unit.walk};
   SpectrumResult result;
   result.options = options;
   result.peaks = peaks;
+  result.correction = correction;
   if (options.peaks.empty()) result.options.peaks = name(Peaks::continuous);
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
@@ -198,7 +216,10 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   auto components = make_components(result.notices);
   if (!components) return components.error();
   result.components = *std::move(components);
-  for (Component& component : result.components) component.samples = component.acceleration.size();
+  for (Component& component : result.components) {
+    if (auto good = correct(component, correction); !good) return good.error();
+    component.samples = component.acceleration.size();
+  }
   if (auto good = check_together(options, peaks, between, result.components.size()); !good)
     return good.error();
   auto periods = periods_of(result.options, result.components[0], ratios.size());
@@ -218,6 +239,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
     if (std::isnan(component.intensity.arias))
       result.notices.push_back(Notice{"intensity_too_small",
                                       {{"file", component.file}, {"decades", component.intensity.decades}}});
+  add_drifts(result);
   const std::size_t all = result.periods.size();
   const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
   const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);

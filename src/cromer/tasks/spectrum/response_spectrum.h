@@ -11,6 +11,7 @@
 #include "cromer/ensemble/response_peaks.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
+#include "cromer/tasks/spectrum/correction.h"
 
 namespace cromer::core {
 
@@ -22,6 +23,10 @@ struct SpectrumOptions {
   std::string peaks{};                       ///< continuous (by default), samples or peer
   std::string between_samples{};             ///< linear (by default), hold or band-limited
   bool shock = false;                        ///< shock response spectrum
+  std::string baseline{};                    ///< constant, linear, quadratic or cubic: is taken off
+  std::string band_pass{};                   ///< "0.1:25 Hz"
+  std::optional<int> band_pass_order{};      ///< 1 to 12; 4 by default
+  bool causal = false;                       ///< the filter runs forwards alone
   bool in_g = false;                         ///< accelerations are written in g
   std::vector<std::string> column{};         ///< one, or two components
   std::optional<int> run{};                  ///< > 0; the first by default
@@ -38,7 +43,9 @@ struct SpectrumOptions {
 struct Component {
   std::string file, column;
   std::string motion;                ///< event and station, where the file names them
-  std::vector<double> acceleration;  // [m/s^2] as recorded; empty after forget()
+  std::vector<double> acceleration;  // [m/s^2] as recorded, then corrected; empty after forget()
+  double begins = 0;                 // [s] the first sample, below 0 where zeros were added
+  double baseline = 0;               // [m/s^2] largest magnitude of what was taken off
   std::size_t samples = 0;           ///< filled in by the task
   double spacing = 0;                // [s]
   double peak = 0;                   // [m/s^2] largest |a|: the peak ground acceleration
@@ -78,6 +85,7 @@ double pseudo_acceleration(double displacement, double period);
 struct SpectrumResult {
   SpectrumOptions options;  ///< as used, defaults filled in
   Peaks peaks = Peaks::continuous;
+  Correction correction{};
   std::vector<double> periods{};  // [s] in the order asked for
   std::vector<Component> components{};
   std::vector<ResponseSpectrum> spectra{};
