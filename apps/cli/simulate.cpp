@@ -1,4 +1,6 @@
 #include "cromer/tasks/simulate/simulate.h"
+#include <optional>
+
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"
@@ -7,12 +9,26 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
 #include "cromer/os/process.h"
+#include "cromer/tasks/open_recording.h"
+#include "cromer/tasks/simulate/laid_over.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
 #include "watching.h"
 
 namespace cromer::core::cli {
+
+namespace {
+
+/// The first option given beside the file; "" if there is none.
+std::string_view first_given(const OverOptions& over) {
+  if (!over.column.empty()) return "over-column";
+  if (over.run) return "over-run";
+  if (over.from) return "over-from";
+  return over.offset != 0 ? "over-offset" : "";
+}
+
+}  // namespace
 
 int run_simulate(const Arguments& arguments) {
   SimulateOptions options;
@@ -26,25 +42,51 @@ int run_simulate(const Arguments& arguments) {
       .example =
           "  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 \\\n"
           "    --method exact --method euler-cromer --step 0.01 --until 50 -o run.csv --plot run.svg"};
+  OverOptions over;
+  const std::vector<Option> of_over = options_of(over);
+  syntax.options.insert(syntax.options.end(), of_over.begin(), of_over.end());
   add_output_options(syntax.options, output, {.provenance = true, .panels = true},
                      "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error());
+  if (auto good = check_outputs(output, over.file.empty() ? files : std::vector{over.file}); !good)
+    return refuse(good.error());
+  std::optional<Recording> under;
+  const ReadOptions reading = options.read;
+  if (over.file.empty()) {
+    if (const std::string_view given = first_given(over); !given.empty())
+      return refuse(Error{"over_options_without_over", {{"option", given}}});
+  } else {
+    auto recording = open_recording(over.file, reading);
+    if (!recording) return refuse(recording.error());
+    under = *std::move(recording);
+    // These options are the recording's where no drive is read.
+    if (options.drive_file.empty() && options.base_motion.empty()) options.read = {};
+  }
   if (auto good = load_drive(options, ""); !good) return refuse(good.error());
   options.memory = os::memory() / 2;  // what is kept is written out once more as text
 
-  const auto result = simulate(options, watching(output.quiet));
+  auto result = simulate(options, watching(output.quiet));
   clear_progress();
   if (!result) return refuse(result.error());
-  Answer answer{.text = [&] { return simulate_text(*result); },
-                .json = [&] { return to_json(*result, false); },
-                .csv = [&] { return simulate_csv(*result, provenance(output, "simulate", arguments)); },
-                .whole_json = [&] { return to_json(*result, true); },
-                .tables = [&] { return simulate_tables(*result, command_line("simulate", arguments)); },
-                .figure = [&] { return simulate_figure(*result, *parse_panels(output.panels)); },
-                .notices = result->notices,
-                .good = result->ok()};
+  std::optional<LaidOver> laid;
+  if (under) {
+    auto samples = lay_over(*under, over, *result, reading);
+    if (!samples) return refuse(samples.error());
+    laid = *std::move(samples);
+    for (const SimulatedRun& run : result->runs)
+      if (Notice off = distance_notice(*laid, run); !off.empty()) result->notices.push_back(std::move(off));
+  }
+  Answer answer{
+      .text = [&] { return simulate_text(*result); },
+      .json = [&] { return to_json(*result, false); },
+      .csv = [&] { return simulate_csv(*result, provenance(output, "simulate", arguments)); },
+      .whole_json = [&] { return to_json(*result, true); },
+      .tables = [&] { return simulate_tables(*result, command_line("simulate", arguments)); },
+      .figure =
+          [&] { return simulate_figure(*result, *parse_panels(output.panels), laid ? &*laid : nullptr); },
+      .notices = result->notices,
+      .good = result->ok()};
   for (const auto& run : result->runs)
     if (!run.message.empty()) answer.failures.push_back(run.label + ": " + in_words(run.message));
   return give(answer, output);

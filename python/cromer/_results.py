@@ -323,7 +323,7 @@ class LawFit(_Motion):
             raise InputError("this law cannot be simulated by itself", "fit", "fit_without_law")
         given: Dict[str, Any] = {}
         name = ""
-        for word in shlex.split(command)[2:]:
+        for word in shlex.split(command.partition(" --over ")[0])[2:]:
             if word.startswith("--"):
                 name = word[2:].replace("-", "_")
                 given[name] = True  # a flag, if no value follows

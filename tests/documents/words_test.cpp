@@ -18,6 +18,7 @@
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/record/options.h"
+#include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -181,6 +182,7 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
     for (const Option& option : options_of(options)) known.emplace(option.name);
   };
   add(SimulateOptions{});
+  add(OverOptions{});
   add(FitOptions{});
   add(CompareOptions{});
   add(RecogniseOptions{});

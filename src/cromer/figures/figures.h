@@ -9,6 +9,7 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -20,7 +21,9 @@ inline constexpr MotionPanel position_alone[] = {MotionPanel::position};
 /// The panels asked for, one under the other, each with all runs. Each method has its own colour, with the
 /// exact solution below the others; one method at several drive frequencies is a family of shades. A run that
 /// grows without end is cut off and marked.
-Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> panels = position_alone);
+/// The samples that the runs are laid over are dots in the panel of positions.
+Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> panels = position_alone,
+                       const LaidOver* over = nullptr);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three

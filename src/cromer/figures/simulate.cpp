@@ -191,6 +191,18 @@ class Panels {
     return panel;
   }
 
+  /// The recorded samples, in the unit of the positions.
+  Curve dots(const LaidOver& over) const {
+    Curve curve;
+    curve.x = over.t;
+    for (const double x : over.x) curve.y.push_back(x / length_.metres);
+    curve.role = "measured";
+    curve.name = "measured";
+    curve.remark = fmt::format("{} samples", over.t.size());
+    curve.mark = Mark::dots;
+    return curve;
+  }
+
  private:
   struct Scale {
     std::string name;  ///< of the axis, with unit
@@ -276,7 +288,8 @@ class Panels {
 
 }  // namespace
 
-Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> asked) {
+Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> asked,
+                       const LaidOver* over) {
   const auto& runs = result.runs;
   const Panels panels(result, asked);
   const std::size_t frequencies = std::max<std::size_t>(1, result.options.drive_frequency.size());
@@ -295,6 +308,7 @@ Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel
     for (std::size_t i = group; i < runs.size(); i += groups) which.push_back(i);
     for (const MotionPanel each : asked) {
       Panel panel = panels.panel(each, which, frequencies > 1 && !apart);
+      if (over && each == MotionPanel::position) panel.curves.push_back(panels.dots(*over));
       if (apart) {
         const std::string frequency = format_quantity({runs[group].drive.frequency, 0}, "rad/s");
         panel.title = panel.title.empty() ? frequency : panel.title + " at " + frequency;

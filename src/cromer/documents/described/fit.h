@@ -4,6 +4,7 @@
 #include "cromer/documents/described/describe.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 
 namespace cromer::core {
 
@@ -340,8 +341,9 @@ struct Described<FittedRecording> {
                       .not_in_study())),
       field("derived", &Fitted::derived, "", "quantities that follow from the law, by name"),
       field(
-          "simulate", [](const Fitted& f) { return unless_empty(command_of("simulate", f.simulate)); }, "",
-          "command line that simulates this law; null if there is none"),
+          "simulate",
+          [](const Fitted& f) { return unless_empty(command_of("simulate", simulate_and_lay_over(f))); }, "",
+          "command line that simulates this law, over the recording; null if there is none"),
       field(
           "residual", [](const Fitted& f) { return f.fit.residual; }, "", "residuals: measured minus fitted")
           .unnamed(),

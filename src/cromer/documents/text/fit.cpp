@@ -12,6 +12,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 
 namespace cromer::core {
 namespace {
@@ -206,7 +207,8 @@ std::string one_fit(const FittedRecording& fitted) {
                          candidate.between_samples, candidate.rms, unit.empty() ? "" : " " + unit,
                          rounded(candidate.bic, 6));
   out += more(fitted);
-  if (!fitted.simulate.empty()) out += "  simulate it: " + command_of("simulate", fitted.simulate) + "\n";
+  if (!fitted.simulate.empty())
+    out += "  simulate it: " + command_of("simulate", simulate_and_lay_over(fitted)) + "\n";
   return out;
 }
 

@@ -224,6 +224,23 @@ constexpr Entry entries[] = {
      "samples without gaps: fill in what is missing, or cut or resample the recording",
      "die Messwerte haben {gaps} Lücken, die erste von {length:.6g} s nach t = {t:.6g} s; ein {use} braucht "
      "gleichmäßige ohne Lücken: bitte das Fehlende ergänzen, die Aufnahme kürzen oder neu abtasten"},
+    {"over_is_no_position", error,
+     "{--over}: a run is laid over positions or angles, and column \"{column}\" holds {kind}; choose one by "
+     "{--over-column}",
+     "{--over}: ein Lauf wird über Orte oder Winkel gelegt, und die Spalte „{column}“ enthält {kind}; bitte "
+     "mit "
+     "{--over-column} wählen"},
+    {"over_has_no_samples", error,
+     "{--over-from}: column \"{column}\" has no sample from {from:.6g} to {to:.6g} s, where the runs are",
+     "{--over-from}: die Spalte „{column}“ hat von {from:.6g} bis {to:.6g} s, wo die Läufe sind, keinen "
+     "Messwert"},
+    {"over_options_without_over", error,
+     "{option:option} is about the recording of {--over}; name the file with that",
+     "{option:option} gilt der Aufnahme von {--over}; bitte die Datei damit nennen"},
+    {"run_beside_recording", detail,
+     "{run} is {rms:.4g} (rms, SI units) from the {samples:sample|samples} of {column}",
+     "{run} liegt {rms:.4g} (Effektivwert, SI-Einheiten) neben den {samples:Messwert|Messwerten} von "
+     "{column}"},
     {"drive_is_of_run", worth_knowing, "{file}: the drive is run {run} of {runs}",
      "{file}: der Antrieb ist Lauf {run} von {runs}"},
     {"spectrum_is_of_run", worth_knowing,

@@ -162,4 +162,25 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
   return settings;
 }
 
+std::vector<TypedOption> over_settings(const FittedRecording& fitted) {
+  const Series& series = fitted.series;
+  if (fitted.simulate.empty() || fitted.file.empty() || fitted.file == "-" ||
+      derivative_order(series.quantity) > 0)
+    return {};
+  std::vector<TypedOption> settings{{"over", fitted.file}, {"over-column", series.column}};
+  if (series.run > 1) settings.emplace_back("over-run", fmt::format("{}", series.run));
+  settings.emplace_back("over-from", shortest(to_twelve_digits(series.t.front())));
+  const Estimate& equilibrium = fitted.fit.equilibrium();
+  if (equilibrium.value != 0)
+    settings.emplace_back("over-offset", to_known_digits(equilibrium.value, equilibrium.standard_error /
+                                                                                std::abs(equilibrium.value)));
+  const ReadOptions& read = fitted.options.read;
+  if (read.rate > 0) settings.emplace_back("rate", shortest(read.rate));
+  for (const auto& [option, value] :
+       {std::pair{"time-column", &read.time_column}, std::pair{"delimiter", &read.delimiter},
+        std::pair{"decimal", &read.decimal}})
+    if (!value->empty()) settings.emplace_back(option, *value);
+  return settings;
+}
+
 }  // namespace cromer::core

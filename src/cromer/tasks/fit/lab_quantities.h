@@ -29,4 +29,16 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
 /// of steps. Empty under a recorded force, whose samples are in a file, and without a spring.
 std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass);
 
+/// The options of simulate that lay the fitted samples under those runs: file, column, run, how it is read,
+/// the time of the first used sample and the equilibrium. Empty where there is no file, or the column is a
+/// derivative of the displacement.
+std::vector<TypedOption> over_settings(const FittedRecording& fitted);
+
+/// Both.
+inline std::vector<TypedOption> simulate_and_lay_over(const FittedRecording& fitted) {
+  std::vector<TypedOption> settings = fitted.simulate, over = over_settings(fitted);
+  settings.insert(settings.end(), over.begin(), over.end());
+  return settings;
+}
+
 }  // namespace cromer::core
