@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/simulate.h"
+
 #include <optional>
 
 #include "commands.h"

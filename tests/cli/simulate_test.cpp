@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
@@ -302,6 +303,104 @@ TEST(Simulate, PanelsArePartOfAPlot) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("no panel \"phas\"; did you mean phase?"));
   EXPECT_EQ(folder.read("wrong.svg"), "");
+}
+
+/// x = 3 mm + 5 cm cos(2 t) from t = 1 s on, in a file that needs its reading told: a semicolon between, a
+/// decimal comma, a row with a word, and a second run at twice the amplitude.
+std::string told_recording() {
+  std::string text = "Zeit (s);Weg (mm);v (m/s);Zeit (s);Weg (mm);v (m/s)\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.1 * i;
+    char line[200];
+    std::snprintf(line, sizeof line, "%.1f;%.6f;%.6f;%.1f;%.6f;%.6f\n", 1 + t, 3 + 50 * std::cos(2 * t),
+                  -0.1 * std::sin(2 * t), 1 + t, 3 + 100 * std::cos(2 * t), -0.2 * std::sin(2 * t));
+    text += line;
+  }
+  text += "15;lost;0;15;lost;0\n";
+  std::replace(text.begin(), text.end(), '.', ',');
+  return text;
+}
+
+std::vector<std::string> over(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"simulate", "--stiffness", "4",    "--position", "5 cm", "--method",
+                                     "exact",    "--step",      "0.01", "--until",    "10"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(Simulate, SaysHowFarARecordingLiesFromTheRun) {
+  const Folder folder;
+  std::string plain = "t (s),x (mm)\n";
+  for (int i = 0; i <= 100; ++i) {
+    char line[80];
+    std::snprintf(line, sizeof line, "%.1f,%.9f\n", 1 + 0.1 * i, 3 + 50 * std::cos(0.2 * i));
+    plain += line;
+  }
+  folder.write("swing.csv", plain);
+  // 3 mm everywhere where the equilibrium is not told; the run is kept every 10 ms, and a line between two
+  // kept states is off by at most 4 x 5 cm (10 ms)^2 / 8 = 2.5 um.
+  const Finished off = folder.run(over({"--over", "swing.csv"}));
+  EXPECT_EQ(off.status, 0);
+  EXPECT_EQ(off.err,
+            "cromer: note: exact: the recording lies 3.00 mm (rms) from it, over 101 samples of x (mm)\n");
+  // From 2 s on: the samples are a second late, x_run(t) - x(t + 1 s) = 5 cm (cos 2 t - cos(2 t + 2)), on
+  // average over a period 5 cm 2 sin 1 / sqrt 2 = 59.5 mm.
+  const Finished late =
+      folder.run(over({"--over", "swing.csv", "--over-offset", "0.003", "--over-from", "2"}));
+  EXPECT_EQ(late.status, 0);
+  EXPECT_THAT(late.err, HasSubstr("over 91 samples"));
+  EXPECT_THAT(late.err, HasSubstr("lies 5.9"));
+  EXPECT_THAT(folder.names(), ElementsAre("swing.csv"));
+  const Finished drawn =
+      folder.run(over({"--over", "swing.csv", "--over-offset", "0.003", "--plot", "run.svg"}));
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_THAT(drawn.err, HasSubstr("µm (rms) from it, over 101 samples"));
+  EXPECT_THAT(folder.read("run.svg"), HasSubstr("101 samples"));
+}
+
+TEST(Simulate, RefusesWhatCannotLieUnderARun) {
+  const Folder folder;
+  folder.write("swing.csv", "t (s),x (mm),v (m/s)\n0,1,0\n1,2,0\n2,3,0\n3,1,1\n");
+  const auto refused = [&](const std::vector<std::string>& more) {
+    auto arguments = over(more);
+    arguments.insert(arguments.end(), {"-o", "run.csv", "--plot", "run.svg"});
+    const Finished end = folder.run(arguments);
+    EXPECT_EQ(end.status, 2) << end.err;
+    EXPECT_THAT(folder.names(), ElementsAre("swing.csv"));
+    return end.err;
+  };
+  EXPECT_THAT(refused({"--over", "nowhere.csv"}), HasSubstr("nowhere.csv"));
+  EXPECT_THAT(refused({"--over", "swing.csv", "--over-column", "y"}), HasSubstr("\"y\""));
+  EXPECT_THAT(refused({"--over", "swing.csv", "--over-run", "2"}), HasSubstr("run 2"));
+  EXPECT_THAT(refused({"--over", "swing.csv", "--over-column", "v"}),
+              HasSubstr("--over: a run is laid over positions or angles, and column \"v (m/s)\" holds"));
+  EXPECT_THAT(refused({"--over", "swing.csv", "--over-from", "4"}),
+              HasSubstr("has no sample from 4 to 14 s, where the runs are"));
+  EXPECT_EQ(refused({"--over-run", "2"}),
+            "cromer: --over-run is about the recording of --over; name the file with that\n");
+  EXPECT_EQ(refused({"--over-offset", "2"}),
+            "cromer: --over-offset is about the recording of --over; name the file with that\n");
+  const Finished onto = folder.run(over({"--over", "swing.csv", "-o", "swing.csv"}));
+  EXPECT_EQ(onto.status, 2) << "the recording itself would be overwritten";
+}
+
+// The command that fit prints is run as it stands.
+TEST(Simulate, LaysTheFittedMotionOverItsRecording) {
+  const Folder folder;
+  folder.write("a swing.csv", told_recording());
+  const Finished fit = folder.run({"fit", "a swing.csv", "--delimiter", ";", "--decimal", ",", "--run", "2",
+                                   "--column", "Weg", "--skip-bad-rows", "--from", "3", "--json"});
+  ASSERT_EQ(fit.status, 0) << fit.err << fit.out;
+  const std::string command = fit.json()["simulate"];
+  for (const char* part : {" --over 'a swing.csv' --over-column 'Weg (mm)' --over-run 2 --over-from 3 "
+                           "--over-offset 0.003",
+                           " --delimiter ';' --decimal ,", " --skip-bad-rows"})
+    EXPECT_THAT(command, HasSubstr(part));
+  auto words = words_of(command);
+  words.erase(words.begin());
+  const Finished run = folder.run(words);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("µm (rms) from it, over 81 samples of Weg (mm)"));
 }
 
 }  // namespace

@@ -143,5 +143,19 @@ TEST(SimulateFigure, SeveralMethodsAtSeveralFrequenciesHaveTheirPanelsForEach) {
                                   "Phase portrait at 8\u00a0rad/s"));
 }
 
+TEST(SimulateFigure, HasTheRecordingAsDotsInThePanelOfPositions) {
+  const LaidOver over{"x (mm)", "m", {0, 0.1, 0.2}, {0.05, 0.031, -0.012}};
+  const Figure figure =
+      simulate_figure(run_of(swing({"exact"})), *parse_panels("position,velocity,phase"), &over);
+  ASSERT_EQ(figure.panels.size(), 3u);
+  const Curve& dots = curve(figure.panels[0], "measured");
+  EXPECT_EQ(dots.mark, Mark::dots);
+  EXPECT_EQ(dots.remark, "3 samples");
+  EXPECT_EQ(dots.x, over.t);
+  ASSERT_EQ(dots.y.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(dots.y[i], 100 * over.x[i], 1e-12);  // cm, as the run
+  for (const std::size_t other : {1u, 2u}) EXPECT_EQ(figure.panels[other].curves.size(), 1u);
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -13,6 +13,7 @@
 namespace cromer::core {
 
 void put_in_arguments(FittedRecording& fitted, bool of_arrays) {
+  fitted.of_arrays = of_arrays;
   fitted.fit.message = in_arguments(std::move(fitted.fit.message), of_arrays);
   fitted.notices = in_arguments(std::move(fitted.notices), of_arrays);
 }

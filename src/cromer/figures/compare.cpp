@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
-#include "cromer/figures/length_unit.h"
 #include "cromer/figures/motion_curves.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/tasks/fit/fitted_motion.h"

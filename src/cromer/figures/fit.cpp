@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/base/length_unit.h"
 #include "cromer/base/quantity.h"
-#include "cromer/figures/length_unit.h"
 #include "cromer/figures/motion_curves.h"
 #include "cromer/report/enhanced_text.h"
 

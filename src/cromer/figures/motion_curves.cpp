@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
 #include "cromer/documents/text/words.h"
-#include "cromer/figures/length_unit.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/report/thinning.h"

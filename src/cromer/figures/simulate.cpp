@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/base/length_unit.h"
 #include "cromer/base/quantity.h"
-#include "cromer/figures/length_unit.h"
 #include "cromer/figures/panels.h"
 #include "cromer/report/palette.h"
 #include "cromer/tasks/simulate/run_energy.h"

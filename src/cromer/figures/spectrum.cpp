@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "cromer/base/extent.h"
+#include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/text.h"
-#include "cromer/figures/length_unit.h"
 #include "cromer/report/axis.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/report/palette.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "cromer/figures/length_unit.h"
+#include "cromer/base/length_unit.h"
 #include "cromer/report/palette.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 

@@ -238,8 +238,8 @@ constexpr Entry entries[] = {
      "{option:option} is about the recording of {--over}; name the file with that",
      "{option:option} gilt der Aufnahme von {--over}; bitte die Datei damit nennen"},
     {"run_beside_recording", detail,
-     "{run} is {rms:.4g} (rms, SI units) from the {samples:sample|samples} of {column}",
-     "{run} liegt {rms:.4g} (Effektivwert, SI-Einheiten) neben den {samples:Messwert|Messwerten} von "
+     "{run}: the recording lies {rms:n} (rms) from it, over {samples:sample|samples} of {column}",
+     "{run}: Die Aufnahme liegt {rms:n} (Effektivwert) daneben, über {samples:Messwert|Messwerte} von "
      "{column}"},
     {"drive_is_of_run", worth_knowing, "{file}: the drive is run {run} of {runs}",
      "{file}: der Antrieb ist Lauf {run} von {runs}"},

@@ -245,7 +245,7 @@ namespace {
 
 /// In quotes if a shell would take it apart.
 std::string as_one_word(std::string_view value) {
-  if (!value.empty() && value.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string_view::npos)
+  if (value.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string_view::npos)
     return std::string(value);
   std::string word = "'";
   for (const char each : value) word += each == '\'' ? std::string("'\\''") : std::string(1, each);
@@ -258,7 +258,8 @@ std::string command_of(std::string_view command,
                        const std::vector<std::pair<std::string, std::string>>& options) {
   if (options.empty()) return "";
   std::string line = "cromer " + std::string(command);
-  for (const auto& [option, value] : options) line += " --" + option + " " + as_one_word(value);
+  for (const auto& [option, value] : options)
+    line += " --" + option + (value.empty() ? "" : " " + as_one_word(value));
   return line;
 }
 

@@ -39,8 +39,8 @@ std::string argument_of(std::string_view option, bool of_arrays = false);
 /// The option that the sentence begins with, without its dashes; "" where it begins otherwise.
 std::string first_option(const Notice& notice);
 
-/// "cromer simulate --mass 1 --step 0.01": options with their values as a command of the program; "" without
-/// any.
+/// "cromer simulate --mass 1 --step 0.01": options with their values, or without one for a flag, as a command
+/// of the program that a shell takes as it stands; "" without any.
 std::string command_of(std::string_view command,
                        const std::vector<std::pair<std::string, std::string>>& options);
 

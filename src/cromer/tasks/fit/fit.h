@@ -86,6 +86,7 @@ struct HeldOut {
 
 struct FittedRecording {
   std::string file;
+  bool of_arrays = false;   ///< handed over as arrays: `file` is only what to call them
   Series series;            ///< the samples used, in SI units
   std::size_t samples = 0;  ///< in the file
   FitOptions options;

@@ -11,6 +11,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {
@@ -164,8 +165,8 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
 
 std::vector<TypedOption> over_settings(const FittedRecording& fitted) {
   const Series& series = fitted.series;
-  if (fitted.simulate.empty() || fitted.file.empty() || fitted.file == "-" ||
-      derivative_order(series.quantity) > 0)
+  if (fitted.simulate.empty() || fitted.of_arrays || fitted.file.empty() || fitted.file == "-" ||
+      !lies_under_runs(series))
     return {};
   std::vector<TypedOption> settings{{"over", fitted.file}, {"over-column", series.column}};
   if (series.run > 1) settings.emplace_back("over-run", fmt::format("{}", series.run));
@@ -180,6 +181,7 @@ std::vector<TypedOption> over_settings(const FittedRecording& fitted) {
        {std::pair{"time-column", &read.time_column}, std::pair{"delimiter", &read.delimiter},
         std::pair{"decimal", &read.decimal}})
     if (!value->empty()) settings.emplace_back(option, *value);
+  if (read.skip_bad_rows) settings.emplace_back("skip-bad-rows", "");
   return settings;
 }
 

@@ -30,8 +30,8 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
 std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass);
 
 /// The options of simulate that lay the fitted samples under those runs: file, column, run, how it is read,
-/// the time of the first used sample and the equilibrium. Empty where there is no file, or the column is a
-/// derivative of the displacement.
+/// the time of the first used sample and the equilibrium. Empty where there is no file, or the column
+/// holds neither positions nor angles.
 std::vector<TypedOption> over_settings(const FittedRecording& fitted);
 
 /// Both.

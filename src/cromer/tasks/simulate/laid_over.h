@@ -22,9 +22,13 @@ struct OverOptions {
 /// What the program takes beside the options of simulate.
 std::vector<Option> options_of(OverOptions& options);
 
+/// Whether these are positions or angles, or may be: the file says nothing else.
+bool lies_under_runs(const Series& series);
+
 /// The samples on the runs' own time and displacement.
 struct LaidOver {
   std::string name;       ///< of the column
+  std::string unit;       ///< of x
   std::vector<double> t;  // [s] from the runs' start on
   std::vector<double> x;  // [m] or [rad]
 };

@@ -1,4 +1,4 @@
-// The unit that suits lengths in a plot.
+// The unit that suits a length.
 #pragma once
 
 #include <string_view>
