@@ -341,7 +341,7 @@ export interface FittedRecording {
   } | null
   /** quantities that follow from the law, by name */
   derived: Record<string, Estimate>
-  /** command line that simulates this law; null if there is none */
+  /** command line that simulates this law, over the recording; null if there is none */
   simulate: string | null
   /** residuals: measured minus fitted */
   residual: Residual
