@@ -35,6 +35,13 @@ def test_the_law_of_arrays():
         fit["no_such_thing"]
 
 
+def test_the_command_lays_a_file_under_the_run_and_no_arrays():
+    assert " --over " not in cromer.fit(*swing())._document["simulate"]
+    fit = cromer.fit(RECORDING)
+    assert f" --over {RECORDING} --over-column 'Position (m)' " in fit._document["simulate"]
+    assert "over" not in fit.simulation()
+
+
 def test_intervals_hold_the_truth():
     held = 0
     for seed in range(60):
