@@ -105,7 +105,8 @@ Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
 
 }  // namespace
 
-std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files) {
+std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files,
+                         std::vector<TypedOption>* given) {
   const auto asked_for = [&](std::string_view word) {
     return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
   };
@@ -160,6 +161,11 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   for (const auto& [option, texts, flag] : typed)
     for (const auto& text : texts)
       if (const std::string why = unit_in_doubt(*option, text); !why.empty()) return refuse(why);
+  if (given)
+    for (const auto& [option, texts, flag] : typed) {
+      if (flag) given->emplace_back(option->name, "true");
+      for (const auto& text : texts) given->emplace_back(option->name, text);
+    }
   return std::nullopt;
 }
 

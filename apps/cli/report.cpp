@@ -1,14 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <optional>
 
 #include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/os/process.h"
+#include "cromer/report/file.h"
+#include "cromer/study/lab_report.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
+#include "fit_files.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -17,12 +23,10 @@
 namespace cromer::core::cli {
 namespace {
 
-/// "21 November 2026", of the machine's own calendar.
+/// "2026-11-21", of the machine's own calendar.
 std::string today() {
-  constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
-                                    "July",    "August",   "September", "October", "November", "December"};
   const std::tm date = os::local_time(std::time(nullptr));
-  return fmt::format("{} {} {}", date.tm_mday, months[date.tm_mon], date.tm_year + 1900);
+  return fmt::format("{}-{:02}-{:02}", date.tm_year + 1900, date.tm_mon + 1, date.tm_mday);
 }
 
 /// One line that is written over, on a terminal only.
@@ -33,41 +37,169 @@ StudyProgress progress_line(bool quiet) {
   };
 }
 
+struct ReportOptions {
+  FitOptions fit;
+  std::string title, author, course, text, language, front;
+  std::string folder;
+};
+
+std::vector<Option> front_options_of(ReportOptions& o) {
+  constexpr std::string_view group = "The page of one's own recordings";
+  return {
+      {"title", &o.title, "", Range::any, "its title", "names the recordings", group},
+      {"author", &o.author, "", Range::any, "who wrote it", "nobody is named", group},
+      {"course", &o.course, "", Range::any, "what it is written for", "none", group},
+      {"text", &o.text, "", Range::any, "a text of one's own, under the summary", "none", group},
+      {"language", &o.language, "", Range::any, "en or de", "en", group},
+      {"front", &o.front, "", Range::any, "a TOML file with title, author, course, text and language", "none",
+       group},
+  };
+}
+
+/// What the options say of the page, over what the --front file says.
+Result<ReportFront> front_of(const ReportOptions& options) {
+  ReportFront front;
+  if (!options.front.empty()) {
+    const auto bytes = read_file(options.front);
+    if (!bytes) return bytes.error();
+    auto read = read_report_front(*bytes, options.front);
+    if (!read) return read.error();
+    front = *std::move(read);
+  }
+  if (!options.title.empty()) front.title = options.title;
+  if (!options.author.empty()) front.author = options.author;
+  if (!options.course.empty()) front.course = options.course;
+  if (!options.text.empty()) front.text = options.text;
+  if (options.language == "de") front.language = Language::german;
+  if (options.language == "en") front.language = Language::english;
+  return front;
+}
+
+bool is_study(const std::string& file) { return file.ends_with(".toml"); }
+
+/// The fits of all recordings, those of free motions also compared with simulations.
+std::vector<ReportedRecording> report_of(const std::vector<std::string>& files, const ReportOptions& options,
+                                         const Watch& watch) {
+  std::vector<ReportedRecording> recordings;
+  std::error_code none;
+  for (FittedRecording& fitted : fit_files(files, options.fit, watch)) {
+    ReportedRecording& each = recordings.emplace_back();
+    each.path = std::filesystem::proximate(fitted.file, std::filesystem::absolute(options.folder, none), none)
+                    .generic_string();
+    each.fitted = std::move(fitted);
+    if (!each.fitted.succeeded() || each.fitted.driven) continue;
+    CompareOptions compare;
+    compare.fit = options.fit;
+    compare.method = report_method;
+    if (auto compared = compare_fitted(each.fitted, compare, watch)) each.compared = *std::move(compared);
+  }
+  return recordings;
+}
+
+/// Writes the study of the recordings to the folder, and gives its path. A study there that was changed by
+/// hand is an Error.
+Result<std::string> write_study(const std::vector<ReportedRecording>& recordings,
+                                const std::vector<TypedOption>& given, const ReportFront& front,
+                                const std::string& folder) {
+  const std::string path = folder + "/study.toml";
+  if (std::filesystem::exists(path))
+    if (const auto there = read_file(path); there && !is_as_made(*there))
+      return Error{"study_was_changed", {{"file", path}, {"folder", folder}}};
+  if (const auto made = make_folder(folder); !made) return made.error();
+  if (const auto done = write_file(path, lab_report(recordings, given, front)); !done) return done.error();
+  return path;
+}
+
+/// `notices`: in place of the study's own.
+int finish(Result<WrittenReport> report, const OutputOptions& output,
+           const std::vector<std::string>& failures, std::optional<std::vector<Notice>> notices) {
+  if (!report) return refuse(report.error());
+  const bool good = report->failure.empty();
+  if (notices) report->notices = *std::move(notices);
+  if (output.json && !print(to_json(*report))) return output_refused();
+  if (!output.json && good && !print(report->index + "\n")) return output_refused();
+  if (!good) complain(in_words(report->failure));
+  for (const std::string& each : failures) complain(each);
+  if (!output.quiet)
+    for (const Notice& shown : report->shown) complain("as this study is meant to show, " + in_words(shown));
+  tell(report->notices, output);
+  return good && failures.empty() ? done : no_success;
+}
+
 }  // namespace
 
 int run_report(const Arguments& arguments) {
   OutputOptions output;
-  std::string folder;
-  Syntax syntax{.command = "report",
-                .description =
-                    "Runs a study (a TOML file of tasks, figures and text) and writes its figures and one "
-                    "page that opens offline.",
-                .files = "STUDY.toml",
-                .options = {},
-                .example = "  cromer report studies/spring_lab.toml -o out/spring_lab"};
-  syntax.options.push_back({"output", &folder, "", Range::any,
+  ReportOptions options;
+  Syntax syntax{
+      .command = "report",
+      .description =
+          "A report with its figures, on one page that opens offline: of your own recordings (their "
+          "laws, what two Euler methods make of them, and the study file it was made by, to be edited), "
+          "or of a study (a TOML file of tasks, figures and text).",
+      .files = "FILE|FOLDER|STUDY.toml...",
+      .options = options_of(options.fit),
+      .example =
+          "  cromer report lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" -o report\n"
+          "  cromer report studies/spring_lab.toml -o out/spring_lab"};
+  const auto of_front = front_options_of(options);
+  syntax.options.insert(syntax.options.end(), of_front.begin(), of_front.end());
+  syntax.options.push_back({"output", &options.folder, "", Range::any,
                             "the folder to write to; it is made if it is missing", "required", "Output"});
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
-  if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (files.size() > 1)
-    return refuse(fmt::format("cromer report takes one study, but {} are given", files.size()));
-  if (folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
+  std::vector<TypedOption> given;
+  if (const auto status = parse(syntax, arguments, files, &given)) return *status;
+  const auto in_fit = options_of(options.fit);
+  const auto is_of_fit = [&](const TypedOption& typed) {
+    return std::any_of(in_fit.begin(), in_fit.end(),
+                       [&](const Option& each) { return each.name == typed.first; });
+  };
+  const bool of_study = std::any_of(files.begin(), files.end(), is_study);
+  if (of_study && files.size() > 1)
+    return refuse(
+        fmt::format("cromer report takes one study, or recordings, but {} files are given", files.size()));
+  for (const TypedOption& typed : given)
+    if (of_study &&
+        (is_of_fit(typed) || std::any_of(of_front.begin(), of_front.end(),
+                                         [&](const Option& each) { return each.name == typed.first; })))
+      return refuse(fmt::format("--{}: a study says this itself, in {}", typed.first, files.front()));
+  if (!options.language.empty() && options.language != "en" && options.language != "de")
+    return refuse(fmt::format("--language {}: it must be en or de", options.language));
+  if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
 
   Watch watch = watching(output.quiet);
+  std::vector<std::string> failures;
+  std::optional<std::vector<Notice>> notices;
+  std::string study = files.front();
+  std::vector<ReportedRecording> recordings;
+  if (!of_study) {
+    if (auto good = check_fit_options(options.fit); !good) return refuse(good.error());
+    const auto front = front_of(options);
+    if (!front) return refuse(front.error());
+    const auto found = recording_files(files);
+    if (!found) return refuse(found.error());
+    recordings = report_of(found->files, options, watch);
+    clear_progress();
+    if (watch.interrupted()) return refuse("interrupted before the report was made");
+    if (recordings.size() == 1 && recordings.front().fitted.wrong_input)
+      return refuse(in_words(recordings.front().fitted.fit.message));
+    notices.emplace();
+    for (const auto& each : recordings)
+      notices->insert(notices->end(), each.fitted.notices.begin(), each.fitted.notices.end());
+    for (const auto& each : recordings)
+      if (!each.fitted.succeeded()) failures.push_back(failure_text(each.fitted));
+    std::erase_if(given, [&](const TypedOption& typed) { return !is_of_fit(typed); });
+    const auto path = write_study(recordings, given, *front, options.folder);
+    if (!path) return refuse(path.error());
+    study = *path;
+  }
   watch.progress = {};
   const auto progress = progress_line(output.quiet);
-  const auto report = write_report(files.front(), folder, today(), "cromer " CROMER_VERSION, watch, progress);
+  const auto report = write_report(study, options.folder, today(), "cromer " CROMER_VERSION, watch, progress,
+                                   known_results(recordings));
   if (progress) std::fputs("\r\033[K", stderr);
-  if (!report) return refuse(report.error());
-  const bool good = report->failure.empty();
-  if (output.json && !print(to_json(*report))) return output_refused();
-  if (!output.json && good && !print(report->index + "\n")) return output_refused();
-  if (!good) complain(in_words(report->failure));
-  if (!output.quiet)
-    for (const Notice& shown : report->shown) complain("as this study is meant to show, " + in_words(shown));
-  tell(report->notices, output);
-  return good ? done : no_success;
+  return finish(report, output, failures, std::move(notices));
 }
 
 }  // namespace cromer::core::cli

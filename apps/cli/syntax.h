@@ -22,8 +22,9 @@ struct Syntax {
 };
 
 /// Assigns every option and collects the files. Returns the exit status where there is nothing left to do:
-/// --help was printed, or an error said.
-std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files);
+/// --help was printed, or an error said. `given` gets the options as they were typed.
+std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files,
+                         std::vector<TypedOption>* given = nullptr);
 
 /// The text of --help.
 std::string help(const Syntax& syntax);

@@ -217,12 +217,23 @@ AxisRange y_range(const Panel& panel, const AxisRange& x) {
   return range;
 }
 
-std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, int most) {
+namespace {
+
+std::vector<Tick> with_points(const Axis& axis, const AxisRange& range, int most) {
   if (range.logarithmic) return logarithmic_ticks(range.low, range.high, most);
   const double step = axis.step > 0 && (range.high - range.low) / axis.step < 100
                           ? axis.step
                           : tick_step(range.low, range.high, most);
   return linear_ticks(range.low, range.high, step);
+}
+
+}  // namespace
+
+std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, int most) {
+  std::vector<Tick> ticks = with_points(axis, range, most);
+  if (axis.decimal_comma)
+    for (Tick& tick : ticks) std::replace(tick.label.begin(), tick.label.end(), '.', ',');
+  return ticks;
 }
 
 }  // namespace cromer::core

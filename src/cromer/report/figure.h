@@ -61,6 +61,7 @@ struct Axis {
   double high = std::numeric_limits<double>::quiet_NaN();
   double step = 0;  ///< of the ticks; 0: chosen (1, 2, 2.5 or 5 times a power of ten)
   bool logarithmic = false;
+  bool decimal_comma = false;  ///< in its numbers
 };
 
 /// A quantity over two others, as colour from dark (low) to light, with a colour bar.

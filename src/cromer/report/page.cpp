@@ -72,7 +72,7 @@ class Writer {
     add(out_, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n",
         plain_words(page.title));
     add(out_, "<link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n", page_style());
-    add(out_, "<a class=\"skip\" href=\"#content\">Skip to the content</a>\n<header>\n<h1>{}</h1>\n",
+    add(out_, "<a class=\"skip\" href=\"#content\">{}</a>\n<header>\n<h1>{}</h1>\n", escaped(page.skip),
         inline_html(page.title));
     if (!page.byline.empty()) add(out_, "<p class=\"byline\">{}</p>\n", inline_html(page.byline));
     add(out_, "</header>\n");

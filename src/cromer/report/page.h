@@ -60,6 +60,7 @@ struct Page {
   std::vector<Block> blocks;
   std::string footer;  ///< versions
   std::string language = "en";
+  std::string skip = "Skip to the content";
 };
 
 /// One HTML document, everything inside it, light and dark, printable.

@@ -17,12 +17,13 @@
 namespace cromer::core {
 
 /// "id.N" for run N: the entries of its description, those of its parameters without "parameters.";
-/// newton_per_step, peak, peak_velocity; energy_* of a free motion; steady.* and exact.* of a driven one.
-/// Columns t, x, v, energy.
+/// newton_per_step, peak, peak_velocity; effect (a sentence); energy_* of a free motion; steady.* and exact.*
+/// of a driven one. Columns t, x, v, energy, phase (of a swing).
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
 /// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last, first_rate,
-/// last_rate, stretches. Columns t, measured, displacement, mean; window_t, reynolds; amplitude, rate,
+/// last_rate, stretches; simulate.OPTION (the law as options of simulate). Columns t, since_start, measured;
+/// of a law displacement, fitted_displacement, residual, mean; window_t, reynolds; amplitude, rate,
 /// law_rate, and bar_amplitude, bar_rate (error bars).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 

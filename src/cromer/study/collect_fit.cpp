@@ -1,12 +1,14 @@
 #include <limits>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/base/ascii.h"
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/facts.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 
 namespace cromer::core {
 namespace {
@@ -70,15 +72,25 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
 }
 
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
-  const double mean = fitted.fit.equilibrium().value;
   const std::string_view unit = si_unit_of(fitted.series.quantity);
+  const std::vector<double>& t = fitted.series.t;
+  std::vector<double> since_start = t;
+  for (double& time : since_start) time -= t.front();
+  results.set_column(id + ".t", t, "s", "time *t*");
+  results.set_column(id + ".since_start", std::move(since_start), "s", "time since the first sample");
+  results.set_column(id + ".measured", fitted.series.y, unit, "measured " + fitted.series.quantity);
+  if (!fitted.fit.has_values()) return;
+  const double mean = fitted.fit.equilibrium().value;
   const std::string axis = fitted.series.quantity == "position" ? "position *x*" : fitted.series.quantity;
   std::vector<double> displacement = fitted.series.y;
   for (double& value : displacement) value -= mean;
-  results.set_column(id + ".t", fitted.series.t, "s", "time *t*");
-  results.set_column(id + ".measured", fitted.series.y, unit, "measured " + fitted.series.quantity);
+  FittedMotion motion = law_motion(fitted);
+  std::vector<double> by_law = displacement;
+  for (std::size_t i = 0; i < by_law.size(); ++i) by_law[i] -= motion.residual[i];
   results.set_column(id + ".displacement", std::move(displacement), unit, axis);
-  results.set_column(id + ".mean", std::vector<double>(fitted.series.t.size(), mean), unit, "mean");
+  results.set_column(id + ".fitted_displacement", std::move(by_law), unit, axis);
+  results.set_column(id + ".residual", std::move(motion.residual), unit, "residual");
+  results.set_column(id + ".mean", std::vector<double>(t.size(), mean), unit, "mean");
 }
 
 /// The largest excess of the simulated amplitude over the law's, relative, and when it is.
@@ -100,6 +112,8 @@ void collect_excess(const std::string& name, const Envelope& simulated, const En
 
 void collect(const std::string& id, const FittedRecording& fitted, Results& results) {
   facts_of(fitted, results).set(id, fitted);
+  for (const auto& [option, value] : fitted.simulate)
+    results.set(id + ".simulate." + with_underscores(option), value);
   set_optional(results, id + ".mass", fitted.options.mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   collect_mean_damping(id, fitted, results);
@@ -110,7 +124,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
-  results.set(id + ".explanation", in_words(explanation(compared)));
+  results.set(id + ".explanation", in_words(explanation(compared), {results.language()}));
   const std::string_view unit = si_unit_of(compared.recording.series.quantity);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)

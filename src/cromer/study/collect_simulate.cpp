@@ -4,12 +4,15 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/measured_oscillator.h"
+#include "cromer/analysis/phase.h"
 #include "cromer/analysis/steady_state.h"
 #include "cromer/base/extent.h"
 #include "cromer/documents/described/simulate.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/model/law_force.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/facts.h"
+#include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
@@ -71,6 +74,15 @@ void collect_run(const std::string& name, const DescribedRun& all, Results& resu
     results.set(name + ".newton_per_step", std::string("–"));
   results.set(name + ".peak", largest_magnitude(run.trajectory.x), "m");
   results.set(name + ".peak_velocity", largest_magnitude(run.trajectory.v), "m/s");
+
+  if (const Notice effect = effect_notice(run); !effect.empty())
+    results.set(name + ".effect",
+                in_words(Notice{"report_method_does", {{"method", run.label}, {"what", effect}}},
+                         {results.language()}));
+  const double period = natural_period(run.oscillator);
+  if (period > 0)
+    results.set_column(name + ".phase", followed_phase(run.trajectory.x, run.trajectory.v, two_pi / period),
+                       "rad", "phase");
 
   auto energy = energies(run);
   collect_energy(name, run, energy, results);

@@ -51,7 +51,7 @@ class Facts {
     } else if constexpr (described::is_optional<Value>) {
       if (found) value(prefix, name, in_study, unit, *found);
     } else if constexpr (std::is_same_v<Value, Notice>) {
-      results_.set(path, in_words(found));
+      results_.set(path, in_words(found, {results_.language()}));
     } else if constexpr (std::is_same_v<described::ItemOf<Value>, Parameter>) {
       for (const Parameter& each : found) set(prefix + each.name, each.estimate, each.unit);
     } else if constexpr (described::List<Value>) {

@@ -5,49 +5,11 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cromer/base/ascii.h"
+#include "cromer/study/toml_text.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 
 namespace cromer::core {
 namespace {
-
-/// A text as TOML has it.
-std::string toml_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      (out += '\\') += c;
-    else if (code < 0x20 || code == 0x7f)
-      out += fmt::format("\\u{:04X}", static_cast<unsigned>(code));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
-/// A value that stands for itself: in a study a brace begins a result.
-std::string value_of(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += std::string(c == '{' ? 2 : 1, c);
-  return toml_text(out);
-}
-
-/// Each option once, with all its values.
-std::string settings(const std::vector<TypedOption>& options) {
-  std::string lines;
-  std::vector<std::string_view> written;
-  for (const auto& [name, value] : options) {
-    if (std::find(written.begin(), written.end(), name) != written.end()) continue;
-    written.push_back(name);
-    std::string values;
-    int count = 0;
-    for (const auto& [other, each] : options)
-      if (other == name) values += (count++ ? ", " : "") + value_of(each);
-    lines += with_underscores(name) + " = " + (count > 1 ? "[" + values + "]" : values) + '\n';
-  }
-  return lines;
-}
 
 std::string row_of(const std::string& name) {
   std::string words = name;
@@ -100,8 +62,8 @@ summary = "The law {recording.law} leaves a residual of {recording.rms, 3} in {r
 
 [[task]]
 fit = "recording"
-file = )" + value_of(fitted.file) +
-                      '\n' + settings(options) + R"(
+file = )" + toml_text(verbatim(fitted.file)) +
+                      '\n' + toml_settings(options) + R"(
 [[figure]]
 id = "recording"
 title = "What was measured"

@@ -21,6 +21,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/quantity.h"
+#include "cromer/study/lab_report.h"
 #include "cromer/study/run_study.h"
 #include "cromer/study/study_file.h"
 
@@ -277,8 +278,9 @@ TaskSpec read_task(TomlReader& toml) {
       task.id = toml.text(key);
     }
   task.shows = toml.text("shows");
+  task.may_fail = toml.yes("may_fail");
   for (const std::string& key : toml.keys()) {
-    if (with_hyphens(key) == task.command || key == "shows") continue;
+    if (with_hyphens(key) == task.command || key == "shows" || key == "may_fail") continue;
     task.settings.push_back({with_hyphens(key), toml.values(key), toml.place_of_key(key)});
   }
   return task;
@@ -444,18 +446,43 @@ Result<void> check(const Study& study) {
 
 }  // namespace
 
+namespace {
+
+Error not_toml(const toml::parse_result& parsed, const std::string& file) {
+  const auto begin = parsed.error().source().begin;
+  return Place{file, begin.line, begin.column}.error(
+      Notice{"not_toml", {{"why", parsed.error().description()}}});
+}
+
+Language read_language(TomlReader& toml) {
+  return toml.choice("language", {"en", "de"}) == "de" ? Language::german : Language::english;
+}
+
+}  // namespace
+
+Result<ReportFront> read_report_front(std::string_view bytes, const std::string& file) {
+  const toml::parse_result parsed = toml::parse(bytes, file);
+  if (!parsed) return not_toml(parsed, file);
+  return read_table(parsed.table(), file, [](TomlReader& toml) {
+    ReportFront front;
+    front.title = toml.text("title");
+    front.author = toml.text("author");
+    front.course = toml.text("course");
+    front.text = toml.text("text");
+    front.language = read_language(toml);
+    return front;
+  });
+}
+
 Result<Study> read_study(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
-  if (!parsed) {
-    const auto begin = parsed.error().source().begin;
-    return Place{file, begin.line, begin.column}.error(
-        Notice{"not_toml", {{"why", parsed.error().description()}}});
-  }
+  if (!parsed) return not_toml(parsed, file);
   StudyReader reader{file};
   auto study = read_table(parsed.table(), file, [&](TomlReader& toml) {
     Study read;
     read.file = file;
     read.folder = std::filesystem::path(file).parent_path().string();
+    read.language = read_language(toml);
     read.title = toml.study_text("title");
     read.byline = toml.study_text("byline");
     read.summary = toml.study_text("summary");

@@ -8,6 +8,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -120,7 +121,7 @@ Result<std::string> look_up(std::string_view inside, const Results& results, std
   const Number& number = std::get<Number>(*fact);
   const auto format = parse_format(parts, number);
   if (!format) return Error{"in_braces", {{"braces", inside}, {"what", format.error().notice}}};
-  return write(number, *format);
+  return format->si ? write(number, *format) : with_comma(write(number, *format), results.language());
 }
 
 }  // namespace

@@ -31,6 +31,10 @@ struct ResultColumn {
 /// suggests the nearest one.
 class Results {
  public:
+  explicit Results(Language language = Language::english) : language_(language) {}
+
+  /// Of numbers in texts, and of sentences among the results.
+  Language language() const { return language_; }
   void set(const std::string& name, Quantity quantity, std::string_view unit) {
     facts_[name] = Number{quantity, std::string(unit)};
   }
@@ -49,6 +53,7 @@ class Results {
   const std::map<std::string, Fact, std::less<>>& facts() const { return facts_; }
 
  private:
+  Language language_;
   std::map<std::string, Fact, std::less<>> facts_;
   std::map<std::string, ResultColumn, std::less<>> columns_;
 };

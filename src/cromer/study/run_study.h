@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,11 @@ std::vector<std::string_view> study_commands();
 /// Called before each task with its command and name ("fit two") and the fraction of tasks done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
-/// Bad input is an Error that names the place in the study file.
-Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {});
+/// Results of tasks that are known already, by the names of the tasks: what puts them among the others.
+using KnownResults = std::map<std::string, std::function<void(Results&)>>;
+
+/// Bad input is an Error that names the place in the study file. A task whose results are `known` is not run.
+Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {},
+                           const KnownResults& known = {});
 
 }  // namespace cromer::core

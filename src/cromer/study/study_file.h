@@ -40,7 +40,8 @@ struct TaskSpec {
   std::string command;  ///< one of study_commands()
   std::string id;       ///< the name of its results
   std::vector<Setting> settings;
-  std::string shows;  ///< part of the sentence of a notice that the task is meant to show; "" if none is
+  bool may_fail = false;  ///< a fit that finds no law: the study goes on, with the recording
+  std::string shows;      ///< part of the sentence of a notice that the task is meant to show; "" if none is
   Place place;
 };
 
@@ -107,7 +108,8 @@ struct KeyFigureSpec {
 
 struct Study {
   std::string file;
-  std::string folder;  ///< paths in the study are relative to it
+  std::string folder;                     ///< paths in the study are relative to it
+  Language language = Language::english;  ///< of its sentences and numbers
   StudyText title, byline, summary;
   std::vector<KeyFigureSpec> key_figures;
   std::vector<TaskSpec> tasks;

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/report/file.h"
 
 namespace cromer::core {
@@ -127,6 +128,7 @@ Result<Figure> make_figure(const FigureSpec& spec, const Results& results) {
     if (const auto done = fill_in(*text, results, false); !done) return spec.place.error(done.error().notice);
   for (const PanelSpec& panel_spec : spec.panels) {
     Panel panel = panel_spec.look;
+    panel.x.decimal_comma = panel.y.decimal_comma = results.language() == Language::german;
     for (std::string* text : {&panel.title, &panel.x.name, &panel.y.name})
       if (const auto done = fill_in(*text, results, true); !done)
         return panel_spec.place.error(done.error().notice);
@@ -202,6 +204,9 @@ Result<Page> make_page(const Study& study, const Results& results,
   page.byline = text(study.byline);
   page.summary = text(study.summary);
   page.footer = footer;
+  const Voice voice{results.language()};
+  if (voice.language == Language::german) page.language = "de";
+  page.skip = in_words(Notice{"page_skip"}, voice);
   for (const auto& key : study.key_figures)
     page.key_figures.push_back({text(key.name), text(key.value), text(key.remark)});
   if (text.error) return *text.error;
@@ -209,6 +214,7 @@ Result<Page> make_page(const Study& study, const Results& results,
   std::map<std::string, int> numbers;
   for (std::size_t i = 0; i < study.figures.size(); ++i)
     numbers[study.figures[i].look.id] = static_cast<int>(i) + 1;
+  int tables = 0;
   for (const BlockSpec& block : study.blocks) {
     if (const auto* heading = std::get_if<BlockSpec::Heading>(&block.content)) {
       page.blocks.push_back(Heading{text(heading->text)});
@@ -217,13 +223,15 @@ Result<Page> make_page(const Study& study, const Results& results,
     } else if (const auto* code = std::get_if<BlockSpec::Code>(&block.content)) {
       page.blocks.push_back(Code{text(code->text), text(code->caption)});
     } else if (const auto* table = std::get_if<TableSpec>(&block.content)) {
-      page.blocks.push_back(make_table(*table, block.place, text));
+      TableBlock made = make_table(*table, block.place, text);
+      made.label = in_words(Notice{"page_table", {{"number", ++tables}}}, voice);
+      page.blocks.push_back(std::move(made));
     } else {
       const std::string& id = std::get<BlockSpec::FigureName>(block.content).id;
       const DrawnFigure& figure = figures.at(id);
       page.blocks.push_back(FigureBlock{id, figure.svg, figure.title,
-                                        "Figure " + std::to_string(numbers.at(id)), figure.caption,
-                                        figure.width});
+                                        in_words(Notice{"page_figure", {{"number", numbers.at(id)}}}, voice),
+                                        figure.caption, figure.width});
     }
     if (text.error) return *text.error;
   }
@@ -255,13 +263,6 @@ std::string versions(const std::string& program) {
 #endif
 }
 
-Result<void> make_folder(const std::string& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{"folder_not_made", {{"folder", folder}, {"why", failed.message()}}};
-  return check_writable(folder + "/index.html");
-}
-
 /// Removes the folder again if it was made for a report that was then not written.
 class FolderInWaiting {
  public:
@@ -281,9 +282,16 @@ class FolderInWaiting {
 
 }  // namespace
 
+Result<void> make_folder(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{"folder_not_made", {{"folder", folder}, {"why", failed.message()}}};
+  return check_writable(folder + "/index.html");
+}
+
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
                                    const std::string& date, const std::string& program, const Watch& watch,
-                                   const StudyProgress& progress) {
+                                   const StudyProgress& progress, const KnownResults& known) {
   const auto bytes = read_file(study_path);
   if (!bytes) return bytes.error();
   auto study = read_study(*bytes, study_path);
@@ -291,7 +299,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   const FolderInWaiting in_waiting(folder);
   if (const auto made = make_folder(folder); !made) return made.error();
 
-  auto run = run_study(*study, watch, progress);
+  auto run = run_study(*study, watch, progress, known);
   if (!run) return run.error();
   WrittenReport written{"", {}, run->notices, run->shown, run->failure};
   if (!run->failure.empty()) return written;

@@ -41,12 +41,16 @@ struct WrittenReport {
                    ///< written
 };
 
+/// Makes the folder of a report if it is missing; an Error where nothing can be written to it.
+Result<void> make_folder(const std::string& folder);
+
 /// Reads the study, runs it and draws its figures; only then it writes, each file whole or not at all. `date`
 /// ("21 November 2026") and `program` ("cromer 0.1.0") stand under the title; the foot names the compiler as
 /// well.
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
                                    const std::string& date, const std::string& program,
-                                   const Watch& watch = {}, const StudyProgress& progress = {});
+                                   const Watch& watch = {}, const StudyProgress& progress = {},
+                                   const KnownResults& known = {});
 
 /// {"index", "figures": [paths], "warnings", "notices", "shown"}, with "message" if a task failed.
 std::string to_json(const WrittenReport& report);

@@ -377,7 +377,7 @@ struct Described<FittedRecording> {
                       .known())),
       field("stiffness_budget", &Fitted::stiffness_budget, "",
             "contributions to the uncertainty of the spring constant")
-          .not_in_study(),
+          .called("budget"),
       field("monte_carlo", drawn_stiffness, "",
             "spring constant by Monte Carlo trials; null if not asked for"),
       field("plan", &Fitted::plan, "", "how long to record; null without a goal").not_in_study(),

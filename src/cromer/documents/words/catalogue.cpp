@@ -12,7 +12,7 @@ std::span<const std::span<const Entry>> catalogue() {
       words_of_simulate, words_of_options, words_of_page,
 #ifndef CROMER_PAGE  // which has not the tasks that say these
       words_of_live,     words_of_sweep,   words_of_spectrum, words_of_files,
-      words_of_study,    words_of_door,    words_of_program,  words_of_recognise,
+      words_of_study,    words_of_door,    words_of_program,  words_of_recognise, words_of_report,
 #endif
   };
   return all;

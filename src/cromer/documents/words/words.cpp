@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "cromer/base/ascii.h"
@@ -14,14 +15,6 @@ namespace {
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 
-/// German numbers have a comma.
-std::string with_comma(std::string text, Language language) {
-  if (language == Language::german)
-    for (std::size_t i = 1; i + 1 < text.size(); ++i)
-      if (text[i] == '.' && is_digit(text[i - 1]) && is_digit(text[i + 1])) text[i] = ',';
-  return text;
-}
-
 std::string number_text(double value, std::string_view how) {
   if (how.size() < 3 || how.front() != '.') return shortest(value);
   int digits = 0;
@@ -32,6 +25,11 @@ std::string number_text(double value, std::string_view how) {
     case 'e':
       return fmt::format("{:.{}e}", value, digits);
     default:
+      // Not 5.1e+02 but 510.
+      if (std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e6) {
+        const double last = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
+        return fmt::format("{:.0f}", std::round(value / last) * last);
+      }
       return fmt::format("{:.{}g}", value, digits);
   }
 }
@@ -197,6 +195,13 @@ class Sentence {
 };
 
 }  // namespace
+
+std::string with_comma(std::string text, Language language) {
+  if (language == Language::german)
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+      if (text[i] == '.' && is_digit(text[i - 1]) && is_digit(text[i + 1])) text[i] = ',';
+  return text;
+}
 
 std::string in_words(const Notice& notice, const Voice& voice) {
   const Entry* entry = find_entry(notice.code);

@@ -29,6 +29,9 @@ std::string in_words(const Notice& notice, const Voice& voice = {});
 std::string in_words(const Error& error, const Voice& voice = {});
 std::vector<std::string> in_words(std::span<const Notice> notices, const Voice& voice = {});
 
+/// German numbers have a decimal comma.
+std::string with_comma(std::string text, Language language);
+
 /// Worst first, otherwise in their order.
 std::vector<Notice> worst_first(std::vector<Notice> notices);
 

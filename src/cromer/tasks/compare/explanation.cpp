@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "cromer/base/length_unit.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/compare/compare.h"
 
@@ -9,6 +10,10 @@ namespace cromer::core {
 namespace {
 
 std::string with_unit(double value, std::string_view unit) {
+  if (unit == "m") {
+    const LengthUnit length = length_unit(std::abs(value));
+    return rounded(value / length.metres, 3).append("\u00a0").append(length.symbol);
+  }
   std::string text = rounded(value, 3);
   if (!unit.empty()) text.append("\u00a0").append(unit);
   return text;

@@ -1,0 +1,270 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // What follows from a law, by its names.
+    {"stiffness", clause, "spring constant", "Federkonstante"},
+    {"drag_constant", clause, "drag constant", "Konstante des Luftwiderstands"},
+    {"friction_force", clause, "friction", "trockene Reibung"},
+    {"cubic_stiffness", clause, "cubic stiffness", "kubische Steifigkeit"},
+    {"quadratic_stiffness", clause, "quadratic stiffness", "quadratische Steifigkeit"},
+    {"odd_quadratic_stiffness", clause, "odd quadratic stiffness", "Steifigkeit von x|x|"},
+    {"quintic_stiffness", clause, "quintic stiffness", "Steifigkeit fünften Grades"},
+    {"van_der_pol_constant", clause, "van der Pol constant", "Van-der-Pol-Dämpfung"},
+    {"hysteresis_force_stiffness", clause, "hysteresis stiffness", "hysteretische Federkonstante"},
+    {"frequency", clause, "frequency", "Frequenz"},
+    {"period", clause, "period", "Periode"},
+    {"damping_ratio", clause, "damping ratio", "Dämpfungsgrad"},
+    {"quality_factor", clause, "quality factor", "Güte"},
+    {"logarithmic_decrement", clause, "logarithmic decrement", "logarithmisches Dekrement"},
+    {"drag_coefficient", clause, "drag coefficient", "Widerstandsbeiwert"},
+    {"mass", clause, "mass", "Masse"},
+    {"spring_mass", clause, "mass of the spring", "Masse der Feder"},
+
+    // The report of one's own recordings: its head.
+    {"report_file_head", clause, "# To make the report again: cromer report study.toml -o report",
+     "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht"},
+    {"report_title", clause, "The law of motion in {file}", "Das Bewegungsgesetz in {file}"},
+    {"report_title_of_several", clause, "The laws of motion of {count} recordings",
+     "Die Bewegungsgesetze von {count} Aufnahmen"},
+    {"report_run_of", clause, "{file}, run {run}", "{file}, Lauf {run}"},
+    {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
+     "{file}: kein Bewegungsgesetz wird angegeben. Der Grund: {why}."},
+    {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
+     "{file}: eine freie Schwingung mit {frequency}."},
+    {"report_driven_at", clause, "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
+     "{file}: die angetriebene Bewegung eines Schwingers mit der eigenen Frequenz {frequency}."},
+    {"report_spring_constant", clause, "With a mass of {mass} the spring constant is {stiffness}.",
+     "Mit einer Masse von {mass} ist die Federkonstante {stiffness}."},
+    {"report_rate_is", clause, "The decay rate is {rate}.", "Die Abklingrate ist {rate}."},
+    {"report_rate_starts", clause, "The decay rate is {start} at the start.",
+     "Die Abklingrate ist am Anfang {start}."},
+    {"report_rate_falls", clause, "The decay rate falls from {start} at the start to {end} at the end.",
+     "Die Abklingrate fällt von {start} am Anfang auf {end} am Ende."},
+    {"report_rate_rises", clause, "The decay rate rises from {start} at the start to {end} at the end.",
+     "Die Abklingrate steigt von {start} am Anfang auf {end} am Ende."},
+    {"report_rate_at_both", clause,
+     "The decay rate is {start} at the start and {end} at the end; the two cannot be told apart for sure.",
+     "Die Abklingrate ist {start} am Anfang und {end} am Ende; sicher unterscheiden lassen sich beide nicht."},
+    {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
+     "Die Reynolds-Zahl erreicht {largest}."},
+    {"report_period_is", clause, "period {period}", "Periode {period}"},
+    {"report_interval", clause, "{low} to {high}", "{low} bis {high}"},
+    {"report_rate_at_start", clause, "decay rate at the start", "Abklingrate am Anfang"},
+    {"report_rate_at_end", clause, "decay rate at the end", "Abklingrate am Ende"},
+    {"report_at_end", clause, "at the end {rate}", "am Ende {rate}"},
+    {"report_reynolds_max", clause, "largest Reynolds number", "größte Reynolds-Zahl"},
+    {"report_at", clause, "at {t}", "bei {t}"},
+    {"report_recordings", clause, "What the recordings say. ± is one standard uncertainty.",
+     "Was die Aufnahmen sagen. ± ist eine Standardunsicherheit."},
+    {"report_recording", clause, "recording", "Aufnahme"},
+
+    // The recording and its law.
+    {"report_measured", clause, "What was measured", "Was gemessen wurde"},
+    {"report_samples", clause, "{file}: {used} samples in {duration}{rate}.{aside}",
+     "{file}: {used} Messwerte in {duration}{rate}.{aside}"},
+    {"report_rate", clause, ", {rate} a second", ", {rate} in der Sekunde"},
+    {"report_gaps", clause, " Samples are missing at {gaps:place|places}.",
+     " An {gaps:Stelle|Stellen} fehlen Messwerte."},
+    {"report_outliers", clause,
+     " {outliers:sample lies|samples lie} far from the motion and {outliers?is|are} set aside.",
+     " {outliers:Messwert liegt|Messwerte liegen} weit neben der Bewegung und {outliers?wird|werden} beiseite "
+     "gelassen."},
+    {"report_record_title", clause, "Measured: {file}", "Gemessen: {file}"},
+    {"report_record", clause, "The recording, {used} samples.", "Die Aufnahme, {used} Messwerte."},
+    {"report_record_with_level", clause, "The recording, {used} samples, and the rest position by the law, {level}.",
+     "Die Aufnahme, {used} Messwerte, und die Ruhelage nach dem Gesetz, {level}."},
+    {"report_is_measured", clause, "measured", "gemessen"},
+    {"report_level", clause, "rest position", "Ruhelage"},
+    {"report_time", clause, "time *t* (s)", "Zeit *t* (s)"},
+    {"report_since_start", clause, "time since the first sample (s)", "Zeit seit dem ersten Messwert (s)"},
+    {"report_position", clause, "position", "Ort"},
+    {"report_angle", clause, "angle", "Winkel"},
+    {"report_velocity", clause, "velocity *v*", "Geschwindigkeit *v*"},
+    {"report_acceleration", clause, "acceleration", "Beschleunigung"},
+    {"report_value", clause, "measured value", "Messwert"},
+    {"report_its_value", clause, "value", "Wert"},
+    {"report_position_at_start", clause, "displacement at the first sample", "Auslenkung beim ersten Messwert"},
+    {"report_velocity_at_start", clause, "velocity at the first sample", "Geschwindigkeit beim ersten Messwert"},
+    {"report_displacement", clause, "displacement *x*", "Auslenkung *x*"},
+    {"report_law", clause, "The law of motion", "Das Bewegungsgesetz"},
+    {"report_law_chosen", clause, "Of {laws} laws that were tried, {law} was chosen:",
+     "Von {laws} Gesetzen, die geprüft wurden, ist {law} gewählt:"},
+    {"report_law_asked", clause, "The law is {law}, as asked for:", "Das Gesetz ist {law}, wie verlangt:"},
+    {"report_white", clause,
+     "What it leaves of the measured values is {rms} (root mean square), and no pattern is found in it.",
+     "Was es von den Messwerten übrig lässt, ist {rms} (quadratisches Mittel), und ein Muster ist darin nicht "
+     "zu finden."},
+    {"report_not_white", clause,
+     "What it leaves of the measured values is {rms} (root mean square). Neighbouring residuals are alike "
+     "(correlation {correlation}): either the noise is not independent from sample to sample, or the law does not "
+     "tell all.",
+     "Was es von den Messwerten übrig lässt, ist {rms} (quadratisches Mittel). Benachbarte Reste ähneln sich "
+     "(Korrelation {correlation}): entweder ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz "
+     "sagt nicht alles."},
+    {"report_table", clause,
+     "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
+     "recordings, if the law is right.",
+     "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % solcher "
+     "Aufnahmen, falls das Gesetz stimmt."},
+    {"report_quantity", clause, "quantity", "Größe"},
+    {"report_term", clause, "term of the law", "Term des Gesetzes"},
+    {"report_viscous_part", clause, "viscous part of the decay rate", "zäher Teil der Abklingrate"},
+    {"report_swings_title", clause, "The first swings, measured and by the law",
+     "Die ersten Schwingungen, gemessen und nach dem Gesetz"},
+    {"report_swings", clause, "The first swings: measured, and by the law {law}.",
+     "Die ersten Schwingungen: gemessen, und nach dem Gesetz {law}."},
+    {"report_law_curve", clause, "law", "Gesetz"},
+    {"report_residual_title", clause, "What the law leaves", "Was das Gesetz übrig lässt"},
+    {"report_residual_caption", clause, "Measured minus fitted; root mean square {rms}.",
+     "Gemessen weniger angepasst; quadratisches Mittel {rms}."},
+    {"report_residual", clause, "residual", "Rest"},
+
+    // How it dies down.
+    {"report_dies_down", clause, "How the swing dies down", "Wie die Schwingung abklingt"},
+    {"report_grows", clause, "How the swing grows", "Wie die Schwingung wächst"},
+    {"report_segments", clause, "One decay rate for each part of the recording, fitted by itself.",
+     "Eine Abklingrate für jeden Teil der Aufnahme, jeder für sich angepasst."},
+    {"report_from", clause, "from", "von"},
+    {"report_to", clause, "to", "bis"},
+    {"report_decay_title", clause, "Decay rate against amplitude", "Abklingrate gegen Amplitude"},
+    {"report_decay_caption", clause,
+     "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard error), "
+     "against the amplitude; the line is the law's.",
+     "Die Abklingrate von {stretches} Stücken der Aufnahme, jedes für sich angepasst (± ein Standardfehler), gegen "
+     "die Amplitude; die Linie ist die des Gesetzes."},
+    {"report_amplitude", clause, "amplitude", "Amplitude"},
+    {"report_rate_axis", clause, "decay rate (1/s)", "Abklingrate (1/s)"},
+    {"report_compared_title", clause, "Measured, and simulated with one decay rate and by the law",
+     "Gemessen, und simuliert mit einer Abklingrate und nach dem Gesetz"},
+    {"report_compared_two", clause,
+     "The measured motion, and the envelopes of two simulations: one constant decay rate leaves {one} (root mean "
+     "square), the law {law}.",
+     "Die gemessene Bewegung und die Hüllkurven zweier Simulationen: eine feste Abklingrate lässt {one} übrig "
+     "(quadratisches Mittel), das Gesetz {law}."},
+    {"report_compared_one", clause,
+     "The measured motion, and the envelope of a simulation with one constant decay rate; it leaves {one} (root "
+     "mean square).",
+     "Die gemessene Bewegung und die Hüllkurve einer Simulation mit einer festen Abklingrate; sie lässt {one} übrig "
+     "(quadratisches Mittel)."},
+
+    // Spring constant and Reynolds number.
+    {"report_stiffness", clause, "How stiff the spring is", "Wie steif die Feder ist"},
+    {"report_stiffness_is", clause,
+     "From the frequency without damping and the mass of {mass}, *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "{interval}.",
+     "Aus der Frequenz ohne Dämpfung und der Masse von {mass} folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "{interval}."},
+    {"report_stiffness_with_spring", clause,
+     "From the frequency without damping, the mass of {mass} and a third of the spring's own mass, *k* = (*m* + "
+     "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
+     "Aus der Frequenz ohne Dämpfung, der Masse von {mass} und einem Drittel der Masse der Feder folgt *k* = (*m* + "
+     "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
+    {"report_without_error", clause,
+     "Your {quantity} has no ±, so its part is not in the uncertainty.",
+     "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
+    {"report_most_from", clause, "Most of its variance, {share} %, comes from the {quantity}.",
+     "Der größte Teil der Varianz, {share} %, kommt aus: {quantity}."},
+    {"report_budget", clause, "Where the uncertainty of the spring constant comes from.",
+     "Woher die Unsicherheit der Federkonstante kommt."},
+    {"report_from_what", clause, "from", "aus"},
+    {"report_its_part", clause, "part of the standard uncertainty", "Teil der Standardunsicherheit"},
+    {"report_share", clause, "share of the variance", "Anteil an der Varianz"},
+    {"report_flow", clause, "The air around the disc", "Die Luft um die Scheibe"},
+    {"report_reynolds", clause,
+     "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it reaches "
+     "{last}.",
+     "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde erreicht sie "
+     "{last}."},
+    {"report_not_stokes", clause,
+     "A drag in proportion to the velocity (Stokes) needs Re well below 1: at its fastest, no swing of this "
+     "recording is so slow.",
+     "Ein Widerstand im Verhältnis der Geschwindigkeit (Stokes) braucht ein Re weit unter 1: so langsam ist bei "
+     "ihrer größten Geschwindigkeit keine Schwingung dieser Aufnahme."},
+    {"report_reynolds_title", clause, "Reynolds number in windows of half a second",
+     "Reynolds-Zahl in Fenstern von einer halben Sekunde"},
+    {"report_reynolds_caption", clause,
+     "The largest Reynolds number in each half second, from the fitted velocity and the disc's diameter.",
+     "Die größte Reynolds-Zahl in jeder halben Sekunde, aus der angepassten Geschwindigkeit und dem Durchmesser der "
+     "Scheibe."},
+    {"report_reynolds_axis", clause, "Reynolds number Re", "Reynolds-Zahl Re"},
+
+    // What two methods make of the law.
+    {"report_methods", clause, "What forward Euler and Euler-Cromer make of this law",
+     "Was Euler vorwärts und Euler-Cromer aus diesem Gesetz machen"},
+    {"report_methods_text", clause,
+     "The law, from the same start, by two methods with steps of {step}, about {steps:.0f} in a period, beside "
+     "{reference}.",
+     "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in einer Periode, "
+     "neben {reference}."},
+    {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
+    {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
+     "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
+    {"report_method_does", clause, "{method} {what}.", "{method} {what}."},
+    {"report_energy_grew", clause,
+     "**{method}**: at the end the energy is {ratio} times that at the start; by the law it is {exact} times that.",
+     "**{method}**: am Ende ist die Energie das {ratio}fache der am Anfang; nach dem Gesetz ist sie das {exact}fache."},
+    {"report_forward_euler", clause, "forward Euler", "Euler vorwärts"},
+    {"report_exact", clause, "exact", "exakt"},
+    {"report_position_title", clause, "Position by both methods", "Ort nach beiden Verfahren"},
+    {"report_position_caption", clause, "The displacement by both methods, steps of {step}.",
+     "Die Auslenkung nach beiden Verfahren, Schritte von {step}."},
+    {"report_position_measured", clause, "The displacement as measured and by both methods, steps of {step}.",
+     "Die Auslenkung, gemessen und nach beiden Verfahren, Schritte von {step}."},
+    {"report_velocity_title", clause, "Velocity by both methods", "Geschwindigkeit nach beiden Verfahren"},
+    {"report_velocity_caption", clause, "The velocity by both methods, steps of {step}.",
+     "Die Geschwindigkeit nach beiden Verfahren, Schritte von {step}."},
+    {"report_portrait_title", clause, "Velocity against position by both methods",
+     "Geschwindigkeit gegen Ort nach beiden Verfahren"},
+    {"report_portrait_caption", clause, "Phase portrait of the same runs.", "Phasenbild derselben Läufe."},
+    {"report_energy_title", clause, "Energy by both methods", "Energie nach beiden Verfahren"},
+    {"report_energy_caption", clause, "The energy by both methods, steps of {step}.",
+     "Die Energie nach beiden Verfahren, Schritte von {step}."},
+    {"report_energy", clause, "energy *E*", "Energie *E*"},
+    {"report_energy_per_mass", clause, "energy / inertia", "Energie / Trägheit"},
+    {"report_phase_title", clause, "Phase of both methods less the exact one",
+     "Phase beider Verfahren weniger der exakten"},
+    {"report_phase_caption", clause, "By how much the phase of both methods runs ahead of the exact motion, steps of {step}.",
+     "Um wie viel die Phase beider Verfahren der exakten Bewegung vorausläuft, Schritte von {step}."},
+    {"report_phase_error", clause, "phase error (rad)", "Phasenfehler (rad)"},
+
+    // Under other frequencies.
+    {"report_resonance", clause, "The resonance of this law", "Die Resonanz dieses Gesetzes"},
+    {"report_resonance_text", clause,
+     "The drive of this recording has {drive}; without damping the oscillator itself would have {natural}. The figures "
+     "show the steady motion of the law under a drive of the same strength at other frequencies.",
+     "Der Antrieb dieser Aufnahme hat {drive}; ohne Dämpfung hätte der Schwinger selbst {natural}. Die Abbildungen "
+     "zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei anderen Frequenzen."},
+    {"report_resonance_title", clause, "Amplitude against drive frequency", "Amplitude gegen Frequenz des Antriebs"},
+    {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",
+     "Die Amplitude der eingeschwungenen Bewegung nach dem Gesetz."},
+    {"report_drive_axis", clause, "drive frequency *ω* (rad/s)", "Frequenz des Antriebs *ω* (rad/s)"},
+    {"report_lag_title", clause, "Phase lag against drive frequency", "Phasenverzug gegen Frequenz des Antriebs"},
+    {"report_lag_caption", clause, "The lag of the steady motion behind the drive, by the law.",
+     "Der Verzug der eingeschwungenen Bewegung hinter dem Antrieb nach dem Gesetz."},
+    {"report_lag_axis", clause, "phase lag (rad)", "Phasenverzug (rad)"},
+
+    // What could not be told.
+    {"report_not_told", clause, "What to keep in mind, and what could not be told",
+     "Was zu bedenken ist, und was sich nicht sagen lässt"},
+    {"report_sentence", clause, "{what:A}.", "{what:A}."},
+    {"report_give_mass", clause, "No spring constant: it follows with the mass ({--mass}).",
+     "Keine Federkonstante: sie folgt mit der Masse ({--mass})."},
+    {"report_give_disc", clause, "No Reynolds number: it follows with the diameter of a disc ({--disc-diameter}).",
+     "Keine Reynolds-Zahl: sie folgt mit dem Durchmesser einer Scheibe ({--disc-diameter})."},
+
+    // The words of a page.
+    {"page_figure", clause, "Figure {number}", "Abbildung {number}"},
+    {"page_table", clause, "Table {number}", "Tabelle {number}"},
+    {"page_skip", clause, "Skip to the content", "Zum Inhalt"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_report = entries;
+
+}  // namespace cromer::core

@@ -1,0 +1,885 @@
+#include "cromer/study/lab_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/base/ascii.h"
+#include "cromer/base/extent.h"
+#include "cromer/base/length_unit.h"
+#include "cromer/base/pi.h"
+#include "cromer/documents/words/catalogue.h"
+#include "cromer/documents/words/words.h"
+#include "cromer/model/terms/term.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/study/collect.h"
+#include "cromer/study/toml_text.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/used_samples.h"
+
+namespace cromer::core {
+namespace {
+
+/// The steps that a period has in the simulations of the two methods, and how many periods they last.
+constexpr double steps_per_period = 200, most_periods = 10, drawn_periods = 5;
+
+struct CurveLines {
+  std::string_view of, role;
+  std::string name{};
+  std::string_view x{}, y{}, minus{};
+  std::optional<double> from{}, to{};
+  bool dots = false, dashed = false;
+};
+
+struct FigureLines {
+  std::string_view id;
+  std::string title, caption;
+  std::string_view size, x, y;
+  std::string x_name, y_name;
+  std::string x_unit{}, y_unit{};
+  bool logarithmic = false;
+  std::vector<CurveLines> curves{};
+};
+
+/// Writes tables of a study.
+class Toml {
+ public:
+  void table(std::string_view name) { out_ += fmt::format("\n[[{}]]\n", name); }
+  void text(std::string_view key, std::string_view value) {
+    if (!value.empty()) out_ += fmt::format("{} = {}\n", key, toml_text(value));
+  }
+  void bare(std::string_view key, std::string_view value) { out_ += fmt::format("{} = {}\n", key, value); }
+  void raw(std::string_view lines) { out_ += lines; }
+  const std::string& written() const { return out_; }
+
+  void figure(const FigureLines& figure) {
+    table("figure");
+    text("id", figure.id);
+    text("title", figure.title);
+    text("caption", figure.caption);
+    text("size", figure.size);
+    if (figure.size != "wide") bare("width", "0.5");
+    text("x", figure.x);
+    text("y", figure.y);
+    text("x_name", figure.x_name);
+    text("y_name", figure.y_name);
+    text("x_unit", figure.x_unit);
+    text("y_unit", figure.y_unit);
+    if (figure.logarithmic) bare("y_logarithmic", "true");
+    for (const CurveLines& curve : figure.curves) this->curve(curve);
+    table("block");
+    text("figure", figure.id);
+  }
+
+ private:
+  void curve(const CurveLines& curve) {
+    table("figure.curve");
+    text("of", curve.of);
+    text("minus", curve.minus);
+    text("x", curve.x);
+    text("y", curve.y);
+    text("role", curve.role);
+    text("name", curve.name);
+    if (curve.from) bare("from", shortest(*curve.from));
+    if (curve.to) bare("to", shortest(*curve.to));
+    if (curve.dots) text("mark", "dots");
+    if (curve.dashed) bare("dashed", "true");
+  }
+
+  std::string out_;
+};
+
+/// The unit that is read most easily for values of a size in an SI unit; "" where there is only this one.
+std::string readable_unit(std::string_view si, double size) {
+  const std::string length(length_unit(size).symbol);
+  return si == "m" ? length : si == "m/s" ? length + "/s" : "";
+}
+
+struct Scale {
+  std::string_view prefix, unit;  ///< "m", "mJ"
+};
+Scale energy_scale(double largest) {
+  if (largest < 1e-4) return {"µ", "µJ"};
+  if (largest < 0.1) return {"m", "mJ"};
+  return {"", "J"};
+}
+
+/// "8.465" has as many digits as the error of an interval's end is worth.
+int digits_of(const Estimate& e) {
+  if (!(e.standard_error > 0) || e.value == 0) return 6;
+  return std::clamp(2 + static_cast<int>(std::ceil(std::log10(std::abs(e.value) / e.standard_error))), 2, 12);
+}
+
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// One recording's part of the study.
+class Part {
+ public:
+  Part(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front, Toml& toml)
+      : fitted_(recording.fitted),
+        compared_(recording.compared ? &*recording.compared : nullptr),
+        path_(recording.path),
+        id_(std::move(id)),
+        methods_(id_ + "_methods"),
+        alone_(alone),
+        front_(front),
+        toml_(toml),
+        units_(motion_units(fitted_)) {
+    if (!fitted_.fit.has_values()) return;
+    const LawFit& fit = fitted_.fit;
+    const auto [low, high] = extent_of(fitted_.series.y);
+    spread_ = (high - low) / 2;
+    period_ = two_pi / fit.motion.angular_frequency();
+    if (const Parameter* known = named(fitted_.derived, "period")) period_ = known->estimate.value;
+    duration_ = fitted_.series.t.back() - fitted_.series.t.front();
+  }
+
+  void write(const std::vector<TypedOption>& options) {
+    if (fitted_.wrong_input) return refused();
+    task(options);
+    if (fitted_.fit.has_values() && fitted_.succeeded() && simulates()) simulation();
+    heading("report_measured");
+    paragraph(words("report_samples", {{"file", verbatim(title())},
+                                       {"used", in_braces("used, bare")},
+                                       {"duration", in_braces("duration, 4")},
+                                       {"rate", rate()},
+                                       {"aside", set_aside()}}));
+    record_figure();
+    if (!fitted_.succeeded()) return failed();
+    law();
+    if (!fitted_.driven) decay();
+    if (fitted_.find("stiffness")) stiffness();
+    if (fitted_.reynolds_max) reynolds();
+    if (simulates()) methods();
+    if (fitted_.driven) resonance();
+    not_told();
+  }
+
+  /// The lines of the summary.
+  std::vector<std::string> summary() const {
+    if (!fitted_.succeeded())
+      return {words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}})};
+    std::vector<std::string> lines;
+    const auto add = [&](const char* code, std::vector<NoticeValue> values) {
+      Notice notice{std::string(code)};
+      notice.values = std::move(values);
+      lines.push_back(say(notice));
+    };
+    add(fitted_.driven ? "report_driven_at" : "report_swings_at",
+        {{"file", verbatim(title())}, {"frequency", in_braces("frequency")}});
+    if (fitted_.find("stiffness"))
+      add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
+    if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
+    if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
+    return lines;
+  }
+
+  void key_figures() const {
+    const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
+      toml_.table("key_figure");
+      toml_.text("name", words(code));
+      toml_.text("value", in_braces(value + ", concise"));
+      toml_.text("remark", remark);
+    };
+    key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
+    if (const Estimate* k = fitted_.find("stiffness")) key("stiffness", "stiffness", interval("stiffness", *k));
+    if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
+      key("report_rate_at_start", "decay_rate_start",
+          named(fitted_.headline, "decay_rate_end")
+              ? words("report_at_end", {{"rate", in_braces("decay_rate_end")}})
+              : interval("decay_rate_start", start->estimate));
+    if (fitted_.reynolds_max)
+      key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
+    else if (named(fitted_.derived, "quality_factor"))
+      key("quality_factor", "quality_factor", "");
+  }
+
+  /// The row of this recording in the table of all.
+  std::vector<std::string> row() const {
+    const auto known = [&](std::string_view name) {
+      return named(fitted_.headline, name) ? in_braces(std::string(name)) : std::string("–");
+    };
+    if (!fitted_.succeeded()) return {verbatim(title()), "–", "–", "–", "–", "–"};
+    return {verbatim(title()),
+            known("frequency"),
+            known("stiffness"),
+            known("decay_rate_start"),
+            known("decay_rate_end"),
+            fitted_.reynolds_max ? in_braces("reynolds.max") : "–"};
+  }
+
+  std::string title() const {
+    const std::string name = std::filesystem::path(fitted_.file).filename().string();
+    return fitted_.one_of_several ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}}) : name;
+  }
+
+ private:
+  std::string say(const Notice& notice) const { return in_words(notice, {front_.language}); }
+  std::string words(std::string_view code, std::vector<NoticeValue> values = {}) const {
+    Notice notice{std::string(code)};
+    notice.values = std::move(values);
+    return say(notice);
+  }
+  /// The name of a quantity, of its parameter or as it is.
+  std::string name_of(const std::string& parameter) const {
+    if (find_entry(parameter)) return words(parameter);
+    std::string name = parameter;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+  }
+  std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
+  std::string interval(std::string_view name, const Estimate& e) const {
+    const int digits = digits_of(e);
+    return words("report_interval", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))},
+                                     {"high", in_braces(fmt::format("{}.high, {}, bare", name, digits))}});
+  }
+
+  void heading(std::string_view code) {
+    toml_.table("block");
+    toml_.text("heading", alone_ ? words(code) : verbatim(title()) + ": " + words(code));
+  }
+  void paragraph(const std::string& text) {
+    toml_.table("block");
+    toml_.text("text", text);
+  }
+  std::string figure_id(std::string_view name) const {
+    return alone_ ? std::string(name) : fmt::format("{}-{}", id_, name);
+  }
+
+  std::string rate() const {
+    return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
+  }
+  std::string set_aside() const {
+    std::string text;
+    if (!fitted_.series.gaps.empty()) text += words("report_gaps", {{"gaps", fitted_.series.gaps.size()}});
+    if (!fitted_.series.outliers.empty())
+      text += words("report_outliers", {{"outliers", fitted_.series.outliers.size()}});
+    return text;
+  }
+
+  /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
+  std::string decay_ends() const {
+    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
+                    *end = named(fitted_.headline, "decay_rate_end");
+    if (!start) return "";
+    if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
+    const Estimate &a = start->estimate, &b = end->estimate;
+    if (std::abs(b.value - a.value) <= 1e-9 * std::abs(a.value))
+      return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
+    const bool apart = a.low > b.high || b.low > a.high;
+    return words(!apart                ? "report_rate_at_both"
+                 : b.value < a.value ? "report_rate_falls"
+                                       : "report_rate_rises",
+                 {{"start", in_braces("decay_rate_start")}, {"end", in_braces("decay_rate_end")}});
+  }
+
+  /// The options, and the file; of a file with several runs also which.
+  void settings(const std::vector<TypedOption>& options) {
+    toml_.text("file", verbatim(path_));
+    toml_.raw(toml_settings(options));
+    const bool has_run =
+        std::any_of(options.begin(), options.end(), [](const auto& each) { return each.first == "run"; });
+    if (fitted_.one_of_several && !has_run) toml_.bare("run", std::to_string(fitted_.series.run));
+  }
+
+  void task(const std::vector<TypedOption>& options) {
+    toml_.table("task");
+    toml_.text(compared_ ? "compare" : "fit", id_);
+    settings(options);
+    if (compared_) toml_.text("method", report_method);
+    if (!fitted_.succeeded()) toml_.bare("may_fail", "true");
+  }
+
+  void refused() {
+    heading("report_measured");
+    paragraph(words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+  }
+
+  // What is seen of the recorded quantity.
+  std::string_view si() const { return units_.measured; }
+  std::string shown() const { return readable_unit(si(), spread_); }
+  static std::string with_unit(const std::string& name, std::string_view unit) {
+    return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+  }
+  /// The name of an axis of the recorded quantity.
+  std::string with_own_unit(const std::string& name, const std::string& unit) const {
+    return with_unit(name, unit.empty() ? si() : std::string_view(unit));
+  }
+  std::string quantity() const {
+    const std::string& known = fitted_.series.quantity;
+    if (known == "position") return words("report_position");
+    if (known == "angle") return words("report_angle");
+    if (known == "velocity" || known == "angular velocity") return words("report_velocity");
+    if (known == "acceleration" || known == "angular acceleration") return words("report_acceleration");
+    return known.empty() ? words("report_value") : known;
+  }
+  std::string time_axis() const { return words("report_time"); }
+
+  void record_figure() {
+    const std::string id = figure_id("record");
+    const bool known = fitted_.succeeded();
+    const auto [low, high] = extent_of(fitted_.series.y);
+    const std::string unit = known ? shown() : readable_unit(si_unit_of(fitted_.series.quantity), (high - low) / 2);
+    FigureLines figure{.id = id,
+                       .title = words("report_record_title", {{"file", verbatim(title())}}),
+                       .caption = words(known ? "report_record_with_level" : "report_record",
+                                        {{"used", in_braces("used, bare")}, {"level", level(unit)}}),
+                       .size = "wide",
+                       .x = "t",
+                       .y = "measured",
+                       .x_name = time_axis(),
+                       .y_name = with_own_unit(quantity(), unit),
+                       .y_unit = unit};
+    figure.curves.push_back({.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
+    if (known) figure.curves.push_back({.of = id_, .role = "fitted", .name = words("report_level"), .y = "mean"});
+    toml_.figure(figure);
+  }
+  std::string level(std::string_view unit) const {
+    return in_braces(unit.empty() ? std::string("equilibrium, 4") : fmt::format("equilibrium, {}, 4", unit));
+  }
+
+  void failed() {
+    paragraph(words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    not_told();
+  }
+
+  std::string equation() const {
+    std::string sum;
+    for_each_term([&]<class T>() {
+      if (!fitted_.fit.law.has<T>()) return;
+      sum += std::string(sum.empty() ? "" : " + ") + std::string(T::info.formula);
+    });
+    const bool turns = fitted_.series.quantity == "angle";
+    return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
+                       !fitted_.driven                          ? "0"
+                       : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"
+                                                                : "F(t)");
+  }
+
+  void law() {
+    heading("report_law");
+    std::string text =
+        fitted_.candidates.size() > 1
+            ? words("report_law_chosen", {{"law", in_braces("law")}, {"laws", fitted_.candidates.size()}})
+            : words("report_law_asked", {{"law", in_braces("law")}});
+    text += " `" + equation() + "`. ";
+    const Residual& residual = fitted_.fit.residual;
+    text += residual.white ? words("report_white", {{"rms", rms()}})
+                           : words("report_not_white", {{"rms", rms()}, {"correlation", in_braces("autocorrelation, 2")}});
+    paragraph(text);
+    table();
+    swings_figure();
+    residual_figure();
+  }
+  std::string rms() const {
+    const std::string unit = readable_unit(si(), fitted_.fit.residual.rms);
+    return in_braces(unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit));
+  }
+
+  void table() {
+    toml_.table("block");
+    toml_.text("table", words("report_table"));
+    toml_.bare("header", fmt::format("[{}, {}, {}, {}]", toml_text(words("report_quantity")),
+                                     toml_text(words("report_its_value")), toml_text("95 %"),
+                                     toml_text(words("report_term"))));
+    toml_.bare("text_columns", "[0, 3]");
+    std::string rows;
+    std::vector<std::string_view> listed;
+    for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
+      for (const Parameter& each : *list) {
+        if (std::find(listed.begin(), listed.end(), each.name) != listed.end() || each.name == "at_amplitude")
+          continue;
+        listed.push_back(each.name);
+        rows += row_of(each);
+      }
+    toml_.bare("rows", "[\n" + rows + "]");
+  }
+  std::string row_of(const Parameter& each) const {
+    const bool part = each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
+    const std::string name = part                             ? words("report_viscous_part")
+                             : each.name == "decay_rate_start" ? words("report_rate_at_start")
+                             : each.name == "decay_rate_end"   ? words("report_rate_at_end")
+                             : each.name == "reynolds_max"     ? words("report_reynolds_max")
+                             : each.name == "position"         ? words("report_position_at_start")
+                             : each.name == "velocity"         ? words("report_velocity_at_start")
+                                                               : name_of(each.name);
+    const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
+    const bool known = each.estimate.standard_error > 0;
+    const std::string ends = known ? interval(place, each.estimate) : "–";
+    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name), toml_text(in_braces(place)), toml_text(ends),
+                       toml_text(term_of(each.name)));
+  }
+  std::string term_of(std::string_view parameter) const {
+    std::string formula;
+    for_each_term([&]<class T>() {
+      if (!fitted_.fit.law.has<T>()) return;
+      for (const CoefficientInfo& info : T::coefficients)
+        if (info.parameter == parameter || info.in_si == parameter) formula = fmt::format("`{}`", T::info.formula);
+    });
+    return formula;
+  }
+
+  // The first periods, as the law has them and as they were measured.
+  double begin() const { return fitted_.series.t.front(); }
+  double swings(double periods) const { return std::min(duration_, periods * period_); }
+  bool of_position() const { return units_.measured == units_.displacement; }
+  bool of_velocity() const { return !of_position() && units_.measured == units_.velocity; }
+
+  CurveLines measured_swing(double until) const {
+    return {.of = id_,
+            .role = "measured",
+            .name = words("report_is_measured"),
+            .x = "since_start",
+            .y = "displacement",
+            .to = begin() + until,
+            .dots = true};
+  }
+
+  void swings_figure() {
+    const double until = swings(drawn_periods);
+    const bool simulated = simulates() && (of_position() || of_velocity());
+    FigureLines figure{.id = {},
+                       .title = words("report_swings_title"),
+                       .caption = words("report_swings", {{"law", in_braces("law")}}),
+                       .size = "half",
+                       .x = simulated ? "t" : "since_start",
+                       .y = !simulated ? "fitted_displacement" : of_position() ? "x" : "v",
+                       .x_name = words("report_since_start"),
+                       .y_name = with_own_unit(from_level(), shown()),
+                       .y_unit = shown()};
+    const std::string id = figure_id("swings"), exact = id_ + "_exact.1";
+    figure.id = id;
+    CurveLines law{.of = simulated ? std::string_view(exact) : id_, .role = "fitted", .name = words("report_law_curve")};
+    law.to = simulated ? until : begin() + until;
+    figure.curves = {law, measured_swing(until)};
+    toml_.figure(figure);
+  }
+  std::string from_level() const {
+    return of_position() && si() == "m" ? words("report_displacement") : quantity();
+  }
+
+  void residual_figure() {
+    const std::string id = figure_id("residuals");
+    const std::string unit = readable_unit(si(), 4 * fitted_.fit.residual.rms);
+    FigureLines figure{.id = id,
+                       .title = words("report_residual_title"),
+                       .caption = words("report_residual_caption", {{"rms", rms()}}),
+                       .size = "half",
+                       .x = "t",
+                       .y = "residual",
+                       .x_name = time_axis(),
+                       .y_name = with_own_unit(words("report_residual"), unit),
+                       .y_unit = unit};
+    figure.curves.push_back({.of = id_, .role = "measured", .dots = true});
+    toml_.figure(figure);
+  }
+
+  void decay() {
+    const bool grows = !fitted_.decay_by_amplitude.empty() && fitted_.decay_by_amplitude.front().rate.value < 0 &&
+                       fitted_.decay_by_amplitude.back().rate.value < 0;
+    heading(grows ? "report_grows" : "report_dies_down");
+    if (compared_ && !explanation(*compared_).empty())
+      paragraph(in_braces("explanation"));
+    else if (const std::string ends = decay_ends(); !ends.empty())
+      paragraph(ends);
+    if (!fitted_.segments.empty()) segments();
+    if (!fitted_.decay_by_amplitude.empty()) decay_figure();
+    if (compared_ && compared_->curves.size() > 1) compare_figure();
+  }
+
+  void segments() {
+    toml_.table("block");
+    toml_.text("table", words("report_segments"));
+    toml_.bare("header", fmt::format("[{}, {}, {}]", toml_text(words("report_from")), toml_text(words("report_to")),
+                                     toml_text(words("decay_rate"))));
+    toml_.bare("text_columns", "[]");
+    std::string rows;
+    for (std::size_t i = 1; i <= fitted_.segments.size(); ++i)
+      rows += fmt::format("  [{}, {}, {}],\n", toml_text(in_braces(fmt::format("segment.{}.from, 4", i))),
+                          toml_text(in_braces(fmt::format("segment.{}.to, 4", i))),
+                          toml_text(in_braces(fmt::format("segment.{}.rate", i))));
+    toml_.bare("rows", "[\n" + rows + "]");
+  }
+
+  void decay_figure() {
+    const std::string id = figure_id("decay");
+    double largest = 0;
+    for (const AmplitudeRate& each : fitted_.decay_by_amplitude) largest = std::max(largest, each.amplitude);
+    const std::string unit = readable_unit(si(), largest);
+    FigureLines figure{.id = id,
+                       .title = words("report_decay_title"),
+                       .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
+                       .size = "wide",
+                       .x = "amplitude",
+                       .y = "rate",
+                       .x_name = with_own_unit(words("report_amplitude"), unit),
+                       .y_name = words("report_rate_axis"),
+                       .x_unit = unit};
+    figure.curves = {{.of = id_, .role = "fitted", .name = words("report_law_curve"), .y = "law_rate"},
+                     {.of = id_, .role = "measured", .x = "bar_amplitude", .y = "bar_rate"},
+                     {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true}};
+    toml_.figure(figure);
+  }
+
+  void compare_figure() {
+    const std::string id = figure_id("compared"), one = id_ + ".1", law = id_ + ".2";
+    const bool other = !(fitted_.fit.law == law_of("viscous"));
+    const std::string unit = readable_unit(si(), compared_->curves.front().rms);
+    const std::string left = unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit);
+    FigureLines figure{.id = id,
+                       .title = words("report_compared_title"),
+                       .caption = words(other ? "report_compared_two" : "report_compared_one",
+                                        {{"one", in_braces("1." + left)}, {"law", in_braces("2." + left)}}),
+                       .size = "wide",
+                       .x = "t",
+                       .y = "displacement",
+                       .x_name = time_axis(),
+                       .y_name = with_own_unit(from_level(), shown()),
+                       .y_unit = shown()};
+    figure.curves.push_back({.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
+    const auto envelope = [&](std::string_view of, std::string_view role, const std::string& name, bool dashed) {
+      figure.curves.push_back({.of = of, .role = role, .name = name, .x = "top_t", .y = "top", .dashed = dashed});
+      figure.curves.push_back({.of = of, .role = role, .x = "bottom_t", .y = "bottom", .dashed = dashed});
+    };
+    if (other) envelope(law, "fitted", words("report_law_curve"), false);
+    envelope(one, "constant-rate", words("one_constant_decay_rate"), true);
+    toml_.figure(figure);
+  }
+
+  void stiffness() {
+    heading("report_stiffness");
+    const Estimate& k = *fitted_.find("stiffness");
+    std::string text = words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
+                             {{"stiffness", in_braces("stiffness")},
+                              {"mass", in_braces("mass, g")},
+                              {"interval", interval("stiffness", k)}});
+    double most = 0;
+    std::string_view source;
+    for (const Contribution& each : fitted_.stiffness_budget)
+      if (each.share > most) most = each.share, source = each.quantity;
+    std::size_t known = 0, unknown = 0;
+    for (const Contribution& each : fitted_.stiffness_budget) (each.standard_uncertainty > 0 ? known : unknown)++;
+    if (unknown > 0)
+      for (const Contribution& each : fitted_.stiffness_budget)
+        if (!(each.standard_uncertainty > 0))
+          text += " " + words("report_without_error", {{"quantity", name_of(each.quantity)}});
+    if (known > 1 && most > 0.5)
+      text += " " + words("report_most_from", {{"quantity", name_of(std::string(source))},
+                                               {"share", fmt::format("{:.0f}", 100 * most)}});
+    paragraph(text);
+    if (known > 1) budget();
+  }
+  void budget() {
+    toml_.table("block");
+    toml_.text("table", words("report_budget"));
+    toml_.bare("header", fmt::format("[{}, {}, {}]", toml_text(words("report_from_what")),
+                                     toml_text(words("report_its_part")), toml_text(words("report_share"))));
+    std::string rows;
+    for (std::size_t i = 0; i < fitted_.stiffness_budget.size(); ++i) {
+      const Contribution& each = fitted_.stiffness_budget[i];
+      if (each.standard_uncertainty > 0)
+        rows += fmt::format("  [{}, {}, {}],\n", toml_text(name_of(each.quantity)),
+                            toml_text(in_braces(fmt::format("budget.{}.contribution, 2", i + 1))),
+                            toml_text(in_braces(fmt::format("budget.{}.share, %, 2", i + 1))));
+    }
+    toml_.bare("rows", "[\n" + rows + "]");
+  }
+
+  void reynolds() {
+    heading("report_flow");
+    std::string text = words("report_reynolds", {{"largest", in_braces("reynolds.max")},
+                                                 {"t", in_braces("reynolds.t, 3")},
+                                                 {"last", in_braces("reynolds_last, 3")}});
+    if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10) text += " " + words("report_not_stokes");
+    paragraph(text);
+    const std::string id = figure_id("reynolds");
+    FigureLines figure{.id = id,
+                       .title = words("report_reynolds_title"),
+                       .caption = words("report_reynolds_caption"),
+                       .size = "wide",
+                       .x = "window_t",
+                       .y = "reynolds",
+                       .x_name = time_axis(),
+                       .y_name = words("report_reynolds_axis")};
+    figure.curves.push_back({.of = id_, .role = "measured", .dots = true});
+    toml_.figure(figure);
+  }
+
+  // Forward Euler and Euler-Cromer beside the exact motion.
+  bool simulates() const { return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0; }
+  double step() const { return std::stod(fmt::format("{:.2g}", period_ / steps_per_period)); }
+  double until() const {
+    const double steps = std::floor(swings(most_periods) / step());
+    return std::stod(shortest(std::stod(fmt::format("{:.12g}", steps * step()))));
+  }
+  bool exactly() const {
+    return fitted_.fit.law == law_of("viscous");
+  }
+  void simulation() {
+    const auto of = [&](const std::string& task, std::string_view method) {
+      toml_.table("task");
+      toml_.text("simulate", task);
+      for (const auto& [option, value] : fitted_.simulate)
+        if (option != "method" && option != "step" && option != "until")
+          toml_.text(with_underscores(option), fmt::format("{{{}.simulate.{}}}", id_, with_underscores(option)));
+      toml_.bare("method", method);
+      toml_.bare("step", shortest(step()));
+      toml_.bare("until", shortest(until()));
+    };
+    of(methods_, "[\"forward-euler\", \"euler-cromer\"]");
+    of(id_ + "_exact", exactly() ? "\"exact\"" : "\"dormand-prince\"");
+    if (!exactly()) toml_.bare("tolerance", "1e-10");
+  }
+
+  FigureLines method_figure(std::string_view id, std::string_view code, std::string_view y, std::string y_name,
+                            const std::string& y_unit) const {
+    return {.id = id,
+            .title = words(fmt::format("report_{}_title", code)),
+            .caption = words(fmt::format("report_{}_caption", code), {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}}),
+            .size = "half",
+            .x = "t",
+            .y = y,
+            .x_name = words("report_since_start"),
+            .y_name = std::move(y_name),
+            .y_unit = y_unit};
+  }
+  void add_methods(FigureLines& figure, bool with_exact) {
+    if (with_exact) figure.curves.push_back({.of = exact_, .role = "exact", .name = words("report_exact")});
+    figure.curves.push_back({.of = forward_, .role = "forward-euler", .name = words("report_forward_euler")});
+    figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer"});
+  }
+
+  /// What a method did to the law, and to the energy; the law's own terms are in J only with a mass.
+  std::string of_method(const std::string& run, const std::string& name) const {
+    std::string text = "\n\n";
+    if (!fitted_.driven)
+      text += words("report_energy_grew", {{"method", name},
+                                           {"ratio", fmt::format("{{{}.energy_ratio, 3}}", run)},
+                                           {"exact", fmt::format("{{{}.energy_ratio, 3}}", exact_)}}) +
+              " ";
+    if (exactly() || fitted_.find("stiffness")) text += fmt::format("{{{}.effect}}", run);
+    return text;
+  }
+
+  void methods() {
+    heading("report_methods");
+    forward_ = methods_ + ".1", cromer_ = methods_ + ".2", exact_ = id_ + "_exact.1";
+    paragraph(words("report_methods_text", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
+                                            {"steps", steps_per_period},
+                                            {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
+              of_method(forward_, words("report_forward_euler")) + of_method(cromer_, "Euler-Cromer"));
+    const bool length = si() == "m" || si() == "m/s";
+    const Motion& motion = fitted_.fit.motion;
+    const double w = two_pi / period_, amplitude = std::hypot(motion.position, motion.velocity / w);
+    const std::string x_unit = length ? readable_unit("m", amplitude) : "";
+    const std::string v_unit = length ? readable_unit("m/s", w * amplitude) : "";
+    const std::string& x_shown = length ? x_unit : units_.displacement;
+    const std::string& v_shown = length ? v_unit : units_.velocity;
+    const std::string position = with_unit(words("report_displacement"), x_shown),
+                      velocity = with_unit(words("report_velocity"), v_shown);
+    const std::string ids[] = {figure_id("position"), figure_id("velocity"), figure_id("portrait"),
+                               figure_id("energy"), figure_id("phase")};
+
+    FigureLines figure = method_figure(ids[0], "position", "x", position, x_unit);
+    if (of_position()) {
+      figure.curves.push_back(measured_swing(until()));
+      figure.caption = words("report_position_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
+    }
+    add_methods(figure, !of_position());
+    figure.size = "wide";
+    toml_.figure(figure);
+
+    figure = method_figure(ids[1], "velocity", "v", velocity, v_unit);
+    add_methods(figure, true);
+    figure.size = "tall";
+    toml_.figure(figure);
+
+    figure = method_figure(ids[2], "portrait", "v", velocity, v_unit);
+    figure.size = "phase";
+    figure.x = "x";
+    figure.x_name = position;
+    figure.x_unit = x_unit;
+    add_methods(figure, true);
+    toml_.figure(figure);
+
+    if (fitted_.driven) return;
+    const bool in_joules = fitted_.find("stiffness") != nullptr;
+    const double mass = in_joules ? fitted_.find("stiffness")->value / (w * w) : 1;
+    const Scale scale = energy_scale(mass * w * w * amplitude * amplitude);
+    figure = method_figure(ids[3], "energy", "energy",
+                           in_joules ? with_unit(words("report_energy"), scale.unit)
+                           : length  ? with_unit(words("report_energy_per_mass"), fmt::format("{}J/kg", scale.prefix))
+                                     : with_unit(words("report_energy_per_mass"), units_.energy),
+                           length || in_joules ? std::string(scale.unit) : "");
+    add_methods(figure, true);
+    toml_.figure(figure);
+
+    figure = method_figure(ids[4], "phase", "phase", words("report_phase_error"), "");
+    figure.curves.push_back(
+        {.of = forward_, .role = "forward-euler", .name = words("report_forward_euler"), .minus = exact_});
+    figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer", .minus = exact_});
+    toml_.figure(figure);
+  }
+
+  // The steady motion under other frequencies, of a linear law.
+  void resonance() {
+    const LawFit& fit = fitted_.fit;
+    if (fit.drive.kind != DriveKind::harmonic || !simulates() || !(fit.law == law_of("viscous"))) return;
+    heading("report_resonance");
+    const std::string task = id_ + "_resonance";
+    const double w = fit.motion.angular_frequency(), drive = fit.motion.drive_frequency;
+    toml_.table("task");
+    toml_.text("resonance", task);
+    for (const std::string_view option : {"mass", "stiffness", "drive_amplitude"})
+      toml_.text(option, fmt::format("{{{}.simulate.{}}}", id_, option));
+    toml_.bare("frequency_from", fmt::format("{:.3g}", 0.5 * std::min(w, drive)));
+    toml_.bare("frequency_to", fmt::format("{:.3g}", 1.5 * std::max(w, drive)));
+    toml_.text("damping_ratios", in_braces("damping_ratio, si"));
+    paragraph(words("report_resonance_text", {{"drive", in_braces("drive_frequency")},
+                                              {"natural", in_braces("angular_frequency")}}));
+    const std::string curve = task + ".1";
+    const std::string ids[] = {figure_id("resonance"), figure_id("lag")};
+    FigureLines figure{.id = ids[0],
+                       .title = words("report_resonance_title"),
+                       .caption = words("report_resonance_caption"),
+                       .size = "half",
+                       .x = "frequency",
+                       .y = "amplitude",
+                       .x_name = words("report_drive_axis"),
+                       .y_name = with_unit(words("report_amplitude"), si() == "m" ? "cm" : units_.displacement),
+                       .y_unit = si() == "m" ? "cm" : ""};
+    figure.curves.push_back({.of = curve, .role = "fitted"});
+    toml_.figure(figure);
+    figure.id = ids[1];
+    figure.title = words("report_lag_title");
+    figure.caption = words("report_lag_caption");
+    figure.y = "phase";
+    figure.y_name = words("report_lag_axis");
+    figure.y_unit = "";
+    toml_.figure(figure);
+  }
+
+  void not_told() {
+    std::string text;
+    const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "\n\n") + sentence; };
+    for (const Notice& notice : worst_first(compared_ ? compared_->notices : fitted_.notices))
+      if (severity(notice) != Severity::detail) add(words("report_sentence", {{"what", notice}}));
+    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && !fitted_.options.mass)
+      add(words("report_give_mass"));
+    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && !fitted_.options.disc_diameter)
+      add(words("report_give_disc"));
+    if (text.empty()) return;
+    heading("report_not_told");
+    paragraph(verbatim(text));
+  }
+
+  const FittedRecording& fitted_;
+  const CompareResult* compared_;
+  const std::string& path_;
+  std::string id_, methods_, forward_, cromer_, exact_;
+  bool alone_;
+  const ReportFront& front_;
+  Toml& toml_;
+  MotionUnits units_;
+  double spread_ = 0, period_ = 0, duration_ = 0;
+};
+
+/// The name of a recording's task.
+std::string task_of(std::size_t i, std::size_t count) {
+  return count == 1 ? "lab" : fmt::format("lab_{}", i + 1);
+}
+
+constexpr std::string_view mark_of_file = "# cromer report ";
+
+/// A sum that changes with the text (Fowler, Noll and Vo's FNV-1a, 64 bits).
+std::string sum_of(std::string_view text) {
+  std::uint64_t sum = 14695981039346656037u;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return fmt::format("{:016x}", sum);
+}
+
+}  // namespace
+
+std::string lab_report(std::span<const ReportedRecording> recordings, const std::vector<TypedOption>& options,
+                       const ReportFront& front) {
+  Toml toml, page;
+  const Voice voice{front.language};
+  const bool alone = recordings.size() == 1;
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < recordings.size(); ++i)
+    parts.emplace_back(recordings[i], task_of(i, recordings.size()), alone, front, page);
+
+  toml.text("title", !front.title.empty() ? verbatim(front.title)
+                     : alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
+                             : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice));
+  std::string byline = verbatim(front.author);
+  if (!front.course.empty()) byline += (byline.empty() ? "" : " · ") + verbatim(front.course);
+  toml.text("byline", byline);
+  std::string summary;
+  for (const Part& part : parts) {
+    std::string lines;
+    for (const std::string& line : part.summary()) lines += (lines.empty() ? "" : " ") + line;
+    summary += (summary.empty() ? "" : "\n\n") + lines;
+  }
+  toml.text("summary", summary);
+  if (front.language == Language::german) toml.text("language", "de");
+
+  const auto first = std::find_if(recordings.begin(), recordings.end(),
+                                  [](const auto& each) { return each.fitted.succeeded(); });
+  if (alone && first != recordings.end()) parts[0].key_figures();
+  if (!front.text.empty()) {
+    page.table("block");
+    page.text("text", verbatim(front.text));
+  }
+  if (!alone) {
+    page.table("block");
+    page.text("table", in_words(Notice{"report_recordings"}, voice));
+    std::string header, rows;
+    for (const char* code : {"report_recording", "frequency", "stiffness", "report_rate_at_start",
+                             "report_rate_at_end", "report_reynolds_max"})
+      header += (header.empty() ? "" : ", ") + toml_text(in_words(Notice{std::string(code)}, voice));
+    for (const Part& part : parts) {
+      std::string cells;
+      for (const std::string& cell : part.row()) cells += (cells.empty() ? "" : ", ") + toml_text(cell);
+      rows += "  [" + cells + "],\n";
+    }
+    page.bare("header", "[" + header + "]");
+    page.bare("rows", "[\n" + rows + "]");
+  }
+  for (Part& part : parts) part.write(options);
+  const std::string body = in_words(Notice{"report_file_head"}, voice) + "\n" + toml.written() + page.written();
+  return std::string(mark_of_file) + sum_of(body) + "\n" + body;
+}
+
+KnownResults known_results(std::span<const ReportedRecording> recordings) {
+  KnownResults known;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const std::string id = task_of(i, recordings.size());
+    const ReportedRecording& each = recordings[i];
+    known[id] = [id, &each](Results& results) {
+      if (each.compared)
+        collect(id, *each.compared, results);
+      else
+        collect(id, each.fitted, results);
+    };
+  }
+  return known;
+}
+
+bool is_as_made(std::string_view study) {
+  const std::size_t line = study.find('\n');
+  return study.starts_with(mark_of_file) && line != study.npos &&
+         study.substr(mark_of_file.size(), line - mark_of_file.size()) == sum_of(study.substr(line + 1));
+}
+
+}  // namespace cromer::core
