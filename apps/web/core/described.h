@@ -9,7 +9,6 @@
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/described/inspect.h"
-#include "cromer/study/fit_study.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "resonance_curves.h"
@@ -159,9 +158,6 @@ struct Described<page::FitOnPage> {
                   "coefficients",
                   [](const On& f) { return coefficient_names(f.fitted.fit.law, f.fitted.parameters); }, "",
                   "names of the parameters that are the law's coefficients, in SI where a mass gives them"),
-              field(
-                  "study", [](const On& f) { return fit_study(f.fitted, f.options); }, "",
-                  "a study file that fits the same; \"\" if there is no fit"),
               field(
                   "units", [](const On& f) { return motion_units(f.fitted); }, "",
                   "units of the curves; \"\" if one has no name"),

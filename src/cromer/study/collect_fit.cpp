@@ -50,7 +50,7 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
 /// Decay rates against amplitude: measured, their error bars (with a NaN after each), and by the law.
 void collect_decay(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (fitted.decay_by_amplitude.empty()) return;
-  const std::string_view unit = si_unit_of(fitted.series.quantity);
+  const std::string unit = motion_units(fitted).displacement;
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> amplitude, rate, law, bar_at, bar;
   for (const AmplitudeRate& each : fitted.decay_by_amplitude) {

@@ -77,8 +77,7 @@ void collect_run(const std::string& name, const DescribedRun& all, Results& resu
 
   if (const Notice effect = effect_notice(run); !effect.empty())
     results.set(name + ".effect",
-                in_words(Notice{"report_method_does", {{"method", run.label}, {"what", effect}}},
-                         {results.language()}));
+                in_words(Notice{"report_method_does", {{"what", effect}}}, {results.language()}));
   const double period = natural_period(run.oscillator);
   if (period > 0)
     results.set_column(name + ".phase", followed_phase(run.trajectory.x, run.trajectory.v, two_pi / period),

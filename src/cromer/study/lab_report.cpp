@@ -493,7 +493,7 @@ class Part {
     else if (const std::string ends = decay_ends(); !ends.empty())
       paragraph(ends);
     if (!fitted_.segments.empty()) segments();
-    if (!fitted_.decay_by_amplitude.empty()) decay_figure();
+    if (fitted_.decay_by_amplitude.size() > 2) decay_figure();
     if (compared_ && compared_->curves.size() > 1) compare_figure();
   }
 
@@ -515,14 +515,14 @@ class Part {
     const std::string id = figure_id("decay");
     double largest = 0;
     for (const AmplitudeRate& each : fitted_.decay_by_amplitude) largest = std::max(largest, each.amplitude);
-    const std::string unit = readable_unit(si(), largest);
+    const std::string unit = readable_unit(units_.displacement, largest);
     FigureLines figure{.id = id,
                        .title = words("report_decay_title"),
                        .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
                        .size = "wide",
                        .x = "amplitude",
                        .y = "rate",
-                       .x_name = with_own_unit(words("report_amplitude"), unit),
+                       .x_name = with_unit(words("report_amplitude"), unit.empty() ? units_.displacement : unit),
                        .y_name = words("report_rate_axis"),
                        .x_unit = unit};
     figure.curves = {{.of = id_, .role = "fitted", .name = words("report_law_curve"), .y = "law_rate"},
@@ -659,11 +659,11 @@ class Part {
     figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer"});
   }
 
-  /// What a method did to the law, and to the energy; the law's own terms are in J only with a mass.
+  /// What a method did to the energy and to the law; the parts of the law's terms are in J only with a mass.
   std::string of_method(const std::string& run, const std::string& name) const {
-    std::string text = "\n\n";
+    std::string text = "\n\n**" + name + "**: ";
     if (!fitted_.driven)
-      text += words("report_energy_grew", {{"method", name},
+      text += words("report_energy_grew", {{"t", fmt::format("{{{}.final.t, 3}}", run)},
                                            {"ratio", fmt::format("{{{}.energy_ratio, 3}}", run)},
                                            {"exact", fmt::format("{{{}.energy_ratio, 3}}", exact_)}}) +
               " ";
@@ -744,6 +744,7 @@ class Part {
       toml_.text(option, fmt::format("{{{}.simulate.{}}}", id_, option));
     toml_.bare("frequency_from", fmt::format("{:.3g}", 0.5 * std::min(w, drive)));
     toml_.bare("frequency_to", fmt::format("{:.3g}", 1.5 * std::max(w, drive)));
+    toml_.bare("points", "2000");
     toml_.text("damping_ratios", in_braces("damping_ratio, si"));
     paragraph(words("report_resonance_text", {{"drive", in_braces("drive_frequency")},
                                               {"natural", in_braces("angular_frequency")}}));

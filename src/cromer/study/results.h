@@ -31,7 +31,8 @@ struct ResultColumn {
 /// suggests the nearest one.
 class Results {
  public:
-  explicit Results(Language language = Language::english) : language_(language) {}
+  Results() = default;
+  explicit Results(Language language) : language_(language) {}
 
   /// Of numbers in texts, and of sentences among the results.
   Language language() const { return language_; }
@@ -53,7 +54,7 @@ class Results {
   const std::map<std::string, Fact, std::less<>>& facts() const { return facts_; }
 
  private:
-  Language language_;
+  Language language_ = Language::english;
   std::map<std::string, Fact, std::less<>> facts_;
   std::map<std::string, ResultColumn, std::less<>> columns_;
 };

@@ -73,11 +73,12 @@ export function quoted(word: string): string {
   return /["$`\\!]/.test(word) ? `'${word.replaceAll("'", `'\\''`)}'` : `"${word}"`
 }
 
-export function commandLine(file: string, state: Settings, runs = 1, overlay = false): string {
-  const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
-  for (const [name, value] of [...fitOptions(state, runs), ...(overlay ? methods : [])]) {
+export function commandLine(task: 'fit' | 'compare' | 'report', file: string, state: Settings, runs = 1): string {
+  const words = ['cromer', task, quoted(file.startsWith('-') ? `./${file}` : file)]
+  for (const [name, value] of [...fitOptions(state, runs), ...(task === 'compare' ? methods : [])]) {
     if (name === 'temperature' && value === '20 °C') continue
     words.push(`--${name}`, ...(name === 'skip-bad-rows' ? [] : [quoted(value)]))
   }
+  if (task === 'report') words.push('-o report')
   return words.join(' ')
 }

@@ -243,6 +243,6 @@ export const measure: typeof en = {
   saveFile: (name) => `${name} sichern`,
   command: 'Befehl kopieren',
   commandCopied: 'Der Befehl ist kopiert.',
-  copyStudy: 'Studie kopieren',
-  studyCopied: 'Die Studie ist kopiert: bitte neben der Aufnahme speichern, für cromer report.'
+  reportOfIt: 'Bericht',
+  copyReport: 'Berichtsbefehl kopieren'
 }

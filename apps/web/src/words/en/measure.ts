@@ -242,6 +242,6 @@ export const measure = {
   saveFile: (name: string) => `Save ${name}`,
   command: 'Copy command',
   commandCopied: 'The command is copied.',
-  copyStudy: 'Copy study file',
-  studyCopied: 'The study file is copied: save it beside the recording, for cromer report.'
+  reportOfIt: 'Report',
+  copyReport: 'Copy report command'
 }
