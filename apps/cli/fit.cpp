@@ -19,7 +19,7 @@
 #include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/open_recording.h"
-#include "many_files.h"
+#include "fit_files.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -84,40 +84,6 @@ int run_static(const std::vector<std::string>& files, const FitOptions& fit, con
                .figure = [&] { return static_figure(*found); },
                .notices = found->notices},
               output);
-}
-
-std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions& options,
-                                      const Watch& watch) {
-  try {
-    const auto recording = open_recording(file, options.read);
-    if (!recording) return {not_fitted(file, options.run.value_or(1), recording.error().notice)};
-    auto fits = fit(*recording, options, watch);
-    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().notice)};
-    return *std::move(fits);
-  } catch (const std::bad_alloc&) {
-    return {not_fitted(file, 1, Notice{"no_memory_for_file"})};
-  }
-}
-
-/// The fits of all files in their order, each file's as if it were alone. A file that cannot be read is a row
-/// that says why. After an interruption the files that were not begun are missing.
-std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
-                                       const Watch& watch) {
-  std::vector<std::vector<FittedRecording>> of_file(files.size());
-  for_each_file(files.size(), watch, [&](std::size_t i, const Watch& of_one) {
-    of_file[i] = fit_file(files[i], options, of_one);
-  });
-  std::vector<FittedRecording> fits;
-  for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
-  return fits;
-}
-
-/// One file that cannot be read ends the command; of many it is a row.
-Result<std::vector<FittedRecording>> fit_all(const RecordingFiles& found, const FitOptions& options,
-                                             const Watch& watch) {
-  if (found.many) return fit_files(found.files, options, watch);
-  const auto recording = open_recording(found.files.front(), options.read);
-  return recording ? fit(*recording, options, watch) : recording.error();
 }
 
 std::size_t files_of(const std::vector<FittedRecording>& fits) {

@@ -77,22 +77,22 @@ Result<ReportFront> front_of(const ReportOptions& options) {
 
 bool is_study(const std::string& file) { return file.ends_with(".toml"); }
 
-/// The fits of all recordings, those of free motions also compared with simulations.
-std::vector<ReportedRecording> report_of(const std::vector<std::string>& files, const ReportOptions& options,
+/// The fits, those of free motions also compared with simulations.
+std::vector<ReportedRecording> report_of(std::vector<FittedRecording> fits, const ReportOptions& options,
                                          const Watch& watch) {
-  std::vector<ReportedRecording> recordings;
+  std::vector<ReportedRecording> recordings(fits.size());
   std::error_code none;
-  for (FittedRecording& fitted : fit_files(files, options.fit, watch)) {
-    ReportedRecording& each = recordings.emplace_back();
-    each.path = std::filesystem::proximate(fitted.file, std::filesystem::absolute(options.folder, none), none)
-                    .generic_string();
-    each.fitted = std::move(fitted);
-    if (!each.fitted.succeeded() || each.fitted.driven) continue;
+  const auto folder = std::filesystem::absolute(options.folder, none);
+  for_each_file(fits.size(), watch, [&](std::size_t i, const Watch& of_one) {
+    ReportedRecording& each = recordings[i];
+    each.path = std::filesystem::proximate(fits[i].file, folder, none).generic_string();
+    each.fitted = std::move(fits[i]);
+    if (!each.fitted.succeeded() || each.fitted.driven) return;
     CompareOptions compare;
     compare.fit = options.fit;
     compare.method = report_method;
-    if (auto compared = compare_fitted(each.fitted, compare, watch)) each.compared = *std::move(compared);
-  }
+    if (auto compared = compare_fitted(each.fitted, compare, of_one)) each.compared = *std::move(compared);
+  });
   return recordings;
 }
 
@@ -179,11 +179,14 @@ int run_report(const Arguments& arguments) {
     if (!front) return refuse(front.error());
     const auto found = recording_files(files);
     if (!found) return refuse(found.error());
-    recordings = report_of(found->files, options, watch);
+    auto fits = fit_all(*found, options.fit, watch);
+    if (fits) recordings = report_of(*std::move(fits), options, watch);
     clear_progress();
-    if (watch.interrupted()) return refuse("interrupted before the report was made");
-    if (recordings.size() == 1 && recordings.front().fitted.wrong_input)
-      return refuse(in_words(recordings.front().fitted.fit.message));
+    if (!fits) return refuse(fits.error());
+    if (watch.interrupted()) {
+      complain("interrupted before the report was made");
+      return no_success;
+    }
     notices.emplace();
     for (const auto& each : recordings)
       notices->insert(notices->end(), each.fitted.notices.begin(), each.fitted.notices.end());

@@ -172,6 +172,64 @@ constexpr BadStudy bad_studies[] = {
 INSTANTIATE_TEST_SUITE_P(Report, BadStudies, ::testing::ValuesIn(bad_studies),
                          [](const auto& each) { return std::string(each.param.name); });
 
+TEST(ReportOfRecordings, IsWrittenWithItsStudyReadyToEdit) {
+  const Folder folder;
+  const std::string lab = std::string(source) + "/data/recording1.csv";
+  const Finished first =
+      folder.run({"report", lab, "--mass", "200.8 ± 0.4 g", "--author", "A. Student", "-o", "out"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(first.out, "out/index.html\n");
+  const std::string page = folder.read("out/index.html");
+  EXPECT_THAT(page, HasSubstr("A. Student"));
+  EXPECT_THAT(page, HasSubstr("How stiff the spring is"));
+  // Again, over what was made: and by its study, which gives the same page.
+  EXPECT_EQ(folder.run({"report", lab, "--mass", "200.8 ± 0.4 g", "-o", "out"}).status, 0);
+  ASSERT_EQ(folder.run({"report", "out/study.toml", "-o", "again"}).status, 0);
+  EXPECT_EQ(folder.read("again/index.html"), folder.read("out/index.html"));
+  EXPECT_EQ(folder.read("again/results.json"), folder.read("out/results.json"));
+  // Changed by hand it is kept.
+  folder.write("out/study.toml", "# mine\n" + folder.read("out/study.toml"));
+  const Finished kept = folder.run({"report", lab, "-o", "out"});
+  EXPECT_EQ(kept.status, 2);
+  EXPECT_THAT(kept.err, HasSubstr("out/study.toml was changed by hand and is kept"));
+}
+
+TEST(ReportOfRecordings, OfWhatCannotBeFittedHasTheReason) {
+  const Folder folder;
+  std::string bytes = "t (s),x (m)\n";
+  for (int i = 0; i < 200; ++i) bytes += std::to_string(0.01 * i) + "," + std::to_string(0.02 * i) + "\n";
+  folder.write("line.csv", bytes);
+  const Finished end = folder.run({"report", "line.csv", "-o", "out"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_EQ(end.out, "out/index.html\n");
+  EXPECT_THAT(end.err, HasSubstr("line.csv: run 1: "));
+  EXPECT_THAT(folder.read("out/index.html"), HasSubstr("no law of motion is given"));
+  EXPECT_EQ(folder.run({"report", "out/study.toml", "-o", "again"}).status, 0);
+  EXPECT_EQ(folder.read("again/index.html"), folder.read("out/index.html"));
+}
+
+TEST(ReportOfRecordings, RefusesWhatDoesNotGoTogether) {
+  const Folder folder;
+  const std::string lab = std::string(source) + "/data/recording1.csv",
+                    study = std::string(source) + "/studies/methods.toml";
+  const auto refusal = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "report");
+    const Finished end = folder.run(words);
+    EXPECT_EQ(end.status, 2) << end.err;
+    EXPECT_FALSE(folder.has("out"));
+    return end.err;
+  };
+  EXPECT_THAT(refusal({lab}), HasSubstr("needs -o FOLDER"));
+  EXPECT_THAT(refusal({study, "--mass", "1 kg", "-o", "out"}), HasSubstr("--mass: a study says this itself"));
+  EXPECT_THAT(refusal({study, "--title", "T", "-o", "out"}), HasSubstr("--title: a study says this itself"));
+  EXPECT_THAT(refusal({study, lab, "-o", "out"}), HasSubstr("one study, or recordings"));
+  EXPECT_THAT(refusal({lab, "--language", "fr", "-o", "out"}),
+              HasSubstr("--language fr: it must be en or de"));
+  EXPECT_THAT(refusal({lab, "--front", "none.toml", "-o", "out"}), HasSubstr("none.toml"));
+  EXPECT_THAT(refusal({lab, "--law", "nonsense", "-o", "out"}), HasSubstr("nonsense"));
+  EXPECT_THAT(refusal({"none.csv", "-o", "out"}), HasSubstr("none.csv"));
+}
+
 TEST(Report, NeedsAStudyAndAFolder) {
   Folder folder;
   EXPECT_THAT(folder.run({"report", "absent.toml", "-o", "out"}).err, HasSubstr("absent.toml"));

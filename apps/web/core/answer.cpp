@@ -281,7 +281,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   Json& list = document["fits"] = Json::array();
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
-    list.push_back(json_of(FitOnPage{fitted, request.settings}, {}));
+    list.push_back(json_of(FitOnPage{fitted}, {}));
   }
   return found(to_text(document), ok);
 }

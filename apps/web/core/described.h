@@ -51,10 +51,9 @@ struct InspectedOnPage {
   const Inspection& seen;
 };
 
-/// A fit with its curves, and the options as they were typed.
+/// A fit with its curves.
 struct FitOnPage {
   const FittedRecording& fitted;
-  const std::vector<TypedOption>& options;
 };
 
 /// A comparison with the states of its curves.

@@ -10,7 +10,8 @@ namespace cromer::core {
 
 /// The angle of (x, -v/w), which grows with the time by about w: [rad], without jumps while a step is shorter
 /// than half a turn. x and v have the same length; w > 0 [rad/s] is the swing's frequency.
-inline std::vector<double> followed_phase(const std::vector<double>& x, const std::vector<double>& v, double w) {
+inline std::vector<double> followed_phase(const std::vector<double>& x, const std::vector<double>& v,
+                                          double w) {
   std::vector<double> phase;
   phase.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {

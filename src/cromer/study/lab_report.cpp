@@ -118,7 +118,8 @@ int digits_of(const Estimate& e) {
 }
 
 const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
   return found == list.end() ? nullptr : &*found;
 }
 
@@ -168,7 +169,8 @@ class Part {
   /// The lines of the summary.
   std::vector<std::string> summary() const {
     if (!fitted_.succeeded())
-      return {words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}})};
+      return {
+          words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}})};
     std::vector<std::string> lines;
     const auto add = [&](const char* code, std::vector<NoticeValue> values) {
       Notice notice{std::string(code)};
@@ -181,6 +183,7 @@ class Part {
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
     if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
+    if (const Notice doubt = first_doubt(); !doubt.empty()) lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
     return lines;
   }
 
@@ -192,10 +195,11 @@ class Part {
       toml_.text("remark", remark);
     };
     key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
-    if (const Estimate* k = fitted_.find("stiffness")) key("stiffness", "stiffness", interval("stiffness", *k));
+    if (const Estimate* k = fitted_.find("stiffness"))
+      key("stiffness", "stiffness", interval("stiffness", *k));
     if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
-      key("report_rate_at_start", "decay_rate_start",
-          named(fitted_.headline, "decay_rate_end")
+      key(is_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
+          named(fitted_.headline, "decay_rate_end") && !is_one_rate()
               ? words("report_at_end", {{"rate", in_braces("decay_rate_end")}})
               : interval("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
@@ -210,17 +214,16 @@ class Part {
       return named(fitted_.headline, name) ? in_braces(std::string(name)) : std::string("–");
     };
     if (!fitted_.succeeded()) return {verbatim(title()), "–", "–", "–", "–", "–"};
-    return {verbatim(title()),
-            known("frequency"),
-            known("stiffness"),
-            known("decay_rate_start"),
-            known("decay_rate_end"),
-            fitted_.reynolds_max ? in_braces("reynolds.max") : "–"};
+    return {verbatim(title()),       known("frequency"),
+            known("stiffness"),      known("decay_rate_start"),
+            known("decay_rate_end"), fitted_.reynolds_max ? in_braces("reynolds.max") : "–"};
   }
 
   std::string title() const {
     const std::string name = std::filesystem::path(fitted_.file).filename().string();
-    return fitted_.one_of_several ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}}) : name;
+    return fitted_.one_of_several
+               ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}})
+               : name;
   }
 
  private:
@@ -267,6 +270,22 @@ class Part {
     return text;
   }
 
+  /// Why the numbers may not mean what they seem to mean; empty if they do.
+  Notice first_doubt() const {
+    if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();
+    for (const Notice& notice : fitted_.notices)
+      if (severity(notice) == Severity::wrong_if_ignored) return notice;
+    return {};
+  }
+
+  /// Whether the rate is the same at the start and at the end, by the law.
+  bool is_one_rate() const {
+    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
+                    *end = named(fitted_.headline, "decay_rate_end");
+    return start && end &&
+           std::abs(end->estimate.value - start->estimate.value) <= 1e-9 * std::abs(start->estimate.value);
+  }
+
   /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
   std::string decay_ends() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
@@ -274,12 +293,11 @@ class Part {
     if (!start) return "";
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
-    if (std::abs(b.value - a.value) <= 1e-9 * std::abs(a.value))
-      return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
+    if (is_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
     const bool apart = a.low > b.high || b.low > a.high;
-    return words(!apart                ? "report_rate_at_both"
+    return words(!apart              ? "report_rate_at_both"
                  : b.value < a.value ? "report_rate_falls"
-                                       : "report_rate_rises",
+                                     : "report_rate_rises",
                  {{"start", in_braces("decay_rate_start")}, {"end", in_braces("decay_rate_end")}});
   }
 
@@ -302,7 +320,8 @@ class Part {
 
   void refused() {
     heading("report_measured");
-    paragraph(words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    paragraph(
+        words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
   }
 
   // What is seen of the recorded quantity.
@@ -329,7 +348,8 @@ class Part {
     const std::string id = figure_id("record");
     const bool known = fitted_.succeeded();
     const auto [low, high] = extent_of(fitted_.series.y);
-    const std::string unit = known ? shown() : readable_unit(si_unit_of(fitted_.series.quantity), (high - low) / 2);
+    const std::string unit =
+        known ? shown() : readable_unit(si_unit_of(fitted_.series.quantity), (high - low) / 2);
     FigureLines figure{.id = id,
                        .title = words("report_record_title", {{"file", verbatim(title())}}),
                        .caption = words(known ? "report_record_with_level" : "report_record",
@@ -340,8 +360,10 @@ class Part {
                        .x_name = time_axis(),
                        .y_name = with_own_unit(quantity(), unit),
                        .y_unit = unit};
-    figure.curves.push_back({.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
-    if (known) figure.curves.push_back({.of = id_, .role = "fitted", .name = words("report_level"), .y = "mean"});
+    figure.curves.push_back(
+        {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
+    if (known)
+      figure.curves.push_back({.of = id_, .role = "fitted", .name = words("report_level"), .y = "mean"});
     toml_.figure(figure);
   }
   std::string level(std::string_view unit) const {
@@ -349,7 +371,8 @@ class Part {
   }
 
   void failed() {
-    paragraph(words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    paragraph(
+        words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
     not_told();
   }
 
@@ -361,9 +384,9 @@ class Part {
     });
     const bool turns = fitted_.series.quantity == "angle";
     return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
-                       !fitted_.driven                          ? "0"
+                       !fitted_.driven                                 ? "0"
                        : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"
-                                                                : "F(t)");
+                                                                       : "F(t)");
   }
 
   void law() {
@@ -375,7 +398,8 @@ class Part {
     text += " `" + equation() + "`. ";
     const Residual& residual = fitted_.fit.residual;
     text += residual.white ? words("report_white", {{"rms", rms()}})
-                           : words("report_not_white", {{"rms", rms()}, {"correlation", in_braces("autocorrelation, 2")}});
+                           : words("report_not_white",
+                                   {{"rms", rms()}, {"correlation", in_braces("autocorrelation, 2")}});
     paragraph(text);
     table();
     swings_figure();
@@ -397,7 +421,8 @@ class Part {
     std::vector<std::string_view> listed;
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
-        if (std::find(listed.begin(), listed.end(), each.name) != listed.end() || each.name == "at_amplitude")
+        if (std::find(listed.begin(), listed.end(), each.name) != listed.end() ||
+            each.name == "at_amplitude" || (is_one_rate() && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
         rows += row_of(each);
@@ -405,8 +430,9 @@ class Part {
     toml_.bare("rows", "[\n" + rows + "]");
   }
   std::string row_of(const Parameter& each) const {
-    const bool part = each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
-    const std::string name = part                             ? words("report_viscous_part")
+    const bool part =
+        each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
+    const std::string name = part                              ? words("report_viscous_part")
                              : each.name == "decay_rate_start" ? words("report_rate_at_start")
                              : each.name == "decay_rate_end"   ? words("report_rate_at_end")
                              : each.name == "reynolds_max"     ? words("report_reynolds_max")
@@ -424,7 +450,8 @@ class Part {
     for_each_term([&]<class T>() {
       if (!fitted_.fit.law.has<T>()) return;
       for (const CoefficientInfo& info : T::coefficients)
-        if (info.parameter == parameter || info.in_si == parameter) formula = fmt::format("`{}`", T::info.formula);
+        if (info.parameter == parameter || info.in_si == parameter)
+          formula = fmt::format("`{}`", T::info.formula);
     });
     return formula;
   }
@@ -453,20 +480,24 @@ class Part {
                        .caption = words("report_swings", {{"law", in_braces("law")}}),
                        .size = "half",
                        .x = simulated ? "t" : "since_start",
-                       .y = !simulated ? "fitted_displacement" : of_position() ? "x" : "v",
+                       .y = !simulated      ? "fitted_displacement"
+                            : of_position() ? "x"
+                                            : "v",
                        .x_name = words("report_since_start"),
                        .y_name = with_own_unit(from_level(), shown()),
                        .y_unit = shown()};
     const std::string id = figure_id("swings"), exact = id_ + "_exact.1";
     figure.id = id;
-    CurveLines law{.of = simulated ? std::string_view(exact) : id_, .role = "fitted", .name = words("report_law_curve")};
+    CurveLines law{
+        .of = simulated ? std::string_view(exact) : id_, .role = "fitted", .name = words("report_law_curve")};
     law.to = simulated ? until : begin() + until;
     figure.curves = {law, measured_swing(until)};
     toml_.figure(figure);
   }
-  std::string from_level() const {
-    return of_position() && si() == "m" ? words("report_displacement") : quantity();
+  std::string displacement() const {
+    return words(units_.displacement == "rad" ? "report_angle" : "report_displacement");
   }
+  std::string from_level() const { return of_position() ? displacement() : quantity(); }
 
   void residual_figure() {
     const std::string id = figure_id("residuals");
@@ -485,7 +516,8 @@ class Part {
   }
 
   void decay() {
-    const bool grows = !fitted_.decay_by_amplitude.empty() && fitted_.decay_by_amplitude.front().rate.value < 0 &&
+    const bool grows = !fitted_.decay_by_amplitude.empty() &&
+                       fitted_.decay_by_amplitude.front().rate.value < 0 &&
                        fitted_.decay_by_amplitude.back().rate.value < 0;
     heading(grows ? "report_grows" : "report_dies_down");
     if (compared_ && !explanation(*compared_).empty())
@@ -500,8 +532,8 @@ class Part {
   void segments() {
     toml_.table("block");
     toml_.text("table", words("report_segments"));
-    toml_.bare("header", fmt::format("[{}, {}, {}]", toml_text(words("report_from")), toml_text(words("report_to")),
-                                     toml_text(words("decay_rate"))));
+    toml_.bare("header", fmt::format("[{}, {}, {}]", toml_text(words("report_from")),
+                                     toml_text(words("report_to")), toml_text(words("decay_rate"))));
     toml_.bare("text_columns", "[]");
     std::string rows;
     for (std::size_t i = 1; i <= fitted_.segments.size(); ++i)
@@ -516,15 +548,16 @@ class Part {
     double largest = 0;
     for (const AmplitudeRate& each : fitted_.decay_by_amplitude) largest = std::max(largest, each.amplitude);
     const std::string unit = readable_unit(units_.displacement, largest);
-    FigureLines figure{.id = id,
-                       .title = words("report_decay_title"),
-                       .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
-                       .size = "wide",
-                       .x = "amplitude",
-                       .y = "rate",
-                       .x_name = with_unit(words("report_amplitude"), unit.empty() ? units_.displacement : unit),
-                       .y_name = words("report_rate_axis"),
-                       .x_unit = unit};
+    FigureLines figure{
+        .id = id,
+        .title = words("report_decay_title"),
+        .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
+        .size = "wide",
+        .x = "amplitude",
+        .y = "rate",
+        .x_name = with_unit(words("report_amplitude"), unit.empty() ? units_.displacement : unit),
+        .y_name = words("report_rate_axis"),
+        .x_unit = unit};
     figure.curves = {{.of = id_, .role = "fitted", .name = words("report_law_curve"), .y = "law_rate"},
                      {.of = id_, .role = "measured", .x = "bar_amplitude", .y = "bar_rate"},
                      {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true}};
@@ -546,9 +579,12 @@ class Part {
                        .x_name = time_axis(),
                        .y_name = with_own_unit(from_level(), shown()),
                        .y_unit = shown()};
-    figure.curves.push_back({.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
-    const auto envelope = [&](std::string_view of, std::string_view role, const std::string& name, bool dashed) {
-      figure.curves.push_back({.of = of, .role = role, .name = name, .x = "top_t", .y = "top", .dashed = dashed});
+    figure.curves.push_back(
+        {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
+    const auto envelope = [&](std::string_view of, std::string_view role, const std::string& name,
+                              bool dashed) {
+      figure.curves.push_back(
+          {.of = of, .role = role, .name = name, .x = "top_t", .y = "top", .dashed = dashed});
       figure.curves.push_back({.of = of, .role = role, .x = "bottom_t", .y = "bottom", .dashed = dashed});
     };
     if (other) envelope(law, "fitted", words("report_law_curve"), false);
@@ -559,16 +595,18 @@ class Part {
   void stiffness() {
     heading("report_stiffness");
     const Estimate& k = *fitted_.find("stiffness");
-    std::string text = words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
-                             {{"stiffness", in_braces("stiffness")},
-                              {"mass", in_braces("mass, g")},
-                              {"interval", interval("stiffness", k)}});
+    std::string text =
+        words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
+              {{"stiffness", in_braces("stiffness")},
+               {"mass", in_braces("mass, g")},
+               {"interval", interval("stiffness", k)}});
     double most = 0;
     std::string_view source;
     for (const Contribution& each : fitted_.stiffness_budget)
       if (each.share > most) most = each.share, source = each.quantity;
     std::size_t known = 0, unknown = 0;
-    for (const Contribution& each : fitted_.stiffness_budget) (each.standard_uncertainty > 0 ? known : unknown)++;
+    for (const Contribution& each : fitted_.stiffness_budget)
+      (each.standard_uncertainty > 0 ? known : unknown)++;
     if (unknown > 0)
       for (const Contribution& each : fitted_.stiffness_budget)
         if (!(each.standard_uncertainty > 0))
@@ -600,7 +638,8 @@ class Part {
     std::string text = words("report_reynolds", {{"largest", in_braces("reynolds.max")},
                                                  {"t", in_braces("reynolds.t, 3")},
                                                  {"last", in_braces("reynolds_last, 3")}});
-    if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10) text += " " + words("report_not_stokes");
+    if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10)
+      text += " " + words("report_not_stokes");
     paragraph(text);
     const std::string id = figure_id("reynolds");
     FigureLines figure{.id = id,
@@ -622,16 +661,15 @@ class Part {
     const double steps = std::floor(swings(most_periods) / step());
     return std::stod(shortest(std::stod(fmt::format("{:.12g}", steps * step()))));
   }
-  bool exactly() const {
-    return fitted_.fit.law == law_of("viscous");
-  }
+  bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
   void simulation() {
     const auto of = [&](const std::string& task, std::string_view method) {
       toml_.table("task");
       toml_.text("simulate", task);
       for (const auto& [option, value] : fitted_.simulate)
         if (option != "method" && option != "step" && option != "until")
-          toml_.text(with_underscores(option), fmt::format("{{{}.simulate.{}}}", id_, with_underscores(option)));
+          toml_.text(with_underscores(option),
+                     fmt::format("{{{}.simulate.{}}}", id_, with_underscores(option)));
       toml_.bare("method", method);
       toml_.bare("step", shortest(step()));
       toml_.bare("until", shortest(until()));
@@ -641,11 +679,12 @@ class Part {
     if (!exactly()) toml_.bare("tolerance", "1e-10");
   }
 
-  FigureLines method_figure(std::string_view id, std::string_view code, std::string_view y, std::string y_name,
-                            const std::string& y_unit) const {
+  FigureLines method_figure(std::string_view id, std::string_view code, std::string_view y,
+                            std::string y_name, const std::string& y_unit) const {
     return {.id = id,
             .title = words(fmt::format("report_{}_title", code)),
-            .caption = words(fmt::format("report_{}_caption", code), {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}}),
+            .caption = words(fmt::format("report_{}_caption", code),
+                             {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}}),
             .size = "half",
             .x = "t",
             .y = y,
@@ -674,9 +713,10 @@ class Part {
   void methods() {
     heading("report_methods");
     forward_ = methods_ + ".1", cromer_ = methods_ + ".2", exact_ = id_ + "_exact.1";
-    paragraph(words("report_methods_text", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
-                                            {"steps", steps_per_period},
-                                            {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
+    paragraph(words("report_methods_text",
+                    {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
+                     {"steps", steps_per_period},
+                     {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
               of_method(forward_, words("report_forward_euler")) + of_method(cromer_, "Euler-Cromer"));
     const bool length = si() == "m" || si() == "m/s";
     const Motion& motion = fitted_.fit.motion;
@@ -685,7 +725,7 @@ class Part {
     const std::string v_unit = length ? readable_unit("m/s", w * amplitude) : "";
     const std::string& x_shown = length ? x_unit : units_.displacement;
     const std::string& v_shown = length ? v_unit : units_.velocity;
-    const std::string position = with_unit(words("report_displacement"), x_shown),
+    const std::string position = with_unit(displacement(), x_shown),
                       velocity = with_unit(words("report_velocity"), v_shown);
     const std::string ids[] = {figure_id("position"), figure_id("velocity"), figure_id("portrait"),
                                figure_id("energy"), figure_id("phase")};
@@ -693,7 +733,8 @@ class Part {
     FigureLines figure = method_figure(ids[0], "position", "x", position, x_unit);
     if (of_position()) {
       figure.curves.push_back(measured_swing(until()));
-      figure.caption = words("report_position_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
+      figure.caption =
+          words("report_position_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
     }
     add_methods(figure, !of_position());
     figure.size = "wide";
@@ -716,11 +757,12 @@ class Part {
     const bool in_joules = fitted_.find("stiffness") != nullptr;
     const double mass = in_joules ? fitted_.find("stiffness")->value / (w * w) : 1;
     const Scale scale = energy_scale(mass * w * w * amplitude * amplitude);
-    figure = method_figure(ids[3], "energy", "energy",
-                           in_joules ? with_unit(words("report_energy"), scale.unit)
-                           : length  ? with_unit(words("report_energy_per_mass"), fmt::format("{}J/kg", scale.prefix))
-                                     : with_unit(words("report_energy_per_mass"), units_.energy),
-                           length || in_joules ? std::string(scale.unit) : "");
+    figure = method_figure(
+        ids[3], "energy", "energy",
+        in_joules ? with_unit(words("report_energy"), scale.unit)
+        : length  ? with_unit(words("report_energy_per_mass"), fmt::format("{}J/kg", scale.prefix))
+                  : with_unit(words("report_energy_per_mass"), units_.energy),
+        length || in_joules ? std::string(scale.unit) : "");
     add_methods(figure, true);
     toml_.figure(figure);
 
@@ -746,19 +788,20 @@ class Part {
     toml_.bare("frequency_to", fmt::format("{:.3g}", 1.5 * std::max(w, drive)));
     toml_.bare("points", "2000");
     toml_.text("damping_ratios", in_braces("damping_ratio, si"));
-    paragraph(words("report_resonance_text", {{"drive", in_braces("drive_frequency")},
-                                              {"natural", in_braces("angular_frequency")}}));
+    paragraph(words("report_resonance_text",
+                    {{"drive", in_braces("drive_frequency")}, {"natural", in_braces("angular_frequency")}}));
     const std::string curve = task + ".1";
     const std::string ids[] = {figure_id("resonance"), figure_id("lag")};
-    FigureLines figure{.id = ids[0],
-                       .title = words("report_resonance_title"),
-                       .caption = words("report_resonance_caption"),
-                       .size = "half",
-                       .x = "frequency",
-                       .y = "amplitude",
-                       .x_name = words("report_drive_axis"),
-                       .y_name = with_unit(words("report_amplitude"), si() == "m" ? "cm" : units_.displacement),
-                       .y_unit = si() == "m" ? "cm" : ""};
+    FigureLines figure{
+        .id = ids[0],
+        .title = words("report_resonance_title"),
+        .caption = words("report_resonance_caption"),
+        .size = "half",
+        .x = "frequency",
+        .y = "amplitude",
+        .x_name = words("report_drive_axis"),
+        .y_name = with_unit(words("report_amplitude"), si() == "m" ? "cm" : units_.displacement),
+        .y_unit = si() == "m" ? "cm" : ""};
     figure.curves.push_back({.of = curve, .role = "fitted"});
     toml_.figure(figure);
     figure.id = ids[1];
@@ -820,9 +863,10 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   for (std::size_t i = 0; i < recordings.size(); ++i)
     parts.emplace_back(recordings[i], task_of(i, recordings.size()), alone, front, page);
 
-  toml.text("title", !front.title.empty() ? verbatim(front.title)
-                     : alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
-                             : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice));
+  toml.text("title",
+            !front.title.empty() ? verbatim(front.title)
+            : alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
+                    : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice));
   std::string byline = verbatim(front.author);
   if (!front.course.empty()) byline += (byline.empty() ? "" : " · ") + verbatim(front.course);
   toml.text("byline", byline);
@@ -858,7 +902,8 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
     page.bare("rows", "[\n" + rows + "]");
   }
   for (Part& part : parts) part.write(options);
-  const std::string body = in_words(Notice{"report_file_head"}, voice) + "\n" + toml.written() + page.written();
+  const std::string body =
+      in_words(Notice{"report_file_head"}, voice) + "\n" + toml.written() + page.written();
   return std::string(mark_of_file) + sum_of(body) + "\n" + body;
 }
 

@@ -430,8 +430,6 @@ export interface Fit extends FittedRecording {
   formulas: string[]
   /** names of the parameters that are the law's coefficients, in SI where a mass gives them */
   coefficients: string[]
-  /** a study file that fits the same; "" if there is no fit */
-  study: string
   /** units of the curves; "" if one has no name */
   units: MotionUnits
   /** [of the displacement] rms of the residuals as a displacement */

@@ -28,16 +28,17 @@ describe('questions', () => {
 
 describe('the command line', () => {
   it('asks the program the same', () => {
-    expect(commandLine('disc 12.csv', lab)).toBe(
+    expect(commandLine('fit', 'disc 12.csv', lab)).toBe(
       'cromer fit "disc 12.csv" --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"'
     )
-    expect(commandLine('a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
-    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm" --method forward-euler --method euler-cromer')
+    expect(commandLine('fit', 'a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
+    expect(commandLine('compare', 'a.csv', lab)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm" --method forward-euler --method euler-cromer')
   })
   it('is safe in a shell', () => {
     expect(quoted('$(rm).csv')).toBe("'$(rm).csv'")
     expect(quoted("it's $5")).toBe(`'it'\\''s $5'`)
-    expect(commandLine('-x.csv', measureDefaults)).toBe('cromer fit ./-x.csv')
+    expect(commandLine('fit', '-x.csv', measureDefaults)).toBe('cromer fit ./-x.csv')
+    expect(commandLine('report', '-x.csv', measureDefaults)).toBe('cromer report ./-x.csv -o report')
   })
 })
 

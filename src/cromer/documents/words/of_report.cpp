@@ -36,7 +36,8 @@ constexpr Entry entries[] = {
      "{file}: kein Bewegungsgesetz wird angegeben. Der Grund: {why}."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
-    {"report_driven_at", clause, "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
+    {"report_driven_at", clause,
+     "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
      "{file}: die angetriebene Bewegung eines Schwingers mit der eigenen Frequenz {frequency}."},
     {"report_spring_constant", clause, "With a mass of {mass} the spring constant is {stiffness}.",
      "Mit einer Masse von {mass} ist die Federkonstante {stiffness}."},
@@ -49,7 +50,8 @@ constexpr Entry entries[] = {
      "Die Abklingrate steigt von {start} am Anfang auf {end} am Ende."},
     {"report_rate_at_both", clause,
      "The decay rate is {start} at the start and {end} at the end; the two cannot be told apart for sure.",
-     "Die Abklingrate ist {start} am Anfang und {end} am Ende; sicher unterscheiden lassen sich beide nicht."},
+     "Die Abklingrate ist {start} am Anfang und {end} am Ende; sicher unterscheiden lassen sich beide "
+     "nicht."},
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
      "Die Reynolds-Zahl erreicht {largest}."},
     {"report_period_is", clause, "period {period}", "Periode {period}"},
@@ -72,11 +74,13 @@ constexpr Entry entries[] = {
      " An {gaps:Stelle|Stellen} fehlen Messwerte."},
     {"report_outliers", clause,
      " {outliers:sample lies|samples lie} far from the motion and {outliers?is|are} set aside.",
-     " {outliers:Messwert liegt|Messwerte liegen} weit neben der Bewegung und {outliers?wird|werden} beiseite "
+     " {outliers:Messwert liegt|Messwerte liegen} weit neben der Bewegung und {outliers?wird|werden} "
+     "beiseite "
      "gelassen."},
     {"report_record_title", clause, "Measured: {file}", "Gemessen: {file}"},
     {"report_record", clause, "The recording, {used} samples.", "Die Aufnahme, {used} Messwerte."},
-    {"report_record_with_level", clause, "The recording, {used} samples, and the rest position by the law, {level}.",
+    {"report_record_with_level", clause,
+     "The recording, {used} samples, and the rest position by the law, {level}.",
      "Die Aufnahme, {used} Messwerte, und die Ruhelage nach dem Gesetz, {level}."},
     {"report_is_measured", clause, "measured", "gemessen"},
     {"report_level", clause, "rest position", "Ruhelage"},
@@ -88,8 +92,10 @@ constexpr Entry entries[] = {
     {"report_acceleration", clause, "acceleration", "Beschleunigung"},
     {"report_value", clause, "measured value", "Messwert"},
     {"report_its_value", clause, "value", "Wert"},
-    {"report_position_at_start", clause, "displacement at the first sample", "Auslenkung beim ersten Messwert"},
-    {"report_velocity_at_start", clause, "velocity at the first sample", "Geschwindigkeit beim ersten Messwert"},
+    {"report_position_at_start", clause, "displacement at the first sample",
+     "Auslenkung beim ersten Messwert"},
+    {"report_velocity_at_start", clause, "velocity at the first sample",
+     "Geschwindigkeit beim ersten Messwert"},
     {"report_displacement", clause, "displacement *x*", "Auslenkung *x*"},
     {"report_law", clause, "The law of motion", "Das Bewegungsgesetz"},
     {"report_law_chosen", clause, "Of {laws} laws that were tried, {law} was chosen:",
@@ -97,19 +103,23 @@ constexpr Entry entries[] = {
     {"report_law_asked", clause, "The law is {law}, as asked for:", "Das Gesetz ist {law}, wie verlangt:"},
     {"report_white", clause,
      "What it leaves of the measured values is {rms} (root mean square), and no pattern is found in it.",
-     "Was es von den Messwerten übrig lässt, ist {rms} (quadratisches Mittel), und ein Muster ist darin nicht "
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und ein Muster ist darin "
+     "nicht "
      "zu finden."},
     {"report_not_white", clause,
      "What it leaves of the measured values is {rms} (root mean square). Neighbouring residuals are alike "
-     "(correlation {correlation}): either the noise is not independent from sample to sample, or the law does not "
+     "(correlation {correlation}): either the noise is not independent from sample to sample, or the law "
+     "does not "
      "tell all.",
-     "Was es von den Messwerten übrig lässt, ist {rms} (quadratisches Mittel). Benachbarte Reste ähneln sich "
-     "(Korrelation {correlation}): entweder ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz "
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert). Benachbarte Reste ähneln sich "
+     "(Korrelation {correlation}): entweder ist das Rauschen nicht von Wert zu Wert unabhängig, oder das "
+     "Gesetz "
      "sagt nicht alles."},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
      "recordings, if the law is right.",
-     "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % solcher "
+     "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
+     "solcher "
      "Aufnahmen, falls das Gesetz stimmt."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
@@ -121,7 +131,7 @@ constexpr Entry entries[] = {
     {"report_law_curve", clause, "law", "Gesetz"},
     {"report_residual_title", clause, "What the law leaves", "Was das Gesetz übrig lässt"},
     {"report_residual_caption", clause, "Measured minus fitted; root mean square {rms}.",
-     "Gemessen weniger angepasst; quadratisches Mittel {rms}."},
+     "Gemessen weniger angepasst; Effektivwert {rms}."},
     {"report_residual", clause, "residual", "Rest"},
 
     // How it dies down.
@@ -133,39 +143,48 @@ constexpr Entry entries[] = {
     {"report_to", clause, "to", "bis"},
     {"report_decay_title", clause, "Decay rate against amplitude", "Abklingrate gegen Amplitude"},
     {"report_decay_caption", clause,
-     "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard error), "
+     "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard "
+     "error), "
      "against the amplitude; the line is the law's.",
-     "Die Abklingrate von {stretches} Stücken der Aufnahme, jedes für sich angepasst (± ein Standardfehler), gegen "
+     "Die Abklingrate von {stretches} Stücken der Aufnahme, jedes für sich angepasst (± ein Standardfehler), "
+     "gegen "
      "die Amplitude; die Linie ist die des Gesetzes."},
     {"report_amplitude", clause, "amplitude", "Amplitude"},
     {"report_rate_axis", clause, "decay rate (1/s)", "Abklingrate (1/s)"},
     {"report_compared_title", clause, "Measured, and simulated with one decay rate and by the law",
      "Gemessen, und simuliert mit einer Abklingrate und nach dem Gesetz"},
     {"report_compared_two", clause,
-     "The measured motion, and the envelopes of two simulations: one constant decay rate leaves {one} (root mean "
+     "The measured motion, and the envelopes of two simulations: one constant decay rate leaves {one} (root "
+     "mean "
      "square), the law {law}.",
-     "Die gemessene Bewegung und die Hüllkurven zweier Simulationen: eine feste Abklingrate lässt {one} übrig "
-     "(quadratisches Mittel), das Gesetz {law}."},
+     "Die gemessene Bewegung und die Hüllkurven zweier Simulationen: eine feste Abklingrate lässt {one} "
+     "übrig "
+     "(Effektivwert), das Gesetz {law}."},
     {"report_compared_one", clause,
-     "The measured motion, and the envelope of a simulation with one constant decay rate; it leaves {one} (root "
+     "The measured motion, and the envelope of a simulation with one constant decay rate; it leaves {one} "
+     "(root "
      "mean square).",
-     "Die gemessene Bewegung und die Hüllkurve einer Simulation mit einer festen Abklingrate; sie lässt {one} übrig "
-     "(quadratisches Mittel)."},
+     "Die gemessene Bewegung und die Hüllkurve einer Simulation mit einer festen Abklingrate; sie lässt "
+     "{one} übrig "
+     "(Effektivwert)."},
 
     // Spring constant and Reynolds number.
     {"report_stiffness", clause, "How stiff the spring is", "Wie steif die Feder ist"},
     {"report_stiffness_is", clause,
-     "From the frequency without damping and the mass of {mass}, *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "From the frequency without damping and the mass of {mass}, *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 "
+     "%: "
      "{interval}.",
-     "Aus der Frequenz ohne Dämpfung und der Masse von {mass} folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "Aus der Frequenz ohne Dämpfung und der Masse von {mass} folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
+     "95 %: "
      "{interval}."},
     {"report_stiffness_with_spring", clause,
-     "From the frequency without damping, the mass of {mass} and a third of the spring's own mass, *k* = (*m* + "
+     "From the frequency without damping, the mass of {mass} and a third of the spring's own mass, *k* = "
+     "(*m* + "
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
-     "Aus der Frequenz ohne Dämpfung, der Masse von {mass} und einem Drittel der Masse der Feder folgt *k* = (*m* + "
+     "Aus der Frequenz ohne Dämpfung, der Masse von {mass} und einem Drittel der Masse der Feder folgt *k* = "
+     "(*m* + "
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
-    {"report_without_error", clause,
-     "Your {quantity} has no ±, so its part is not in the uncertainty.",
+    {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "Most of its variance, {share} %, comes from the {quantity}.",
      "Der größte Teil der Varianz, {share} %, kommt aus: {quantity}."},
@@ -176,20 +195,24 @@ constexpr Entry entries[] = {
     {"report_share", clause, "share of the variance", "Anteil an der Varianz"},
     {"report_flow", clause, "The air around the disc", "Die Luft um die Scheibe"},
     {"report_reynolds", clause,
-     "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it reaches "
+     "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it "
+     "reaches "
      "{last}.",
-     "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde erreicht sie "
+     "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde "
+     "erreicht sie "
      "{last}."},
     {"report_not_stokes", clause,
      "A drag in proportion to the velocity (Stokes) needs Re well below 1: at its fastest, no swing of this "
      "recording is so slow.",
-     "Ein Widerstand im Verhältnis der Geschwindigkeit (Stokes) braucht ein Re weit unter 1: so langsam ist bei "
+     "Ein Widerstand im Verhältnis der Geschwindigkeit (Stokes) braucht ein Re weit unter 1: so langsam ist "
+     "bei "
      "ihrer größten Geschwindigkeit keine Schwingung dieser Aufnahme."},
     {"report_reynolds_title", clause, "Reynolds number in windows of half a second",
      "Reynolds-Zahl in Fenstern von einer halben Sekunde"},
     {"report_reynolds_caption", clause,
      "The largest Reynolds number in each half second, from the fitted velocity and the disc's diameter.",
-     "Die größte Reynolds-Zahl in jeder halben Sekunde, aus der angepassten Geschwindigkeit und dem Durchmesser der "
+     "Die größte Reynolds-Zahl in jeder halben Sekunde, aus der angepassten Geschwindigkeit und dem "
+     "Durchmesser der "
      "Scheibe."},
     {"report_reynolds_axis", clause, "Reynolds number Re", "Reynolds-Zahl Re"},
 
@@ -197,9 +220,11 @@ constexpr Entry entries[] = {
     {"report_methods", clause, "What forward Euler and Euler-Cromer make of this law",
      "Was Euler vorwärts und Euler-Cromer aus diesem Gesetz machen"},
     {"report_methods_text", clause,
-     "The law, from the same start, by two methods with steps of {step}, about {steps:.0f} in a period, beside "
+     "The law, from the same start, by two methods with steps of {step}, about {steps:.0f} in a period, "
+     "beside "
      "{reference}.",
-     "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in einer Periode, "
+     "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in "
+     "einer Periode, "
      "neben {reference}."},
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
@@ -228,22 +253,28 @@ constexpr Entry entries[] = {
     {"report_energy_per_mass", clause, "energy / inertia", "Energie / Trägheit"},
     {"report_phase_title", clause, "Phase of both methods less the exact one",
      "Phase beider Verfahren weniger der exakten"},
-    {"report_phase_caption", clause, "By how much the phase of both methods runs ahead of the exact motion, steps of {step}.",
+    {"report_phase_caption", clause,
+     "By how much the phase of both methods runs ahead of the exact motion, steps of {step}.",
      "Um wie viel die Phase beider Verfahren der exakten Bewegung vorausläuft, Schritte von {step}."},
     {"report_phase_error", clause, "phase error (rad)", "Phasenfehler (rad)"},
 
     // Under other frequencies.
     {"report_resonance", clause, "The resonance of this law", "Die Resonanz dieses Gesetzes"},
     {"report_resonance_text", clause,
-     "The drive of this recording has {drive}; without damping the oscillator itself would have {natural}. The figures "
+     "The drive of this recording has {drive}; without damping the oscillator itself would have {natural}. "
+     "The figures "
      "show the steady motion of the law under a drive of the same strength at other frequencies.",
-     "Der Antrieb dieser Aufnahme hat {drive}; ohne Dämpfung hätte der Schwinger selbst {natural}. Die Abbildungen "
-     "zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei anderen Frequenzen."},
-    {"report_resonance_title", clause, "Amplitude against drive frequency", "Amplitude gegen Frequenz des Antriebs"},
+     "Der Antrieb dieser Aufnahme hat {drive}; ohne Dämpfung hätte der Schwinger selbst {natural}. Die "
+     "Abbildungen "
+     "zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei anderen "
+     "Frequenzen."},
+    {"report_resonance_title", clause, "Amplitude against drive frequency",
+     "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",
      "Die Amplitude der eingeschwungenen Bewegung nach dem Gesetz."},
     {"report_drive_axis", clause, "drive frequency *ω* (rad/s)", "Frequenz des Antriebs *ω* (rad/s)"},
-    {"report_lag_title", clause, "Phase lag against drive frequency", "Phasenverzug gegen Frequenz des Antriebs"},
+    {"report_lag_title", clause, "Phase lag against drive frequency",
+     "Phasenverzug gegen Frequenz des Antriebs"},
     {"report_lag_caption", clause, "The lag of the steady motion behind the drive, by the law.",
      "Der Verzug der eingeschwungenen Bewegung hinter dem Antrieb nach dem Gesetz."},
     {"report_lag_axis", clause, "phase lag (rad)", "Phasenverzug (rad)"},
@@ -254,7 +285,8 @@ constexpr Entry entries[] = {
     {"report_sentence", clause, "{what:A}.", "{what:A}."},
     {"report_give_mass", clause, "No spring constant: it follows with the mass ({--mass}).",
      "Keine Federkonstante: sie folgt mit der Masse ({--mass})."},
-    {"report_give_disc", clause, "No Reynolds number: it follows with the diameter of a disc ({--disc-diameter}).",
+    {"report_give_disc", clause,
+     "No Reynolds number: it follows with the diameter of a disc ({--disc-diameter}).",
      "Keine Reynolds-Zahl: sie folgt mit dem Durchmesser einer Scheibe ({--disc-diameter})."},
 
     // The words of a page.

@@ -1,0 +1,231 @@
+// The report of one's own recordings: what it says and draws, and what it leaves out, of motions of all kinds.
+#include "cromer/study/lab_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/study/write_report.h"
+#include "tests/study/collected.h"
+#include "tests/support/bytes_of.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+using Motion = std::function<double(double)>;
+
+/// Samples 50 times a second, with noise of 0.1 mm.
+std::string recorded(const Motion& x, double until) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 1e-4);
+  std::string bytes = "Time (s),Position (m)\n";
+  for (int i = 0; i < 50 * until; ++i)
+    bytes += shortest(0.02 * i) + ',' + shortest(0.3 + x(0.02 * i) + noise(random)) + '\n';
+  return bytes;
+}
+
+Motion decaying(double rate, double w = 6) {
+  return [=](double t) { return 0.05 * std::exp(-rate * t) * std::cos(w * t); };
+}
+
+struct Made {
+  std::vector<ReportedRecording> recordings;
+  std::string toml;
+  Study study{};
+  Results results{};
+  Page page{};
+
+  /// Every text of the page.
+  std::string text() const {
+    std::string all = page.title + "\n" + page.summary + "\n";
+    for (const KeyFigure& each : page.key_figures) all += each.name + ": " + each.value + "\n";
+    for (const Block& block : page.blocks) {
+      if (const auto* heading = std::get_if<Heading>(&block)) all += "# " + heading->text + "\n";
+      if (const auto* paragraph = std::get_if<Paragraph>(&block)) all += paragraph->text + "\n";
+      if (const auto* figure = std::get_if<FigureBlock>(&block)) all += figure->label + ". " + figure->caption + "\n";
+      if (const auto* table = std::get_if<TableBlock>(&block))
+        for (const auto& row : table->rows)
+          for (const auto& cell : row) all += cell + "|";
+    }
+    return all;
+  }
+  std::vector<std::string> figures() const {
+    std::vector<std::string> ids;
+    for (const FigureSpec& each : study.figures) ids.push_back(each.look.id);
+    return ids;
+  }
+};
+
+Made report(const std::vector<std::pair<std::string, std::string>>& files, const std::vector<TypedOption>& typed = {},
+            const ReportFront& front = {}) {
+  Made made;
+  FitOptions options;
+  EXPECT_TRUE(assign(typed, options_of(options), "fit"));
+  for (const auto& [name, bytes] : files) {
+    const auto recording = read_recording(bytes, name, options.read);
+    EXPECT_TRUE(recording) << (recording ? "" : in_words(recording.error()));
+    auto fits = fit(*recording, options);
+    EXPECT_TRUE(fits);
+    for (FittedRecording& fitted : *fits) {
+      ReportedRecording& each = made.recordings.emplace_back();
+      each.path = name;
+      each.fitted = std::move(fitted);
+      CompareOptions compare;
+      compare.fit = options;
+      compare.method = report_method;
+      if (each.fitted.succeeded() && !each.fitted.driven)
+        if (auto compared = compare_fitted(each.fitted, compare)) each.compared = *std::move(compared);
+    }
+  }
+  made.toml = lab_report(made.recordings, typed, front);
+  const auto study = read_study(made.toml, "study.toml");
+  EXPECT_TRUE(study) << (study ? "" : in_words(study.error())) << "\n" << made.toml;
+  if (!study) return made;
+  made.study = *study;
+  const auto run = run_study(*study, {}, {}, known_results(made.recordings));
+  EXPECT_TRUE(run) << (run ? "" : in_words(run.error()));
+  if (!run) return made;
+  EXPECT_EQ(in_words(run->failure), "");
+  made.results = run->results;
+  std::map<std::string, DrawnFigure> drawn;
+  for (const FigureSpec& spec : study->figures) {
+    const auto figure = make_figure(spec, run->results);
+    EXPECT_TRUE(figure) << (figure ? "" : in_words(figure.error()));
+    if (figure) drawn[spec.look.id] = {"", figure->title, figure->caption, spec.width};
+  }
+  const auto page = make_page(*study, run->results, drawn, "");
+  EXPECT_TRUE(page) << (page ? "" : in_words(page.error()));
+  if (page) made.page = *page;
+  return made;
+}
+
+constexpr const char* lab_two = CROMER_SOURCE_DIR "/data/recording2.csv";
+
+TEST(LabReport, IsTheWholeSecondLab) {
+  const Made lab = report({{"lab.csv", bytes_of(lab_two)}}, {{"mass", "217.6 ± 0.3 g"},
+                                                             {"disc-diameter", "12 cm"},
+                                                             {"segment", "30 s"}});
+  EXPECT_THAT(lab.figures(), testing::ElementsAre("record", "swings", "residuals", "decay", "compared", "reynolds",
+                                                  "position", "velocity", "portrait", "energy", "phase"));
+  const std::string text = lab.text();
+  EXPECT_THAT(text, HasSubstr("The decay rate falls from"));
+  EXPECT_THAT(text, HasSubstr("One decay rate is not enough."));
+  EXPECT_THAT(text, HasSubstr("Most of its variance, 100 %, comes from the mass."));
+  EXPECT_THAT(text, HasSubstr("A drag in proportion to the velocity (Stokes) needs Re well below 1"));
+  EXPECT_THAT(text, Not(HasSubstr("could not be told")));
+}
+
+TEST(LabReport, FollowsAnOptionThatIsChanged) {
+  const Made lab = report({{"recording2.csv", bytes_of(lab_two)}}, {{"mass", "217.6 g"}});
+  std::string heavier = lab.toml;
+  heavier.replace(heavier.find("217.6 g"), 7, "435.2 g");
+  EXPECT_TRUE(is_as_made(lab.toml));
+  EXPECT_FALSE(is_as_made(heavier));
+  const auto study = read_study(heavier, std::string(CROMER_SOURCE_DIR) + "/data/study.toml");
+  ASSERT_TRUE(study);
+  const auto run = run_study(*study);
+  ASSERT_TRUE(run) << in_words(run.error());
+  EXPECT_NEAR(value(run->results, "lab.stiffness"), 2 * value(lab.results, "lab.stiffness"), 1e-9);
+  EXPECT_NEAR(value(run->results, "lab_methods.1.energy_start"), 2 * value(lab.results, "lab_methods.1.energy_start"),
+              1e-9);
+}
+
+TEST(LabReport, WithoutMassAndDiscSaysNothingOfThem) {
+  const Made lab = report({{"lab.csv", recorded(decaying(0.1), 30)}});
+  const std::string text = lab.text();
+  EXPECT_GE(lab.figures().size(), 8u);
+  EXPECT_THAT(text, HasSubstr("No spring constant: it follows with the mass (--mass)."));
+  EXPECT_THAT(text, HasSubstr("No Reynolds number"));
+  EXPECT_THAT(text, Not(HasSubstr("Your mass")));
+  EXPECT_THAT(text, Not(HasSubstr(" J")));
+  EXPECT_THAT(text, Not(HasSubstr("N/m")));
+  EXPECT_THAT(text, HasSubstr("One decay rate is enough"));
+  EXPECT_THAT(text, HasSubstr("The decay rate is"));
+  // A step of forward Euler multiplies the energy by 1 + w² h² beside the law's own decay.
+  const double w = 6, h = value(lab.results, "lab_methods.1.step"), steps = value(lab.results, "lab_methods.1.steps");
+  EXPECT_NEAR(value(lab.results, "lab_methods.1.energy_ratio") / value(lab.results, "lab_exact.1.energy_ratio"),
+              std::pow(1 + w * w * h * h, steps), 0.1);
+}
+
+TEST(LabReport, OfThreeCyclesHasNoRatesByAmplitude) {
+  const Made lab = report({{"lab.csv", recorded(decaying(0.2), 3.2)}}, {{"mass", "0.2 kg"}});
+  EXPECT_THAT(lab.figures(), Not(testing::Contains("decay")));
+  EXPECT_THAT(lab.text(), HasSubstr("Your mass has no ±, so its part is not in the uncertainty."));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("Most of its variance")));
+}
+
+TEST(LabReport, OfAStronglyDampedSwing) {
+  const Made lab = report({{"lab.csv", recorded(decaying(1.5), 6)}}, {{"mass", "0.2 ± 0.01 kg"}});
+  EXPECT_THAT(lab.text(), HasSubstr("How stiff the spring is"));
+  EXPECT_THAT(lab.figures(), testing::Contains("energy"));
+}
+
+TEST(LabReport, OfADrivenMotionHasItsResonance) {
+  const auto x = [](double t) { return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t); };
+  const Made lab = report({{"lab.csv", recorded(x, 60)}}, {{"drive-frequency", "7 rad/s"}});
+  ASSERT_TRUE(lab.recordings.front().fitted.driven);
+  EXPECT_THAT(lab.text(), HasSubstr("a driven motion of an oscillator"));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("dies down")));
+  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"swings", "position", "resonance", "lag"}));
+  EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
+}
+
+TEST(LabReport, OfAFailedFitSaysWhyAndDrawsTheRecording) {
+  const Made lab = report({{"lab.csv", recorded([](double t) { return 0.01 * t; }, 10)}});
+  EXPECT_THAT(lab.figures(), testing::ElementsAre("record"));
+  EXPECT_THAT(lab.text(), HasSubstr("no law of motion is given. The reason: "));
+  EXPECT_TRUE(lab.page.key_figures.empty());
+}
+
+TEST(LabReport, OfSeveralHasATableAndEachByItself) {
+  const Made lab = report({{"one.csv", recorded(decaying(0.1), 30)},
+                           {"two.csv", recorded([](double t) { return 0.01 * t; }, 10)}});
+  EXPECT_EQ(lab.page.title, "The laws of motion of 2 recordings");
+  EXPECT_THAT(lab.text(), HasSubstr("# one.csv: What was measured"));
+  EXPECT_THAT(lab.text(), HasSubstr("two.csv|–|–|–|–|–|"));
+  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"lab_1-record", "lab_1-energy", "lab_2-record"}));
+}
+
+TEST(LabReport, SpeaksGermanWithDecimalCommas) {
+  ReportFront front;
+  front.language = Language::german;
+  front.author = "A. {Muster}";
+  front.text = "Mein *eigener* Text.";
+  const Made lab = report({{"a_{1}.csv", recorded(decaying(0.1), 30)}}, {{"mass", "217.6 ± 0.3 g"}}, front);
+  EXPECT_EQ(lab.page.language, "de");
+  EXPECT_THAT(lab.page.byline, HasSubstr("A. {Muster}"));
+  const std::string text = lab.text();
+  EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ist die Federkonstante"));
+  EXPECT_THAT(text, HasSubstr("Abbildung 1."));
+  EXPECT_THAT(text, HasSubstr("Mein *eigener* Text."));
+  for (const char* english : {" the ", "Figure", " rate", "swing "}) EXPECT_THAT(text, Not(HasSubstr(english)));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9]")));
+}
+
+TEST(LabReport, NamesAndValuesStandForThemselves) {
+  std::string bytes = recorded(decaying(0.1), 30);
+  bytes.replace(bytes.find("Position (m)"), 12, "\"a \"\"{x}\"\" \\ (m)\"");
+  const Made lab = report({{"a {b} \"c\" \\d.csv", bytes}}, {{"column", "a \"{x}\" \\ (m)"}});
+  EXPECT_EQ(lab.page.title, "The law of motion in a {b} \"c\" \\d.csv");
+}
+
+TEST(ReportFront, IsReadFromToml) {
+  const auto front = read_report_front("title = \"T\"\nauthor = \"A\"\nlanguage = \"de\"\n", "front.toml");
+  ASSERT_TRUE(front);
+  EXPECT_EQ(front->title, "T");
+  EXPECT_EQ(front->author, "A");
+  EXPECT_EQ(front->language, Language::german);
+  const auto wrong = read_report_front("titel = \"T\"\n", "front.toml");
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(in_words(wrong.error()), HasSubstr("front.toml:1:9: \"titel\" is not known here; did you mean \"title\"?"));
+}
+
+}  // namespace
+}  // namespace cromer::core
