@@ -90,7 +90,7 @@ std::vector<ReportedRecording> report_of(std::vector<FittedRecording> fits, cons
     if (!each.fitted.succeeded() || each.fitted.driven) return;
     CompareOptions compare;
     compare.fit = options.fit;
-    compare.method = report_method;
+    compare.method = {report_method};
     if (auto compared = compare_fitted(each.fitted, compare, of_one)) each.compared = *std::move(compared);
   });
   return recordings;

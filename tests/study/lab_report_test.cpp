@@ -1,4 +1,5 @@
-// The report of one's own recordings: what it says and draws, and what it leaves out, of motions of all kinds.
+// The report of one's own recordings: what it says and draws, and what it leaves out, of motions of all
+// kinds.
 #include "cromer/study/lab_report.h"
 
 #include <gmock/gmock.h>
@@ -49,7 +50,8 @@ struct Made {
     for (const Block& block : page.blocks) {
       if (const auto* heading = std::get_if<Heading>(&block)) all += "# " + heading->text + "\n";
       if (const auto* paragraph = std::get_if<Paragraph>(&block)) all += paragraph->text + "\n";
-      if (const auto* figure = std::get_if<FigureBlock>(&block)) all += figure->label + ". " + figure->caption + "\n";
+      if (const auto* figure = std::get_if<FigureBlock>(&block))
+        all += figure->label + ". " + figure->caption + "\n";
       if (const auto* table = std::get_if<TableBlock>(&block))
         for (const auto& row : table->rows)
           for (const auto& cell : row) all += cell + "|";
@@ -63,8 +65,8 @@ struct Made {
   }
 };
 
-Made report(const std::vector<std::pair<std::string, std::string>>& files, const std::vector<TypedOption>& typed = {},
-            const ReportFront& front = {}) {
+Made report(const std::vector<std::pair<std::string, std::string>>& files,
+            const std::vector<TypedOption>& typed = {}, const ReportFront& front = {}) {
   Made made;
   FitOptions options;
   EXPECT_TRUE(assign(typed, options_of(options), "fit"));
@@ -79,7 +81,7 @@ Made report(const std::vector<std::pair<std::string, std::string>>& files, const
       each.fitted = std::move(fitted);
       CompareOptions compare;
       compare.fit = options;
-      compare.method = report_method;
+      compare.method = {report_method};
       if (each.fitted.succeeded() && !each.fitted.driven)
         if (auto compared = compare_fitted(each.fitted, compare)) each.compared = *std::move(compared);
     }
@@ -109,11 +111,11 @@ Made report(const std::vector<std::pair<std::string, std::string>>& files, const
 constexpr const char* lab_two = CROMER_SOURCE_DIR "/data/recording2.csv";
 
 TEST(LabReport, IsTheWholeSecondLab) {
-  const Made lab = report({{"lab.csv", bytes_of(lab_two)}}, {{"mass", "217.6 ± 0.3 g"},
-                                                             {"disc-diameter", "12 cm"},
-                                                             {"segment", "30 s"}});
-  EXPECT_THAT(lab.figures(), testing::ElementsAre("record", "swings", "residuals", "decay", "compared", "reynolds",
-                                                  "position", "velocity", "portrait", "energy", "phase"));
+  const Made lab = report({{"lab.csv", bytes_of(lab_two)}},
+                          {{"mass", "217.6 ± 0.3 g"}, {"disc-diameter", "12 cm"}, {"segment", "30 s"}});
+  EXPECT_THAT(lab.figures(),
+              testing::ElementsAre("record", "swings", "residuals", "decay", "compared", "reynolds",
+                                   "position", "velocity", "portrait", "energy", "phase"));
   const std::string text = lab.text();
   EXPECT_THAT(text, HasSubstr("The decay rate falls from"));
   EXPECT_THAT(text, HasSubstr("One decay rate is not enough."));
@@ -133,8 +135,8 @@ TEST(LabReport, FollowsAnOptionThatIsChanged) {
   const auto run = run_study(*study);
   ASSERT_TRUE(run) << in_words(run.error());
   EXPECT_NEAR(value(run->results, "lab.stiffness"), 2 * value(lab.results, "lab.stiffness"), 1e-9);
-  EXPECT_NEAR(value(run->results, "lab_methods.1.energy_start"), 2 * value(lab.results, "lab_methods.1.energy_start"),
-              1e-9);
+  EXPECT_NEAR(value(run->results, "lab_methods.1.energy_start"),
+              2 * value(lab.results, "lab_methods.1.energy_start"), 1e-9);
 }
 
 TEST(LabReport, WithoutMassAndDiscSaysNothingOfThem) {
@@ -149,9 +151,11 @@ TEST(LabReport, WithoutMassAndDiscSaysNothingOfThem) {
   EXPECT_THAT(text, HasSubstr("One decay rate is enough"));
   EXPECT_THAT(text, HasSubstr("The decay rate is"));
   // A step of forward Euler multiplies the energy by 1 + w² h² beside the law's own decay.
-  const double w = 6, h = value(lab.results, "lab_methods.1.step"), steps = value(lab.results, "lab_methods.1.steps");
-  EXPECT_NEAR(value(lab.results, "lab_methods.1.energy_ratio") / value(lab.results, "lab_exact.1.energy_ratio"),
-              std::pow(1 + w * w * h * h, steps), 0.1);
+  const double w = 6, h = value(lab.results, "lab_methods.1.step"),
+               steps = value(lab.results, "lab_methods.1.steps");
+  EXPECT_NEAR(
+      value(lab.results, "lab_methods.1.energy_ratio") / value(lab.results, "lab_exact.1.energy_ratio"),
+      std::pow(1 + w * w * h * h, steps), 0.1);
 }
 
 TEST(LabReport, OfThreeCyclesHasNoRatesByAmplitude) {
@@ -168,7 +172,9 @@ TEST(LabReport, OfAStronglyDampedSwing) {
 }
 
 TEST(LabReport, OfADrivenMotionHasItsResonance) {
-  const auto x = [](double t) { return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t); };
+  const auto x = [](double t) {
+    return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t);
+  };
   const Made lab = report({{"lab.csv", recorded(x, 60)}}, {{"drive-frequency", "7 rad/s"}});
   ASSERT_TRUE(lab.recordings.front().fitted.driven);
   EXPECT_THAT(lab.text(), HasSubstr("a driven motion of an oscillator"));
@@ -205,7 +211,8 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ist die Federkonstante"));
   EXPECT_THAT(text, HasSubstr("Abbildung 1."));
   EXPECT_THAT(text, HasSubstr("Mein *eigener* Text."));
-  for (const char* english : {" the ", "Figure", " rate", "swing "}) EXPECT_THAT(text, Not(HasSubstr(english)));
+  for (const char* english : {" the ", "Figure", " rate", "swing "})
+    EXPECT_THAT(text, Not(HasSubstr(english)));
   EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9]")));
 }
 
@@ -224,7 +231,8 @@ TEST(ReportFront, IsReadFromToml) {
   EXPECT_EQ(front->language, Language::german);
   const auto wrong = read_report_front("titel = \"T\"\n", "front.toml");
   ASSERT_FALSE(wrong);
-  EXPECT_THAT(in_words(wrong.error()), HasSubstr("front.toml:1:9: \"titel\" is not known here; did you mean \"title\"?"));
+  EXPECT_THAT(in_words(wrong.error()),
+              HasSubstr("front.toml:1:9: \"titel\" is not known here; did you mean \"title\"?"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(CompareTask, ExplainsTheMisfitInASentence) {
   options.method = {"rk4"};
   const std::string drag = in_words(explanation(compared(disc_recording(), options)));
   EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. It falls from 0.014"));
-  EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 0.00030"));
+  EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 30"));
   options.fit.goal = "drag 1 %";  // not of the constant rate beside it
   EXPECT_EQ(in_words(explanation(compared(disc_recording(), options))), drag);
   options.fit = FitOptions{};
@@ -262,7 +262,7 @@ TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
   const double b = -std::log(shrunk) / 120;
   EXPECT_NEAR(law.method_phase, w * (w * w * h * h / 24 + b * h / 2) * 120 + w * h / 2, 5e-4);
   const std::string sentence = in_words(explanation(result));
-  EXPECT_THAT(sentence, HasSubstr("with viscous+drag 0.00030"));
+  EXPECT_THAT(sentence, HasSubstr("with viscous+drag 30"));
   EXPECT_THAT(sentence, HasSubstr("Simulated by euler-cromer in steps of 0.00333"));
   EXPECT_THAT(sentence, HasSubstr("the method adds a phase of 0.069"));
 }

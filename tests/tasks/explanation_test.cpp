@@ -28,17 +28,17 @@ CompareResult compared() {
 
 TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   CompareResult both = compared();
-  const std::string left = "with one rate 0.0200\u00a0m (rms) are left and the amplitude at the end is ";
-  const std::string end = ", with viscous+drag 0.0100\u00a0m. Quote the law instead.";
+  const std::string left = "with one rate 2.00\u00a0cm (rms) are left and the amplitude at the end is ";
+  const std::string end = ", with viscous+drag 1.00\u00a0cm. Quote the law instead.";
   EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
-            "0.500\u00a0m to 0.250\u00a0m; " +
+            "50.0\u00a0cm to 25.0\u00a0cm; " +
                 left + "10\u00a0% too small" + end);
   both.curves[0].amplitude_ratio_end = 1.1;
   std::swap(both.recording.decay_by_amplitude[0], both.recording.decay_by_amplitude[1]);
   EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It rises from 0.200 to 0.400\u00a01/s as the swing grows from "
-            "0.250\u00a0m to 0.500\u00a0m; " +
+            "25.0\u00a0cm to 50.0\u00a0cm; " +
                 left + "10\u00a0% too large" + end);
   both.curves[0].amplitude_ratio_end = 1.0004;
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "right to 0.05\u00a0%"));
@@ -51,7 +51,7 @@ TEST(Explanation, SaysWhereOneRateIsEnough) {
   both.curves[1].law = law_of("viscous");
   EXPECT_EQ(
       in_words(explanation(both)),
-      "One decay rate is enough: with one rate 0.0200\u00a0m (rms) are left, and the amplitude at the end is "
+      "One decay rate is enough: with one rate 2.00\u00a0cm (rms) are left, and the amplitude at the end is "
       "10\u00a0% too small.");
   both.curves[0].measured_at_rest = true;
   EXPECT_THAT(in_words(explanation(both)),
@@ -63,7 +63,7 @@ TEST(Explanation, SaysWhereOneRateIsEnough) {
 
 TEST(Explanation, AConstantRateLeavesTheFrequency) {
   CompareResult both = compared();
-  const std::string numbers = "with one rate 0.0200\u00a0m (rms) are left, with viscous+drag 0.0100\u00a0m.";
+  const std::string numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm.";
   both.recording.decay_by_amplitude[1].law_rate = 0.393;
   EXPECT_EQ(in_words(explanation(both)), "One decay rate describes the amplitude, but not the motion: " +
                                              numbers + " The frequency changes as the swing dies down.");
@@ -79,12 +79,12 @@ TEST(Explanation, ADoubtIsNoVerdict) {
   both.doubts = {Notice{"the sensor is coarse"}, Notice{"another"}};
   EXPECT_EQ(
       in_words(explanation(both)),
-      "The sensor is coarse. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left, with "
-      "viscous+drag 0.0100\u00a0m.");
+      "The sensor is coarse. No verdict on the damping: with one rate 2.00\u00a0cm (rms) are left, with "
+      "viscous+drag 1.00\u00a0cm.");
   both.doubts = {Notice{"äon"}};
   both.curves[1].law = law_of("viscous");
   EXPECT_EQ(in_words(explanation(both)),
-            "äon. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left.");
+            "äon. No verdict on the damping: with one rate 2.00\u00a0cm (rms) are left.");
 }
 
 TEST(Explanation, AMethodThatRunsAwayIsNoWordOnTheLaw) {
@@ -106,7 +106,7 @@ TEST(Explanation, AMethodThatRunsAwayIsNoWordOnTheLaw) {
   EXPECT_EQ(
       in_words(explanation(both)),
       verdict + gone +
-          " Simulated by heun in steps of 0.0100\u00a0s the same law leaves 0.0300\u00a0m: the method adds "
+          " Simulated by heun in steps of 0.0100\u00a0s the same law leaves 3.00\u00a0cm: the method adds "
           "a phase of 0.50\u00a0rad by the end.");
   both.curves.resize(1);
   EXPECT_EQ(in_words(explanation(both)), "");
@@ -124,14 +124,13 @@ TEST(Explanation, SaysWhatTheMethodAddsToTheLaw) {
   };
   const std::string leaves = " Simulated by rk4 in steps of 0.0100\u00a0s the same law leaves ";
   EXPECT_EQ(added(0.0099, 1.0049, 0.0102), "");
-  EXPECT_EQ(added(0, 1, 0.01021), leaves + "0.0102\u00a0m; the rest is the method's.");
-  EXPECT_EQ(added(0.0101, 1),
-            leaves + "0.0100\u00a0m: the method adds a phase of 0.010\u00a0rad by the end.");
+  EXPECT_EQ(added(0, 1, 0.01021), leaves + "1.02\u00a0cm; the rest is the method's.");
+  EXPECT_EQ(added(0.0101, 1), leaves + "1.00\u00a0cm: the method adds a phase of 0.010\u00a0rad by the end.");
   EXPECT_EQ(added(-0.5, 0.99), leaves +
-                                   "0.0100\u00a0m: the method adds a phase of −0.50\u00a0rad and makes the "
+                                   "1.00\u00a0cm: the method adds a phase of −0.50\u00a0rad and makes the "
                                    "amplitude 1.0\u00a0% smaller by the end.");
   EXPECT_EQ(added(0, 1.0055),
-            leaves + "0.0100\u00a0m: the method makes the amplitude 0.55\u00a0% larger by the end.");
+            leaves + "1.00\u00a0cm: the method makes the amplitude 0.55\u00a0% larger by the end.");
   EXPECT_EQ(added(0.0009, 1.0055), added(0, 1.0055));
   EXPECT_THAT(added(0.0011, 1.0055), testing::HasSubstr("adds a phase of 0.0011\u00a0rad"));
   EXPECT_EQ(added(0.0101, 1.0009), added(0.0101, 1));

@@ -51,7 +51,7 @@ TEST(SelfSustainedTask, GrowsInWords) {
   ASSERT_TRUE(fit.ok());
   const Result<CompareResult> comparison = compare_fitted(*fit, options);
   ASSERT_TRUE(comparison.ok());
-  EXPECT_THAT(in_words(explanation(*comparison)), HasSubstr("1/s as the swing grows from 0.0"));
+  EXPECT_THAT(in_words(explanation(*comparison)), HasSubstr("1/s as the swing grows from 5.4"));
 }
 
 TEST(SelfSustainedTask, NeverDiesDown) {

@@ -10,97 +10,13 @@
 #include <string_view>
 #include <utility>
 
-#include "cromer/analysis/energy.h"
 #include "cromer/base/ascii.h"
-#include "cromer/base/extent.h"
-#include "cromer/base/length_unit.h"
-#include "cromer/base/pi.h"
-#include "cromer/documents/words/catalogue.h"
-#include "cromer/documents/words/words.h"
-#include "cromer/model/terms/term.h"
-#include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
-#include "cromer/study/toml_text.h"
-#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
 namespace {
-
-/// The steps that a period has in the simulations of the two methods, and how many periods they last.
-constexpr double steps_per_period = 200, most_periods = 10, drawn_periods = 5;
-
-struct CurveLines {
-  std::string_view of, role;
-  std::string name{};
-  std::string_view x{}, y{}, minus{};
-  std::optional<double> from{}, to{};
-  bool dots = false, dashed = false;
-};
-
-struct FigureLines {
-  std::string_view id;
-  std::string title, caption;
-  std::string_view size, x, y;
-  std::string x_name, y_name;
-  std::string x_unit{}, y_unit{};
-  bool logarithmic = false;
-  std::vector<CurveLines> curves{};
-};
-
-/// Writes tables of a study.
-class Toml {
- public:
-  void table(std::string_view name) { out_ += fmt::format("\n[[{}]]\n", name); }
-  void text(std::string_view key, std::string_view value) {
-    if (!value.empty()) out_ += fmt::format("{} = {}\n", key, toml_text(value));
-  }
-  void bare(std::string_view key, std::string_view value) { out_ += fmt::format("{} = {}\n", key, value); }
-  void raw(std::string_view lines) { out_ += lines; }
-  const std::string& written() const { return out_; }
-
-  void figure(const FigureLines& figure) {
-    table("figure");
-    text("id", figure.id);
-    text("title", figure.title);
-    text("caption", figure.caption);
-    text("size", figure.size);
-    if (figure.size != "wide") bare("width", "0.5");
-    text("x", figure.x);
-    text("y", figure.y);
-    text("x_name", figure.x_name);
-    text("y_name", figure.y_name);
-    text("x_unit", figure.x_unit);
-    text("y_unit", figure.y_unit);
-    if (figure.logarithmic) bare("y_logarithmic", "true");
-    for (const CurveLines& curve : figure.curves) this->curve(curve);
-    table("block");
-    text("figure", figure.id);
-  }
-
- private:
-  void curve(const CurveLines& curve) {
-    table("figure.curve");
-    text("of", curve.of);
-    text("minus", curve.minus);
-    text("x", curve.x);
-    text("y", curve.y);
-    text("role", curve.role);
-    text("name", curve.name);
-    if (curve.from) bare("from", shortest(*curve.from));
-    if (curve.to) bare("to", shortest(*curve.to));
-    if (curve.dots) text("mark", "dots");
-    if (curve.dashed) bare("dashed", "true");
-  }
-
-  std::string out_;
-};
-
-/// The unit that is read most easily for values of a size in an SI unit; "" where there is only this one.
-std::string readable_unit(std::string_view si, double size) {
-  const std::string length(length_unit(size).symbol);
-  return si == "m" ? length : si == "m/s" ? length + "/s" : "";
-}
 
 struct Scale {
   std::string_view prefix, unit;  ///< "m", "mJ"
@@ -111,39 +27,12 @@ Scale energy_scale(double largest) {
   return {"", "J"};
 }
 
-/// "8.465" has as many digits as the error of an interval's end is worth.
-int digits_of(const Estimate& e) {
-  if (!(e.standard_error > 0) || e.value == 0) return 6;
-  return std::clamp(2 + static_cast<int>(std::ceil(std::log10(std::abs(e.value) / e.standard_error))), 2, 12);
-}
-
-const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 /// One recording's part of the study.
-class Part {
+class Part : public LabTold {
  public:
-  Part(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front, Toml& toml)
-      : fitted_(recording.fitted),
-        compared_(recording.compared ? &*recording.compared : nullptr),
-        path_(recording.path),
-        id_(std::move(id)),
-        methods_(id_ + "_methods"),
-        alone_(alone),
-        front_(front),
-        toml_(toml),
-        units_(motion_units(fitted_)) {
-    if (!fitted_.fit.has_values()) return;
-    const LawFit& fit = fitted_.fit;
-    const auto [low, high] = extent_of(fitted_.series.y);
-    spread_ = (high - low) / 2;
-    period_ = two_pi / fit.motion.angular_frequency();
-    if (const Parameter* known = named(fitted_.derived, "period")) period_ = known->estimate.value;
-    duration_ = fitted_.series.t.back() - fitted_.series.t.front();
-  }
+  Part(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front,
+       StudyWriter& toml)
+      : LabTold(recording, std::move(id), alone, front), methods_(id_ + "_methods"), toml_(toml) {}
 
   void write(const std::vector<TypedOption>& options) {
     if (fitted_.wrong_input) return refused();
@@ -183,7 +72,8 @@ class Part {
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
     if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
-    if (const Notice doubt = first_doubt(); !doubt.empty()) lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
+    if (const Notice doubt = first_doubt(); !doubt.empty())
+      lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
     return lines;
   }
 
@@ -219,34 +109,7 @@ class Part {
             known("decay_rate_end"), fitted_.reynolds_max ? in_braces("reynolds.max") : "–"};
   }
 
-  std::string title() const {
-    const std::string name = std::filesystem::path(fitted_.file).filename().string();
-    return fitted_.one_of_several
-               ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}})
-               : name;
-  }
-
  private:
-  std::string say(const Notice& notice) const { return in_words(notice, {front_.language}); }
-  std::string words(std::string_view code, std::vector<NoticeValue> values = {}) const {
-    Notice notice{std::string(code)};
-    notice.values = std::move(values);
-    return say(notice);
-  }
-  /// The name of a quantity, of its parameter or as it is.
-  std::string name_of(const std::string& parameter) const {
-    if (find_entry(parameter)) return words(parameter);
-    std::string name = parameter;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-  }
-  std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
-  std::string interval(std::string_view name, const Estimate& e) const {
-    const int digits = digits_of(e);
-    return words("report_interval", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))},
-                                     {"high", in_braces(fmt::format("{}.high, {}, bare", name, digits))}});
-  }
-
   void heading(std::string_view code) {
     toml_.table("block");
     toml_.text("heading", alone_ ? words(code) : verbatim(title()) + ": " + words(code));
@@ -254,51 +117,6 @@ class Part {
   void paragraph(const std::string& text) {
     toml_.table("block");
     toml_.text("text", text);
-  }
-  std::string figure_id(std::string_view name) const {
-    return alone_ ? std::string(name) : fmt::format("{}-{}", id_, name);
-  }
-
-  std::string rate() const {
-    return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
-  }
-  std::string set_aside() const {
-    std::string text;
-    if (!fitted_.series.gaps.empty()) text += words("report_gaps", {{"gaps", fitted_.series.gaps.size()}});
-    if (!fitted_.series.outliers.empty())
-      text += words("report_outliers", {{"outliers", fitted_.series.outliers.size()}});
-    return text;
-  }
-
-  /// Why the numbers may not mean what they seem to mean; empty if they do.
-  Notice first_doubt() const {
-    if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();
-    for (const Notice& notice : fitted_.notices)
-      if (severity(notice) == Severity::wrong_if_ignored) return notice;
-    return {};
-  }
-
-  /// Whether the rate is the same at the start and at the end, by the law.
-  bool is_one_rate() const {
-    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
-                    *end = named(fitted_.headline, "decay_rate_end");
-    return start && end &&
-           std::abs(end->estimate.value - start->estimate.value) <= 1e-9 * std::abs(start->estimate.value);
-  }
-
-  /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
-  std::string decay_ends() const {
-    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
-                    *end = named(fitted_.headline, "decay_rate_end");
-    if (!start) return "";
-    if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
-    const Estimate &a = start->estimate, &b = end->estimate;
-    if (is_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
-    const bool apart = a.low > b.high || b.low > a.high;
-    return words(!apart              ? "report_rate_at_both"
-                 : b.value < a.value ? "report_rate_falls"
-                                     : "report_rate_rises",
-                 {{"start", in_braces("decay_rate_start")}, {"end", in_braces("decay_rate_end")}});
   }
 
   /// The options, and the file; of a file with several runs also which.
@@ -325,24 +143,6 @@ class Part {
   }
 
   // What is seen of the recorded quantity.
-  std::string_view si() const { return units_.measured; }
-  std::string shown() const { return readable_unit(si(), spread_); }
-  static std::string with_unit(const std::string& name, std::string_view unit) {
-    return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-  }
-  /// The name of an axis of the recorded quantity.
-  std::string with_own_unit(const std::string& name, const std::string& unit) const {
-    return with_unit(name, unit.empty() ? si() : std::string_view(unit));
-  }
-  std::string quantity() const {
-    const std::string& known = fitted_.series.quantity;
-    if (known == "position") return words("report_position");
-    if (known == "angle") return words("report_angle");
-    if (known == "velocity" || known == "angular velocity") return words("report_velocity");
-    if (known == "acceleration" || known == "angular acceleration") return words("report_acceleration");
-    return known.empty() ? words("report_value") : known;
-  }
-  std::string time_axis() const { return words("report_time"); }
 
   void record_figure() {
     const std::string id = figure_id("record");
@@ -366,27 +166,11 @@ class Part {
       figure.curves.push_back({.of = id_, .role = "fitted", .name = words("report_level"), .y = "mean"});
     toml_.figure(figure);
   }
-  std::string level(std::string_view unit) const {
-    return in_braces(unit.empty() ? std::string("equilibrium, 4") : fmt::format("equilibrium, {}, 4", unit));
-  }
 
   void failed() {
     paragraph(
         words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
     not_told();
-  }
-
-  std::string equation() const {
-    std::string sum;
-    for_each_term([&]<class T>() {
-      if (!fitted_.fit.law.has<T>()) return;
-      sum += std::string(sum.empty() ? "" : " + ") + std::string(T::info.formula);
-    });
-    const bool turns = fitted_.series.quantity == "angle";
-    return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
-                       !fitted_.driven                                 ? "0"
-                       : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"
-                                                                       : "F(t)");
   }
 
   void law() {
@@ -404,10 +188,6 @@ class Part {
     table();
     swings_figure();
     residual_figure();
-  }
-  std::string rms() const {
-    const std::string unit = readable_unit(si(), fitted_.fit.residual.rms);
-    return in_braces(unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit));
   }
 
   void table() {
@@ -429,48 +209,8 @@ class Part {
       }
     toml_.bare("rows", "[\n" + rows + "]");
   }
-  std::string row_of(const Parameter& each) const {
-    const bool part =
-        each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
-    const std::string name = part                              ? words("report_viscous_part")
-                             : each.name == "decay_rate_start" ? words("report_rate_at_start")
-                             : each.name == "decay_rate_end"   ? words("report_rate_at_end")
-                             : each.name == "reynolds_max"     ? words("report_reynolds_max")
-                             : each.name == "position"         ? words("report_position_at_start")
-                             : each.name == "velocity"         ? words("report_velocity_at_start")
-                                                               : name_of(each.name);
-    const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
-    const bool known = each.estimate.standard_error > 0;
-    const std::string ends = known ? interval(place, each.estimate) : "–";
-    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name), toml_text(in_braces(place)), toml_text(ends),
-                       toml_text(term_of(each.name)));
-  }
-  std::string term_of(std::string_view parameter) const {
-    std::string formula;
-    for_each_term([&]<class T>() {
-      if (!fitted_.fit.law.has<T>()) return;
-      for (const CoefficientInfo& info : T::coefficients)
-        if (info.parameter == parameter || info.in_si == parameter)
-          formula = fmt::format("`{}`", T::info.formula);
-    });
-    return formula;
-  }
 
   // The first periods, as the law has them and as they were measured.
-  double begin() const { return fitted_.series.t.front(); }
-  double swings(double periods) const { return std::min(duration_, periods * period_); }
-  bool of_position() const { return units_.measured == units_.displacement; }
-  bool of_velocity() const { return !of_position() && units_.measured == units_.velocity; }
-
-  CurveLines measured_swing(double until) const {
-    return {.of = id_,
-            .role = "measured",
-            .name = words("report_is_measured"),
-            .x = "since_start",
-            .y = "displacement",
-            .to = begin() + until,
-            .dots = true};
-  }
 
   void swings_figure() {
     const double until = swings(drawn_periods);
@@ -494,10 +234,6 @@ class Part {
     figure.curves = {law, measured_swing(until)};
     toml_.figure(figure);
   }
-  std::string displacement() const {
-    return words(units_.displacement == "rad" ? "report_angle" : "report_displacement");
-  }
-  std::string from_level() const { return of_position() ? displacement() : quantity(); }
 
   void residual_figure() {
     const std::string id = figure_id("residuals");
@@ -655,13 +391,6 @@ class Part {
   }
 
   // Forward Euler and Euler-Cromer beside the exact motion.
-  bool simulates() const { return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0; }
-  double step() const { return std::stod(fmt::format("{:.2g}", period_ / steps_per_period)); }
-  double until() const {
-    const double steps = std::floor(swings(most_periods) / step());
-    return std::stod(shortest(std::stod(fmt::format("{:.12g}", steps * step()))));
-  }
-  bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
   void simulation() {
     const auto of = [&](const std::string& task, std::string_view method) {
       toml_.table("task");
@@ -679,12 +408,11 @@ class Part {
     if (!exactly()) toml_.bare("tolerance", "1e-10");
   }
 
-  FigureLines method_figure(std::string_view id, std::string_view code, std::string_view y,
-                            std::string y_name, const std::string& y_unit) const {
+  FigureLines method_figure(std::string_view id, std::string_view title, std::string_view caption,
+                            std::string_view y, std::string y_name, const std::string& y_unit) const {
     return {.id = id,
-            .title = words(fmt::format("report_{}_title", code)),
-            .caption = words(fmt::format("report_{}_caption", code),
-                             {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}}),
+            .title = words(title),
+            .caption = words(caption, {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}}),
             .size = "half",
             .x = "t",
             .y = y,
@@ -730,7 +458,8 @@ class Part {
     const std::string ids[] = {figure_id("position"), figure_id("velocity"), figure_id("portrait"),
                                figure_id("energy"), figure_id("phase")};
 
-    FigureLines figure = method_figure(ids[0], "position", "x", position, x_unit);
+    FigureLines figure =
+        method_figure(ids[0], "report_position_title", "report_position_caption", "x", position, x_unit);
     if (of_position()) {
       figure.curves.push_back(measured_swing(until()));
       figure.caption =
@@ -740,12 +469,12 @@ class Part {
     figure.size = "wide";
     toml_.figure(figure);
 
-    figure = method_figure(ids[1], "velocity", "v", velocity, v_unit);
+    figure = method_figure(ids[1], "report_velocity_title", "report_velocity_caption", "v", velocity, v_unit);
     add_methods(figure, true);
     figure.size = "tall";
     toml_.figure(figure);
 
-    figure = method_figure(ids[2], "portrait", "v", velocity, v_unit);
+    figure = method_figure(ids[2], "report_portrait_title", "report_portrait_caption", "v", velocity, v_unit);
     figure.size = "phase";
     figure.x = "x";
     figure.x_name = position;
@@ -758,7 +487,7 @@ class Part {
     const double mass = in_joules ? fitted_.find("stiffness")->value / (w * w) : 1;
     const Scale scale = energy_scale(mass * w * w * amplitude * amplitude);
     figure = method_figure(
-        ids[3], "energy", "energy",
+        ids[3], "report_energy_title", "report_energy_caption", "energy",
         in_joules ? with_unit(words("report_energy"), scale.unit)
         : length  ? with_unit(words("report_energy_per_mass"), fmt::format("{}J/kg", scale.prefix))
                   : with_unit(words("report_energy_per_mass"), units_.energy),
@@ -766,7 +495,8 @@ class Part {
     add_methods(figure, true);
     toml_.figure(figure);
 
-    figure = method_figure(ids[4], "phase", "phase", words("report_phase_error"), "");
+    figure = method_figure(ids[4], "report_phase_title", "report_phase_caption", "phase",
+                           words("report_phase_error"), "");
     figure.curves.push_back(
         {.of = forward_, .role = "forward-euler", .name = words("report_forward_euler"), .minus = exact_});
     figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer", .minus = exact_});
@@ -827,15 +557,8 @@ class Part {
     paragraph(verbatim(text));
   }
 
-  const FittedRecording& fitted_;
-  const CompareResult* compared_;
-  const std::string& path_;
-  std::string id_, methods_, forward_, cromer_, exact_;
-  bool alone_;
-  const ReportFront& front_;
-  Toml& toml_;
-  MotionUnits units_;
-  double spread_ = 0, period_ = 0, duration_ = 0;
+  std::string methods_, forward_, cromer_, exact_;  ///< runs of the two methods, and without one
+  StudyWriter& toml_;
 };
 
 /// The name of a recording's task.
@@ -856,7 +579,7 @@ std::string sum_of(std::string_view text) {
 
 std::string lab_report(std::span<const ReportedRecording> recordings, const std::vector<TypedOption>& options,
                        const ReportFront& front) {
-  Toml toml, page;
+  StudyWriter toml, page;
   const Voice voice{front.language};
   const bool alone = recordings.size() == 1;
   std::vector<Part> parts;

@@ -1,0 +1,266 @@
+// What a report tells of one recording: its words, its quantities and their units.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cromer/base/extent.h"
+#include "cromer/base/length_unit.h"
+#include "cromer/base/pi.h"
+#include "cromer/documents/words/catalogue.h"
+#include "cromer/documents/words/words.h"
+#include "cromer/model/terms/term.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/study/lab_report.h"
+#include "cromer/study/study_writer.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+
+namespace cromer::core {
+
+/// The unit that is read most easily for values of a size in an SI unit; "" where there is only this one.
+inline std::string readable_unit(std::string_view si, double size) {
+  const std::string length(length_unit(size).symbol);
+  return si == "m" ? length : si == "m/s" ? length + "/s" : "";
+}
+
+/// "8.465" has as many digits as the error of an interval's end is worth.
+inline int digits_of(const Estimate& e) {
+  if (!(e.standard_error > 0) || e.value == 0) return 6;
+  return std::clamp(2 + static_cast<int>(std::ceil(std::log10(std::abs(e.value) / e.standard_error))), 2, 12);
+}
+
+inline const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// One recording with its fit, in the words of the report. Numbers stand in them as results of the study, by
+/// the name `id` of its task: "{lab.stiffness}".
+class LabTold {
+ public:
+  LabTold(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front)
+      : fitted_(recording.fitted),
+        compared_(recording.compared ? &*recording.compared : nullptr),
+        path_(recording.path),
+        id_(std::move(id)),
+        alone_(alone),
+        front_(front),
+        units_(motion_units(fitted_)) {
+    if (!fitted_.fit.has_values()) return;
+    const auto [low, high] = extent_of(fitted_.series.y);
+    spread_ = (high - low) / 2;
+    period_ = two_pi / fitted_.fit.motion.angular_frequency();
+    if (const Parameter* known = named(fitted_.derived, "period")) period_ = known->estimate.value;
+    duration_ = fitted_.series.t.back() - fitted_.series.t.front();
+  }
+
+  std::string title() const {
+    const std::string name = std::filesystem::path(fitted_.file).filename().string();
+    return fitted_.one_of_several
+               ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}})
+               : name;
+  }
+
+ protected:
+  /// The steps that a period has in the simulations of the two methods, and how many periods they last.
+  static constexpr double steps_per_period = 200, most_periods = 10, drawn_periods = 5;
+
+  std::string words(std::string_view code, std::vector<NoticeValue> values = {}) const {
+    Notice notice{std::string(code)};
+    notice.values = std::move(values);
+    return say(notice);
+  }
+  std::string say(const Notice& notice) const { return in_words(notice, {front_.language}); }
+
+  /// The name of a quantity, of its parameter or as it is.
+  std::string name_of(const std::string& parameter) const {
+    if (find_entry(parameter)) return words(parameter);
+    std::string name = parameter;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+  }
+
+  std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
+
+  std::string interval(std::string_view name, const Estimate& e) const {
+    const int digits = digits_of(e);
+    return words("report_interval", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))},
+                                     {"high", in_braces(fmt::format("{}.high, {}, bare", name, digits))}});
+  }
+
+  std::string figure_id(std::string_view name) const {
+    return alone_ ? std::string(name) : fmt::format("{}-{}", id_, name);
+  }
+
+
+  /// Why the numbers may not mean what they seem to mean; empty if they do.
+  Notice first_doubt() const {
+    if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();
+    for (const Notice& notice : fitted_.notices)
+      if (severity(notice) == Severity::wrong_if_ignored) return notice;
+    return {};
+  }
+
+  /// Whether the rate is the same at the start and at the end, by the law.
+  bool is_one_rate() const {
+    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
+                    *end = named(fitted_.headline, "decay_rate_end");
+    return start && end &&
+           std::abs(end->estimate.value - start->estimate.value) <= 1e-9 * std::abs(start->estimate.value);
+  }
+
+  /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
+  std::string decay_ends() const {
+    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
+                    *end = named(fitted_.headline, "decay_rate_end");
+    if (!start) return "";
+    if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
+    const Estimate &a = start->estimate, &b = end->estimate;
+    if (is_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
+    const bool apart = a.low > b.high || b.low > a.high;
+    return words(!apart              ? "report_rate_at_both"
+                 : b.value < a.value ? "report_rate_falls"
+                                     : "report_rate_rises",
+                 {{"start", in_braces("decay_rate_start")}, {"end", in_braces("decay_rate_end")}});
+  }
+
+  std::string_view si() const { return units_.measured; }
+
+  std::string shown() const { return readable_unit(si(), spread_); }
+
+  static std::string with_unit(const std::string& name, std::string_view unit) {
+    return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+  }
+
+  /// The name of an axis of the recorded quantity.
+  std::string with_own_unit(const std::string& name, const std::string& unit) const {
+    return with_unit(name, unit.empty() ? si() : std::string_view(unit));
+  }
+
+  std::string quantity() const {
+    const std::string& known = fitted_.series.quantity;
+    if (known == "position") return words("report_position");
+    if (known == "angle") return words("report_angle");
+    if (known == "velocity" || known == "angular velocity") return words("report_velocity");
+    if (known == "acceleration" || known == "angular acceleration") return words("report_acceleration");
+    return known.empty() ? words("report_value") : known;
+  }
+
+  std::string time_axis() const { return words("report_time"); }
+
+  std::string level(std::string_view unit) const {
+    return in_braces(unit.empty() ? std::string("equilibrium, 4") : fmt::format("equilibrium, {}, 4", unit));
+  }
+
+  std::string rms() const {
+    const std::string unit = readable_unit(si(), fitted_.fit.residual.rms);
+    return in_braces(unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit));
+  }
+
+  std::string equation() const {
+    std::string sum;
+    for_each_term([&]<class T>() {
+      if (!fitted_.fit.law.has<T>()) return;
+      sum += std::string(sum.empty() ? "" : " + ") + std::string(T::info.formula);
+    });
+    const bool turns = fitted_.series.quantity == "angle";
+    return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
+                       !fitted_.driven                                 ? "0"
+                       : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"
+                                                                       : "F(t)");
+  }
+
+  std::string term_of(std::string_view parameter) const {
+    std::string formula;
+    for_each_term([&]<class T>() {
+      if (!fitted_.fit.law.has<T>()) return;
+      for (const CoefficientInfo& info : T::coefficients)
+        if (info.parameter == parameter || info.in_si == parameter)
+          formula = fmt::format("`{}`", T::info.formula);
+    });
+    return formula;
+  }
+
+  double begin() const { return fitted_.series.t.front(); }
+
+  double swings(double periods) const { return std::min(duration_, periods * period_); }
+
+  bool of_position() const { return units_.measured == units_.displacement; }
+
+  bool of_velocity() const { return !of_position() && units_.measured == units_.velocity; }
+
+  std::string displacement() const {
+    return words(units_.displacement == "rad" ? "report_angle" : "report_displacement");
+  }
+
+  std::string from_level() const { return of_position() ? displacement() : quantity(); }
+
+  bool simulates() const { return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0; }
+
+  double step() const { return std::stod(fmt::format("{:.2g}", period_ / steps_per_period)); }
+
+  double until() const {
+    const double steps = std::floor(swings(most_periods) / step());
+    return std::stod(shortest(std::stod(fmt::format("{:.12g}", steps * step()))));
+  }
+
+  bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
+
+  std::string rate() const {
+    return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
+  }
+
+  std::string set_aside() const {
+    std::string text;
+    if (!fitted_.series.gaps.empty()) text += words("report_gaps", {{"gaps", fitted_.series.gaps.size()}});
+    if (!fitted_.series.outliers.empty())
+      text += words("report_outliers", {{"outliers", fitted_.series.outliers.size()}});
+    return text;
+  }
+
+  std::string row_of(const Parameter& each) const {
+    const bool part =
+        each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
+    const std::string name = part                              ? words("report_viscous_part")
+                             : each.name == "decay_rate_start" ? words("report_rate_at_start")
+                             : each.name == "decay_rate_end"   ? words("report_rate_at_end")
+                             : each.name == "reynolds_max"     ? words("report_reynolds_max")
+                             : each.name == "position"         ? words("report_position_at_start")
+                             : each.name == "velocity"         ? words("report_velocity_at_start")
+                                                               : name_of(each.name);
+    const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
+    const bool known = each.estimate.standard_error > 0;
+    const std::string ends = known ? interval(place, each.estimate) : "–";
+    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name), toml_text(in_braces(place)), toml_text(ends),
+                       toml_text(term_of(each.name)));
+  }
+
+  CurveLines measured_swing(double until) const {
+    return {.of = id_,
+            .role = "measured",
+            .name = words("report_is_measured"),
+            .x = "since_start",
+            .y = "displacement",
+            .to = begin() + until,
+            .dots = true};
+  }
+
+  const FittedRecording& fitted_;
+  const CompareResult* compared_;
+  const std::string& path_;
+  std::string id_;
+  bool alone_;
+  const ReportFront& front_;
+  MotionUnits units_;
+  double spread_ = 0, period_ = 0, duration_ = 0;
+};
+
+}  // namespace cromer::core
