@@ -117,7 +117,7 @@ TEST(DoubtsLimits, AnAmplitudeThatHardlyFalls) {
     return said_of(swing(steady(fours)), fit_with(-std::log(1 - share) / (4.0 * static_cast<double>(fours))));
   };
   EXPECT_THAT(falls_by(0.0195, 5),
-              ElementsAre("the amplitude falls by only 1.9 % over 20 periods (quality factor 3.2e+03): a "
+              ElementsAre("the amplitude falls by only 1.9 % over 20 periods (quality factor 3200): a "
                           "drive that is not quite steady looks the same. If something drives it, " +
                           then));
   EXPECT_THAT(falls_by(0.0205, 5), IsEmpty());
@@ -125,7 +125,7 @@ TEST(DoubtsLimits, AnAmplitudeThatHardlyFalls) {
   const double duration = 80;
   EXPECT_THAT(
       said_of(swing(steady(20)), fit_with(pi / 5001)),
-      ElementsAre(HasSubstr(fmt::format("falls by only {:.2g} % over 80 periods (quality factor 5e+03)",
+      ElementsAre(HasSubstr(fmt::format("falls by only {:.2g} % over 80 periods (quality factor 5000)",
                                         100 * (1 - std::exp(-duration * pi / 5001))))));
   EXPECT_THAT(said_of(swing(steady(20)), fit_with(pi / 4999)), IsEmpty());
   EXPECT_THAT(falls_by(0.0995, 50), ElementsAre(HasSubstr("falls by only 10 % over 200 periods")));

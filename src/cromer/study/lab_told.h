@@ -100,7 +100,6 @@ class LabTold {
     return alone_ ? std::string(name) : fmt::format("{}-{}", id_, name);
   }
 
-
   /// Why the numbers may not mean what they seem to mean; empty if they do.
   Notice first_doubt() const {
     if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();

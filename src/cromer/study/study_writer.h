@@ -19,7 +19,6 @@ std::string verbatim(std::string_view text);
 /// A line for each option, once with all its values: mass = "217.6 g".
 std::string toml_settings(const std::vector<TypedOption>& options);
 
-
 /// [[figure.curve]], as write_report.h reads it; what is empty is left out.
 struct CurveLines {
   std::string_view of, role;
@@ -42,7 +41,7 @@ struct FigureLines {
 /// Puts one table after the other.
 class StudyWriter {
  public:
-  void table(std::string_view name);  ///< begins [[name]]
+  void table(std::string_view name);                        ///< begins [[name]]
   void text(std::string_view key, std::string_view value);  ///< nothing for an empty one
   void bare(std::string_view key, std::string_view value);  ///< a number, a list, true
   void raw(std::string_view lines) { out_ += lines; }
