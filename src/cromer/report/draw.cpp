@@ -21,13 +21,10 @@ std::string for_readers(const Figure& figure) {
   return to_svg(lay_out(figure, Typeface::dejavu_sans), alternative_text(figure), readers_fonts);
 }
 
-// In Lato where it is installed, else in DejaVu Sans, fontconfig's own stand-in.
 Result<std::string> for_this_machine(const Figure& figure, FigureFormat format) {
-  static const bool has_lato = is_installed("Lato");
-  const Layout layout =
-      has_lato ? lay_out(figure, Typeface::lato) : lay_out(figure, Typeface::dejavu_sans, smaller_dejavu);
-  const std::string svg =
-      to_svg(layout, alternative_text(figure), has_lato ? "Lato, sans-serif" : "'DejaVu Sans', sans-serif");
+  const Typeface typeface = installed_typeface();
+  const Layout layout = lay_out(figure, typeface, typeface == Typeface::lato ? 0 : smaller_dejavu);
+  const std::string svg = to_svg(layout, alternative_text(figure), font_family(typeface));
   const auto converted = format == FigureFormat::png ? png_of : pdf_of;
   return converted(svg, layout.width, layout.height);
 }

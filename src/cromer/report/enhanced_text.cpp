@@ -112,19 +112,22 @@ std::string without_markup(std::string_view enhanced) {
 
 namespace {
 
-// Advance widths of DejaVu Sans for ' ' to '~', in thousandths of the font size.
-constexpr std::array<short, 95> advance{
+// Advance widths for ' ' to '~', in thousandths of the font size.
+using Advances = std::array<short, 95>;
+constexpr Advances dejavu_advances{
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361,  318, 337, 636, 636, 636,
     636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632,
     575, 775, 752, 295, 295, 656, 557, 863, 748, 787, 603, 787, 695, 635,  611, 732, 684, 989, 685,
     611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
     278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
+constexpr Advances lato_advances{256, 269, 370, 580, 580, 802, 712, 204, 267, 267, 425, 580, 227, 372, 236, 452, 580, 580, 580, 580, 580, 580, 580, 580, 580, 580, 250, 262, 580, 580, 580, 448, 836, 677, 646, 668, 760, 578, 566, 730, 764, 280, 422, 662, 514, 928, 764, 800, 600, 800, 626, 542, 590, 736, 677, 1036, 649, 624, 602, 306, 452, 306, 580, 459, 400, 497, 560, 478, 560, 528, 350, 520, 558, 240, 240, 508, 236, 822, 558, 567, 560, 560, 364, 433, 358, 558, 516, 786, 498, 516, 452, 301, 250, 301, 580};
 constexpr double other_advance = 0.72;  // Greek and signs, on the safe side
 constexpr std::string_view no_break_space = "\u00A0";
-constexpr double bold_dejavu = 1.13, regular_lato = 0.91, bold_lato = 0.92;  // against DejaVu Sans, regular
+constexpr double bold_dejavu = 1.13, bold_lato = 1.02;  // against regular
 
 /// Of plain text, in font sizes.
-double advances(std::string_view text) {
+double advances(std::string_view text, Typeface typeface) {
+  const Advances& advance = typeface == Typeface::lato ? lato_advances : dejavu_advances;
   double sum = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
@@ -137,8 +140,8 @@ double advances(std::string_view text) {
 }
 
 double relative_width(bool bold, Typeface typeface) {
-  if (typeface == Typeface::lato) return bold ? bold_lato : regular_lato;
-  return bold ? bold_dejavu : 1;
+  if (!bold) return 1;
+  return typeface == Typeface::lato ? bold_lato : bold_dejavu;
 }
 
 }  // namespace
@@ -146,7 +149,7 @@ double relative_width(bool bold, Typeface typeface) {
 double text_width(std::string_view text, double size, bool bold, Typeface typeface) {
   double width = 0;
   for (const TextRun& run : runs_of(text))
-    width += advances(run.text) * run.size * relative_width(bold || run.bold, typeface);
+    width += advances(run.text, typeface) * run.size * relative_width(bold || run.bold, typeface);
   return width * size;
 }
 

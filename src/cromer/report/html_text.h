@@ -1,4 +1,4 @@
-// Text made safe for HTML and SVG, and the small markup of a report's texts.
+// Text made safe for HTML and SVG, and the small markup of a report's texts as HTML.
 #pragma once
 
 #include <string>
@@ -13,15 +13,13 @@ std::string escaped(std::string_view text);
 /// writing spelled out, as on a terminal.
 std::string well_formed(std::string document);
 
-/// One paragraph as HTML: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as
-/// they come; x_{d}^{2} stands one above the other. A star with a blank at its inner side, or without its
-/// partner, is a star. A number keeps its unit on its line. The rest is escaped.
+/// One paragraph as HTML; its markup is told in markup.h, and the rest is escaped.
 std::string inline_html(std::string_view text);
 
 /// Paragraphs, separated by blank lines, each in <p>.
 std::string paragraphs_html(std::string_view text);
 
-/// The words without markup, for titles.
+/// The words without markup, escaped, for titles.
 std::string plain_words(std::string_view text);
 
 }  // namespace cromer::core

@@ -55,6 +55,15 @@ bool is_installed(const std::string& font_family) {
   return fontconfig.load() && fontconfig.nearest(font_family) == font_family;
 }
 
+Typeface installed_typeface() {
+  static const bool has_lato = is_installed("Lato");
+  return has_lato ? Typeface::lato : Typeface::dejavu_sans;
+}
+
+std::string_view font_family(Typeface typeface) {
+  return typeface == Typeface::lato ? "Lato, sans-serif" : "'DejaVu Sans', sans-serif";
+}
+
 namespace {
 
 constexpr double png_scale = 2, pt_per_px = 0.75;
@@ -72,7 +81,8 @@ struct GError {
   char* message;
 };
 using Write = int (*)(void* closure, const unsigned char* bytes, unsigned count);
-constexpr int rgb24 = 1, success = 0;  // CAIRO_FORMAT_RGB24, CAIRO_STATUS_SUCCESS
+// CAIRO_FORMAT_RGB24, CAIRO_STATUS_SUCCESS, CAIRO_PDF_METADATA_TITLE
+constexpr int rgb24 = 1, success = 0, title_entry = 0;
 
 struct Libraries {
   Handle* (*new_from_data)(const unsigned char* bytes, std::size_t count, GError**);
@@ -80,6 +90,8 @@ struct Libraries {
   Surface* (*image_surface)(int format, int width, int height);
   Surface* (*pdf_surface)(Write, void* closure, double width_pt, double height_pt);
   int (*write_png)(Surface*, Write, void* closure);
+  void (*set_metadata)(Surface*, int what, const char* text);
+  void (*show_page)(Surface*);
   void (*finish)(Surface*);
   int (*surface_status)(Surface*);
   void (*surface_destroy)(Surface*);
@@ -96,6 +108,8 @@ struct Libraries {
            find_function(cairo, "cairo_image_surface_create", image_surface) &&
            find_function(cairo, "cairo_pdf_surface_create_for_stream", pdf_surface) &&
            find_function(cairo, "cairo_surface_write_to_png_stream", write_png) &&
+           find_function(cairo, "cairo_pdf_surface_set_metadata", set_metadata) &&
+           find_function(cairo, "cairo_surface_show_page", show_page) &&
            find_function(cairo, "cairo_surface_finish", finish) &&
            find_function(cairo, "cairo_surface_status", surface_status) &&
            find_function(cairo, "cairo_surface_destroy", surface_destroy) &&
@@ -141,11 +155,16 @@ class Renderer {
     return bytes;
   }
 
-  Result<std::string> pdf(std::string_view svg, double width, double height) {
+  Result<std::string> pdf(std::span<const std::string_view> svgs, double width, double height,
+                          const std::string& title) {
     const double width_pt = pt_per_px * width, height_pt = pt_per_px * height;
     std::string bytes;
     const auto surface = owned(lib_.pdf_surface(append, &bytes, width_pt, height_pt));
-    if (const auto drawn = draw(svg, surface.get(), width_pt, height_pt); !drawn) return drawn.error();
+    if (!title.empty()) lib_.set_metadata(surface.get(), title_entry, title.c_str());
+    for (const std::string_view& svg : svgs) {
+      if (&svg != &svgs.front()) lib_.show_page(surface.get());
+      if (const auto drawn = draw(svg, surface.get(), width_pt, height_pt); !drawn) return drawn.error();
+    }
     lib_.finish(surface.get());
     if (const auto finished = done(lib_.surface_status(surface.get())); !finished) return finished.error();
     return bytes;
@@ -191,8 +210,13 @@ Result<std::string> png_of(std::string_view svg, double width, double height) {
 }
 
 Result<std::string> pdf_of(std::string_view svg, double width, double height) {
+  return pdf_of_pages({&svg, 1}, width, height, "");
+}
+
+Result<std::string> pdf_of_pages(std::span<const std::string_view> svgs, double width, double height,
+                           const std::string& title) {
   if (!libraries()) return libraries().error();
-  return Renderer(*libraries()).pdf(svg, width, height);
+  return Renderer(*libraries()).pdf(svgs, width, height, title);
 }
 
 }  // namespace cromer::core

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "cromer/report/html_text.h"
+#include "cromer/report/svg_element.h"
+#include "cromer/report/table_cells.h"
 
 namespace cromer::core {
 namespace {
@@ -13,26 +14,6 @@ namespace {
 template <class... Args>
 void add(std::string& out, fmt::format_string<Args...> text, Args&&... args) {
   fmt::format_to(std::back_inserter(out), text, std::forward<Args>(args)...);
-}
-
-bool is_text(const TableBlock& table, std::size_t column) {
-  return std::find(table.text_columns.begin(), table.text_columns.end(), static_cast<int>(column)) !=
-         table.text_columns.end();
-}
-
-const std::string& cell(const TableBlock& table, std::size_t row, std::size_t column) {
-  static const std::string empty;
-  return column < table.rows[row].size() ? table.rows[row][column] : empty;
-}
-
-// How many rows a cell spans; 0 if the cell above spans it.
-std::size_t rows_taken(const TableBlock& table, std::size_t row, std::size_t column) {
-  if (column == 0 || !is_text(table, column) || cell(table, row, column).empty()) return 1;
-  const std::string& text = cell(table, row, column);
-  if (row > 0 && cell(table, row - 1, column) == text) return 0;
-  std::size_t end = row + 1;
-  while (end < table.rows.size() && cell(table, end, column) == text) ++end;
-  return end - row;
 }
 
 std::string classes(const TableBlock& table, std::size_t column) {
@@ -119,9 +100,8 @@ class Writer {
 
   void block(const TableBlock& table) {
     ++tables_;
-    const std::string label = table.label.empty() ? fmt::format("Table {}", tables_) : table.label;
     add(out_, "<div class=\"table\">\n<p class=\"caption\" id=\"table-{}\"><strong>{}.</strong> {}</p>\n",
-        tables_, inline_html(label), inline_html(table.caption));
+        tables_, inline_html(label_of(table, tables_)), inline_html(table.caption));
     add(out_, "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"table-{}\"><table>\n",
         tables_);
     if (!table.header.empty()) {
@@ -131,8 +111,7 @@ class Writer {
       add(out_, "</tr></thead>\n");
     }
     add(out_, "<tbody>\n");
-    std::size_t columns = table.header.size();
-    for (const auto& row : table.rows) columns = std::max(columns, row.size());
+    const std::size_t columns = columns_of(table);
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       add(out_, "<tr>");
       for (std::size_t c = 0; c < columns; ++c) {
@@ -166,13 +145,9 @@ class Writer {
     if (start == std::string::npos) return "";
     std::string element = svg.substr(start);
     if (alt.empty()) return element;
-    const std::size_t tag_end = element.find('>'), label = element.find(" aria-label=\"");
-    if (label < tag_end) {
-      const std::size_t value = label + std::string_view(" aria-label=\"").size();
-      element.replace(value, element.find('"', value) - value, plain_words(alt));
-    } else {
-      element.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", plain_words(alt)));
-    }
+    const bool is_named = attribute(element, "aria-label").has_value();
+    set_attribute(element, "aria-label", plain_words(alt));
+    if (!is_named) set_attribute(element, "role", "img");
     return element;
   }
 

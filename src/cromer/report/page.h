@@ -9,7 +9,7 @@
 
 namespace cromer::core {
 
-/// Texts are Markdown-like in a small way (html_text.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
+/// Texts are Markdown-like in a small way (markup.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
 /// and superscript, blank line for a new paragraph. All else is escaped. Headings are numbered by the page.
 struct Heading {
   std::string text;
