@@ -1,5 +1,5 @@
-// The sheets of a report, their texts and boxes; and, where librsvg and poppler's pdftotext are installed, what the
-// PDF holds.
+// The sheets of a report, their texts and boxes; and, where librsvg and poppler's pdftotext are installed,
+// what the PDF holds.
 #include "cromer/report/paper.h"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,8 @@ std::string filled(std::string text, const std::string& what, const std::string&
 std::string said(const Printed& printed) {
   std::string words = std::regex_replace(printed.svg, std::regex("<[^>]*>"), "");
   words = filled(words, "\u00A0", " ");
-  for (const auto& [name, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&#39;", "'"}, {"&quot;", "\""}, {"&amp;", "&"}})
+  for (const auto& [name, sign] :
+       {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&#39;", "'"}, {"&quot;", "\""}, {"&amp;", "&"}})
     words = filled(words, name, sign);
   return words;
 }
@@ -99,7 +100,8 @@ std::vector<Sheet> sheets_of_blocks(std::vector<Block> blocks, Typeface typeface
 
 std::string picture(int width, int height) {
   return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
-         std::to_string(width) + ' ' + std::to_string(height) + "\" font-family=\"Serif\"><text x=\"9\" y=\"20\">inside</text></svg>\n";
+         std::to_string(width) + ' ' + std::to_string(height) +
+         "\" font-family=\"Serif\"><text x=\"9\" y=\"20\">inside</text></svg>\n";
 }
 
 FigureBlock figure(int number, double width, int across = 760, int high = 300) {
@@ -112,7 +114,8 @@ TableBlock table_of(std::size_t rows) {
   table.caption = "Rates.";
   table.header = {"part", "rate (1/s)", "remark"};
   for (std::size_t r = 0; r < rows; ++r)
-    table.rows.push_back({"row " + std::to_string(r), std::to_string(r) + ".5", "remark " + std::to_string(r)});
+    table.rows.push_back(
+        {"row " + std::to_string(r), std::to_string(r) + ".5", "remark " + std::to_string(r)});
   table.text_columns = {0, 2};
   table.answer_column = 1;
   return table;
@@ -128,11 +131,21 @@ Page german() {
   Page page;
   page.title = "Die *Dämpfung* <einer> Feder";
   page.byline = "Versuch zwei · größer als üblich";
-  page.summary = "Die Federkonstante ist 17.04 ± 0.02 N/m, die Steigung −0.5.\n\nDas Maß *ω*_{d}^{2} fällt um 10^{−3}.";
-  page.key_figures = {{"Frequenz", "1.408 ± 0.001 Hz", "Periode 0.71 s"}, {"Rate", "0.0098(4) 1/s", ""}, {"Re", "2500", "Luft"}};
-  page.blocks = {Heading{"Wie steif?"}, long_paragraph(4),  table_of(4),     figure(1, 0.5, 420, 300),
-                 figure(2, 0.5, 420, 385),   figure(3, 1), Code{"a = b\n  c = \"<d>\"\n", "So:"},
-                 Heading{"Wie *lange*?"}, long_paragraph(30), table_of(30)};
+  page.summary =
+      "Die Federkonstante ist 17.04 ± 0.02 N/m, die Steigung −0.5.\n\nDas Maß *ω*_{d}^{2} fällt um 10^{−3}.";
+  page.key_figures = {{"Frequenz", "1.408 ± 0.001 Hz", "Periode 0.71 s"},
+                      {"Rate", "0.0098(4) 1/s", ""},
+                      {"Re", "2500", "Luft"}};
+  page.blocks = {Heading{"Wie steif?"},
+                 long_paragraph(4),
+                 table_of(4),
+                 figure(1, 0.5, 420, 300),
+                 figure(2, 0.5, 420, 385),
+                 figure(3, 1),
+                 Code{"a = b\n  c = \"<d>\"\n", "So:"},
+                 Heading{"Wie *lange*?"},
+                 long_paragraph(30),
+                 table_of(30)};
   page.footer = "cromer 0.1.0";
   page.language = "de";
   return page;
@@ -143,10 +156,26 @@ TEST(Paper, EveryTextOfThePageOccurs) {
     const auto sheets = sheets_of(german(), typeface);
     expect_clean(sheets);
     const std::string words = all_words(sheets);
-    for (const char* text :
-         {"Die Dämpfung <einer> Feder", "größer als üblich", "17.04 ± 0.02 N/m", "−0.5.", "10−3.", "Frequenz",
-          "1.408 ± 0.001 Hz", "Periode 0.71 s", "1\u2002Wie steif?", "2\u2002Wie lange?", "Table 1. Rates.", "Table 2. Rates.",
-          "Figure 1. Caption of 1.", "Figure 3. Caption of 3.", "So:", "a = b", "  c = \"<d>\"", "cromer 0.1.0", "row 29", "remark 29"})
+    for (const char* text : {"Die Dämpfung <einer> Feder",
+                             "größer als üblich",
+                             "17.04 ± 0.02 N/m",
+                             "−0.5.",
+                             "10−3.",
+                             "Frequenz",
+                             "1.408 ± 0.001 Hz",
+                             "Periode 0.71 s",
+                             "1\u2002Wie steif?",
+                             "2\u2002Wie lange?",
+                             "Table 1. Rates.",
+                             "Table 2. Rates.",
+                             "Figure 1. Caption of 1.",
+                             "Figure 3. Caption of 3.",
+                             "So:",
+                             "a = b",
+                             "  c = \"<d>\"",
+                             "cromer 0.1.0",
+                             "row 29",
+                             "remark 29"})
       EXPECT_THAT(words, HasSubstr(text));
     EXPECT_THAT(to_svg(sheets.front(), typeface, "de"), HasSubstr("xml:lang=\"de\""));
   }
@@ -232,8 +261,9 @@ TEST(Paper, AHeadingNeverStandsAloneAtTheFoot) {
   std::set<std::size_t> sheet_of_heading;
   for (const Block& follower : followers)
     for (int filling = 38; filling < 60; ++filling) {
-      const auto sheets = sheets_of_blocks(
-          {Code{std::string(static_cast<std::size_t>(filling), '\n') + "x", ""}, Heading{"A heading"}, follower});
+      const auto sheets =
+          sheets_of_blocks({Code{std::string(static_cast<std::size_t>(filling), '\n') + "x", ""},
+                            Heading{"A heading"}, follower});
       for (std::size_t i = 0; i < sheets.size(); ++i) {
         const auto seen = texts(sheets[i]);
         for (std::size_t k = 0; k + 1 < seen.size(); ++k)
@@ -241,9 +271,9 @@ TEST(Paper, AHeadingNeverStandsAloneAtTheFoot) {
             sheet_of_heading.insert(i);
             const bool is_last = k + 2 == seen.size();
             EXPECT_TRUE(!is_last || std::holds_alternative<FigureBlock>(follower)) << filling;
-            const auto has_figure = std::any_of(sheets[i].begin(), sheets[i].end(), [](const Printed& printed) {
-              return printed.kind == Printed::Kind::figure;
-            });
+            const auto has_figure =
+                std::any_of(sheets[i].begin(), sheets[i].end(),
+                            [](const Printed& printed) { return printed.kind == Printed::Kind::figure; });
             EXPECT_EQ(has_figure, std::holds_alternative<FigureBlock>(follower)) << filling;
           }
       }
@@ -253,11 +283,12 @@ TEST(Paper, AHeadingNeverStandsAloneAtTheFoot) {
 
 TEST(Paper, NoLineOfAParagraphStandsAlone) {
   for (int filling = 40; filling < 64; ++filling) {
-    const auto sheets =
-        sheets_of_blocks({Code{std::string(static_cast<std::size_t>(filling), '\n') + "x", ""}, long_paragraph(6)});
+    const auto sheets = sheets_of_blocks(
+        {Code{std::string(static_cast<std::size_t>(filling), '\n') + "x", ""}, long_paragraph(6)});
     for (const Sheet& sheet : sheets) {
       const auto seen = lines(sheet);
-      const auto of_it = std::count_if(seen.begin(), seen.end(), [](const std::string& line) { return line.size() > 1; });
+      const auto of_it =
+          std::count_if(seen.begin(), seen.end(), [](const std::string& line) { return line.size() > 1; });
       EXPECT_NE(of_it, 1) << filling;
     }
   }
@@ -271,7 +302,8 @@ std::vector<Box> figures_on(const Sheet& sheet) {
 }
 
 TEST(Paper, FiguresKeepTheirProportionsAndHalvesStandSideBySide) {
-  const auto sheets = sheets_of_blocks({figure(1, 0.5, 420, 300), figure(2, 0.5, 420, 385), figure(3, 1), figure(4, 0.5, 420, 300)});
+  const auto sheets = sheets_of_blocks(
+      {figure(1, 0.5, 420, 300), figure(2, 0.5, 420, 385), figure(3, 1), figure(4, 0.5, 420, 300)});
   const auto boxes = figures_on(sheets[0]);
   ASSERT_EQ(boxes.size(), 4u);
   EXPECT_EQ(boxes[0].y, boxes[1].y);
@@ -315,10 +347,13 @@ TEST(Paper, OurFiguresHaveNoIdsThatCouldCollide) {
 TEST(Paper, ScriptsStandAboveAndBelowTheLine) {
   const auto sheets = sheets_of_blocks({Paragraph{"x_{0} y^{2} *ω*_{d}^{22} end"}});
   const std::string svg = texts(sheets[0])[0].svg;
-  EXPECT_THAT(svg, HasSubstr("<tspan font-size=\"10.08\" dy=\"2.52\">0</tspan><tspan dy=\"-2.52\"> y</tspan>"));
+  EXPECT_THAT(svg,
+              HasSubstr("<tspan font-size=\"10.08\" dy=\"2.52\">0</tspan><tspan dy=\"-2.52\"> y</tspan>"));
   EXPECT_THAT(svg, HasSubstr("<tspan font-size=\"10.08\" dy=\"-5.04\">2</tspan>"));
   // The narrower first; the wider begins where that began.
-  EXPECT_TRUE(std::regex_search(svg, std::regex("dy=\"3.64\">d</tspan><tspan[^>]* dx=\"-[0-9.]+\">22</tspan>"))) << svg;
+  EXPECT_TRUE(
+      std::regex_search(svg, std::regex("dy=\"3.64\">d</tspan><tspan[^>]* dx=\"-[0-9.]+\">22</tspan>")))
+      << svg;
 }
 
 TEST(Paper, ALongWordIsBroken) {
@@ -337,11 +372,13 @@ struct PdfWord {
 class PaperPdf : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("pdftotext -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
+    if (std::system("pdftotext -v >/dev/null 2>&1") != 0)
+      GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
   }
 
   static std::string output_of(const std::string& pdf, const std::string& options) {
-    const std::string path = testing::TempDir() + "paper_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    const std::string path =
+        testing::TempDir() + "paper_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     EXPECT_TRUE(write_file(path + ".pdf", pdf).ok());
     EXPECT_EQ(std::system(("pdftotext " + options + ' ' + path + ".pdf " + path + ".out").c_str()), 0);
     const auto text = read_file(path + ".out");
@@ -354,12 +391,14 @@ class PaperPdf : public testing::Test {
     std::vector<PdfWord> words;
     std::istringstream boxes(output_of(pdf, "-bbox"));
     std::size_t sheet = 0;
-    const std::regex word("<word xMin=\"([0-9.]+)\" yMin=\"([0-9.]+)\" xMax=\"([0-9.]+)\" yMax=\"([0-9.]+)\">(.*)</word>");
+    const std::regex word(
+        "<word xMin=\"([0-9.]+)\" yMin=\"([0-9.]+)\" xMax=\"([0-9.]+)\" yMax=\"([0-9.]+)\">(.*)</word>");
     for (std::string line; std::getline(boxes, line);) {
       std::smatch found;
       if (line.find("<page ") != std::string::npos) ++sheet;
       if (std::regex_search(line, found, word))
-        words.push_back({sheet, std::stod(found[1]), std::stod(found[2]), std::stod(found[3]), std::stod(found[4]), found[5]});
+        words.push_back({sheet, std::stod(found[1]), std::stod(found[2]), std::stod(found[3]),
+                         std::stod(found[4]), found[5]});
     }
     return words;
   }
@@ -371,7 +410,8 @@ TEST_F(PaperPdf, HoldsTheWordsBetweenTheMargins) {
   ASSERT_TRUE(pdf.ok()) << in_words(pdf.error());
   const std::string text = output_of(*pdf, "-raw");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\f'), 3);
-  for (const char* words : {"Die Dämpfung <einer> Feder", "größer als üblich", "−0.5", "Wie lange?", "remark 29"})
+  for (const char* words :
+       {"Die Dämpfung <einer> Feder", "größer als üblich", "−0.5", "Wie lange?", "remark 29"})
     EXPECT_THAT(text, HasSubstr(words));
   const auto words = words_in(*pdf);
   EXPECT_GT(words.size(), 300u);

@@ -214,7 +214,7 @@ Result<std::string> pdf_of(std::string_view svg, double width, double height) {
 }
 
 Result<std::string> pdf_of_pages(std::span<const std::string_view> svgs, double width, double height,
-                           const std::string& title) {
+                                 const std::string& title) {
   if (!libraries()) return libraries().error();
   return Renderer(*libraries()).pdf(svgs, width, height, title);
 }

@@ -91,8 +91,8 @@ class MarkupReader {
     const std::string_view mark = bold ? "**" : "*";
     const std::size_t from = i_ + mark.size(), end = closing(text_, from, mark);
     if (end == std::string_view::npos) return false;
-    pieces_.push_back({bold ? Piece::Kind::bold : Piece::Kind::italic, "",
-                       pieces_of(text_.substr(from, end - from))});
+    pieces_.push_back(
+        {bold ? Piece::Kind::bold : Piece::Kind::italic, "", pieces_of(text_.substr(from, end - from))});
     i_ = end + mark.size();
     return true;
   }

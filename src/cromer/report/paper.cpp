@@ -9,8 +9,8 @@
 
 #include "cromer/report/html_text.h"
 #include "cromer/report/librsvg.h"
-#include "cromer/report/paper_table.h"
 #include "cromer/report/palette.h"
+#include "cromer/report/paper_table.h"
 #include "cromer/report/svg_element.h"
 #include "cromer/report/table_cells.h"
 
@@ -18,7 +18,8 @@ namespace cromer::core {
 namespace {
 
 // [px]
-constexpr double column_width = sheet_width - 2 * side_margin, column_height = sheet_height - 2 * upper_margin;
+constexpr double column_width = sheet_width - 2 * side_margin,
+                 column_height = sheet_height - 2 * upper_margin;
 constexpr double half_gap = 20, key_padding = 14, code_padding = 12;
 constexpr double least_figure = column_height / 3;  // left to a figure whose caption is long
 constexpr double short_table = column_height / 3;   // such a table stands on one sheet
@@ -105,10 +106,10 @@ class Strips {
       const double room = width - 1.5 * key_padding;
       TextStyle value = style_.key_value;  // smaller where one would be broken
       for (std::size_t i = from; i < end; ++i) {
-        const double longest = PaperText(pieces_of(figures[i].value), style_.key_value).longest_word();
+        const double longest = PaperText(pieces_of(figures[i].value), style_.key_value).width();
         value.size = std::min(value.size, std::max(style_.key.size, style_.key_value.size * room / longest));
       }
-      const auto texts = [&](std::string KeyFigure::* part, const TextStyle& style) {
+      const auto texts = [&](std::string KeyFigure::*part, const TextStyle& style) {
         std::vector<TextColumn> columns;
         for (std::size_t i = from; i < end; ++i) {
           const double left = i == from ? 0 : key_padding;
@@ -135,12 +136,11 @@ class Strips {
     strips.back().height += padding;
     for (Strip& strip : strips)
       for (std::size_t i = 1; i < count; ++i)
-        strip.printed.push_back({Printed::Kind::ground,
-                                 {width * static_cast<double>(i), 0, 1, strip.height},
-                                 fmt::format("<rect width=\"1\" height=\"{:.2f}\" fill=\"{}\"/>", strip.height,
-                                             key_line)});
-    strips.front().printed.push_back(
-        print_rule(0, 0, column_width, is_first ? light_surface.ink : key_line));
+        strip.printed.push_back(
+            {Printed::Kind::ground,
+             {width * static_cast<double>(i), 0, 1, strip.height},
+             fmt::format("<rect width=\"1\" height=\"{:.2f}\" fill=\"{}\"/>", strip.height, key_line)});
+    strips.front().printed.push_back(print_rule(0, 0, column_width, is_first ? light_surface.ink : key_line));
     strips.back().printed.push_back(print_rule(0, strips.back().height - 1, column_width, key_line));
   }
 
@@ -173,7 +173,8 @@ class Strips {
   static void ground_code(std::vector<Strip>& strips) {
     for (std::size_t i = 0; i < strips.size(); ++i) {
       Strip& strip = strips[i];
-      const double above = i == 0 ? code_padding * 0.7 : 0, below = i + 1 == strips.size() ? code_padding * 0.7 : 0;
+      const double above = i == 0 ? code_padding * 0.7 : 0,
+                   below = i + 1 == strips.size() ? code_padding * 0.7 : 0;
       for (Printed& printed : strip.printed) printed.box.y += above;
       strip.height += above + below;
       strip.space = i == 0 ? 8 : 0;
@@ -303,8 +304,8 @@ std::string to_svg(const Sheet& sheet, Typeface typeface, std::string_view langu
       "width=\"{:.3f}\" height=\"{:.3f}\" font-family=\"{}\">\n",
       escaped(language), sheet_width, sheet_height, sheet_width, sheet_height, font_family(typeface));
   for (const Printed& printed : sheet)
-    fmt::format_to(std::back_inserter(out), "<g transform=\"translate({:.2f} {:.2f})\">{}</g>\n", printed.box.x,
-                   printed.box.y, printed.svg);
+    fmt::format_to(std::back_inserter(out), "<g transform=\"translate({:.2f} {:.2f})\">{}</g>\n",
+                   printed.box.x, printed.box.y, printed.svg);
   return well_formed(out + "</svg>\n");
 }
 

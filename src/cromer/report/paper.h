@@ -17,8 +17,8 @@ inline constexpr double side_margin = 20 * 96 / 25.4, upper_margin = 18 * 96 / 2
 /// From the sheet's upper left corner.
 using Sheet = std::vector<Printed>;
 
-/// The page on sheets. No heading stands alone at the foot of a sheet; a table goes on over several sheets and
-/// repeats its header; a figure is never cut and keeps its proportions.
+/// The page on sheets. No heading stands alone at the foot of a sheet; a table goes on over several sheets
+/// and repeats its header; a figure is never cut and keeps its proportions.
 std::vector<Sheet> sheets_of(const Page& page, Typeface typeface);
 
 std::string to_svg(const Sheet& sheet, Typeface typeface, std::string_view language);

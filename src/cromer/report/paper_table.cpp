@@ -89,19 +89,20 @@ class PaperTable {
         need.most = std::max(need.most, text.width());
         if (!is_text(table_, c)) need.unbroken_numbers = std::max(need.unbroken_numbers, text.width());
       }
-      if (is_text(table_, c)) need.unbroken_numbers = std::max(need.least, std::min(need.most, narrowest_words));
+      if (is_text(table_, c))
+        need.unbroken_numbers = std::max(need.least, std::min(need.most, narrowest_words));
     }
   }
 
   double room() const { return width_ - column_gap * static_cast<double>(columns_ - 1); }
 
-  double sum(double ColumnNeed::* need) const {
+  double sum(double ColumnNeed::*need) const {
     return std::accumulate(needs_.begin(), needs_.end(), 0.0,
                            [need](double all, const ColumnNeed& column) { return all + column.*need; });
   }
 
   /// What is left over is shared in proportion to what each column would still take.
-  void share(double ColumnNeed::* have, double ColumnNeed::* want) {
+  void share(double ColumnNeed::*have, double ColumnNeed::*want) {
     const double left = room() - sum(have), wanted = sum(want) - sum(have);
     for (std::size_t c = 0; c < columns_; ++c) {
       const double more = needs_[c].*want - needs_[c].*have;
@@ -138,8 +139,8 @@ class PaperTable {
       for (const PaperRow::Cell& cell : whole.cells) {
         const std::size_t first = std::min(from, cell.lines.size());
         const std::size_t end = std::min(from + most, cell.lines.size());
-        part.cells.push_back({{cell.lines.begin() + first, cell.lines.begin() + end},
-                              cell.continued && from == 0});
+        part.cells.push_back(
+            {{cell.lines.begin() + first, cell.lines.begin() + end}, cell.continued && from == 0});
       }
       part.ends = from + most >= longest;
       rows_.push_back(std::move(part));
@@ -213,8 +214,8 @@ class PaperTable {
     return strip;
   }
 
-  void print_cell(Strip& strip, const std::vector<PaperLine>& lines, const TextStyle& style, std::size_t column,
-                  double top, double bottom) const {
+  void print_cell(Strip& strip, const std::vector<PaperLine>& lines, const TextStyle& style,
+                  std::size_t column, double top, double bottom) const {
     double y = (top + bottom - style.line_height * static_cast<double>(lines.size())) / 2;
     for (const PaperLine& line : lines) {
       strip.printed.push_back(print_line(line, style, align_of(column), lefts_[column], y, widths_[column]));

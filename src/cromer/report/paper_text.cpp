@@ -141,8 +141,8 @@ double PaperText::measured(const PaperRun& run) const {
              static_cast<double>(std::count_if(run.text.text.begin(), run.text.text.end(),
                                                [](char c) { return !is_inside_character(c); }));
   else
-    width += text_width(figure_text(run.text.text), run.text.size, style_.bold || run.text.bold,
-                        style_.typeface);
+    width +=
+        text_width(figure_text(run.text.text), run.text.size, style_.bold || run.text.bold, style_.typeface);
   return width * style_.size;
 }
 

@@ -38,7 +38,8 @@ std::vector<Strip> text_strips(const std::vector<TextColumn>& columns, const Tex
 std::vector<Piece> captioned(const std::string& label, const std::string& caption) {
   std::vector<Piece> pieces = pieces_of(caption);
   if (label.empty()) return pieces;
-  pieces.insert(pieces.begin(), {{Piece::Kind::bold, "", pieces_of(label + ".")}, {Piece::Kind::words, " ", {}}});
+  pieces.insert(pieces.begin(),
+                {{Piece::Kind::bold, "", pieces_of(label + ".")}, {Piece::Kind::words, " ", {}}});
   return pieces;
 }
 

@@ -1,7 +1,5 @@
 #include "cromer/study/write_report.h"
 
-#include <chrono>
-#include "cromer/report/paper.h"
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -320,15 +318,6 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
     return done.error();
   written.index = folder + "/index.html";
   if (const auto done = write_file(written.index, to_html(*page)); !done) return done.error();
-  {
-    auto t0 = std::chrono::steady_clock::now();
-    auto pdf = to_pdf(*page);
-    fprintf(stderr, "to_pdf %.3f s, %zu bytes\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count(), pdf ? pdf->size() : 0);
-    if (pdf) (void)write_file(folder + "/report.pdf", *pdf);
-    t0 = std::chrono::steady_clock::now();
-    auto sheets = sheets_of(*page, Typeface::lato);
-    fprintf(stderr, "sheets %.3f s, %zu\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count(), sheets.size());
-  }
   return written;
 }
 
