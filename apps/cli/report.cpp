@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "commands.h"
@@ -54,6 +55,18 @@ std::vector<Option> front_options_of(ReportOptions& o) {
       {"front", &o.front, "", Range::any, "a TOML file with title, author, course, text and language", "none",
        group},
   };
+}
+
+/// Options of fit for what a report has no place for.
+bool is_of_terminal(const Option& option) {
+  constexpr std::string_view names[] = {"goal", "textbook", "monte-carlo", "seed", "hold-out"};
+  return std::find(std::begin(names), std::end(names), option.name) != std::end(names);
+}
+
+std::vector<Option> fit_options_of(FitOptions& fit) {
+  std::vector<Option> options = options_of(fit);
+  std::erase_if(options, is_of_terminal);
+  return options;
 }
 
 /// What the options say of the page, over what the --front file says.
@@ -117,7 +130,8 @@ int finish(Result<WrittenReport> report, const OutputOptions& output,
   const bool good = report->failure.empty();
   if (notices) report->notices = *std::move(notices);
   if (output.json && !print(to_json(*report))) return output_refused();
-  if (!output.json && good && !print(report->index + "\n")) return output_refused();
+  if (!output.json && good && !print((report->pdf.empty() ? report->index : report->pdf) + "\n"))
+    return output_refused();
   if (!good) complain(in_words(report->failure));
   for (const std::string& each : failures) complain(each);
   if (!output.quiet)
@@ -138,19 +152,22 @@ int run_report(const Arguments& arguments) {
           "laws, what two Euler methods make of them, and the study file it was made by, to be edited), "
           "or of a study (a TOML file of tasks, figures and text).",
       .files = "FILE|FOLDER|STUDY.toml...",
-      .options = options_of(options.fit),
+      .options = fit_options_of(options.fit),
       .example =
           "  cromer report lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" -o report\n"
+          "  cromer report lab.csv --author \"A. Student\" -o lab.pdf\n"
           "  cromer report studies/spring_lab.toml -o out/spring_lab"};
   const auto of_front = front_options_of(options);
   syntax.options.insert(syntax.options.end(), of_front.begin(), of_front.end());
-  syntax.options.push_back({"output", &options.folder, "", Range::any,
-                            "the folder to write to; it is made if it is missing", "required", "Output"});
+  syntax.options.push_back(
+      {"output", &options.folder, "", Range::any,
+       "the folder to write to, made if it is missing; or FILE.pdf: that, and the folder FILE", "required",
+       "Output"});
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
   std::vector<TypedOption> given;
   if (const auto status = parse(syntax, arguments, files, &given)) return *status;
-  const auto in_fit = options_of(options.fit);
+  const auto in_fit = fit_options_of(options.fit);
   const auto is_of_fit = [&](const TypedOption& typed) {
     return std::any_of(in_fit.begin(), in_fit.end(),
                        [&](const Option& each) { return each.name == typed.first; });
@@ -167,6 +184,14 @@ int run_report(const Arguments& arguments) {
   if (!options.language.empty() && options.language != "en" && options.language != "de")
     return refuse(fmt::format("--language {}: it must be en or de", options.language));
   if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
+  std::string pdf;
+  if (options.folder.ends_with(".pdf")) {
+    pdf = options.folder;
+    options.folder.erase(pdf.size() - 4);
+    if (options.folder.empty() || options.folder.ends_with('/'))
+      return refuse("-o " + pdf + ": the file needs a name");
+    if (const auto good = check_writable(pdf); !good) return refuse(good.error());
+  }
 
   Watch watch = watching(output.quiet);
   std::vector<std::string> failures;
@@ -200,7 +225,7 @@ int run_report(const Arguments& arguments) {
   watch.progress = {};
   const auto progress = progress_line(output.quiet);
   const auto report = write_report(study, options.folder, today(), "cromer " CROMER_VERSION, watch, progress,
-                                   known_results(recordings));
+                                   known_results(recordings), pdf);
   if (progress) std::fputs("\r\033[K", stderr);
   return finish(report, output, failures, std::move(notices));
 }

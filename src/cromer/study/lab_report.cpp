@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -30,9 +31,11 @@ Scale energy_scale(double largest) {
 /// One recording's part of the study.
 class Part : public LabTold {
  public:
-  Part(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front,
-       StudyWriter& toml)
-      : LabTold(recording, std::move(id), alone, front), methods_(id_ + "_methods"), toml_(toml) {}
+  Part(const ReportedRecording& recording, std::string id, bool alone, bool whole_names,
+       const ReportFront& front, StudyWriter& toml)
+      : LabTold(recording, std::move(id), alone, whole_names, front),
+        methods_(id_ + "_methods"),
+        toml_(toml) {}
 
   void write(const std::vector<TypedOption>& options) {
     if (fitted_.wrong_input) return refused();
@@ -66,8 +69,13 @@ class Part : public LabTold {
       notice.values = std::move(values);
       lines.push_back(say(notice));
     };
-    add(fitted_.driven ? "report_driven_at" : "report_swings_at",
-        {{"file", verbatim(title())}, {"frequency", in_braces("frequency")}});
+    const bool depends = !fitted_.driven && named(fitted_.derived, "at_amplitude");
+    add(fitted_.driven ? "report_driven_at"
+        : depends      ? "report_swings_at_amplitude"
+                       : "report_swings_at",
+        {{"file", verbatim(title())},
+         {"frequency", in_braces("frequency")},
+         {"amplitude", in_braces(shown().empty() ? "at_amplitude, 3" : "at_amplitude, " + shown() + ", 3")}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
@@ -152,7 +160,9 @@ class Part : public LabTold {
         known ? shown() : readable_unit(si_unit_of(fitted_.series.quantity), (high - low) / 2);
     FigureLines figure{.id = id,
                        .title = words("report_record_title", {{"file", verbatim(title())}}),
-                       .caption = words(known ? "report_record_with_level" : "report_record",
+                       .caption = words(!known      ? "report_record"
+                                        : is_zero() ? "report_record_with_zero"
+                                                    : "report_record_with_level",
                                         {{"used", in_braces("used, bare")}, {"level", level(unit)}}),
                        .size = "wide",
                        .x = "t",
@@ -163,13 +173,17 @@ class Part : public LabTold {
     figure.curves.push_back(
         {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
     if (known)
-      figure.curves.push_back({.of = id_, .role = "fitted", .name = words("report_level"), .y = "mean"});
+      figure.curves.push_back({.of = id_,
+                               .role = "fitted",
+                               .name = words(is_zero() ? "report_zero" : "report_level"),
+                               .y = "mean"});
     toml_.figure(figure);
   }
 
   void failed() {
-    paragraph(
-        words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    if (!alone_)
+      paragraph(
+          words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
     not_told();
   }
 
@@ -202,7 +216,7 @@ class Part : public LabTold {
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
         if (std::find(listed.begin(), listed.end(), each.name) != listed.end() ||
-            each.name == "at_amplitude" || (is_one_rate() && each.name.starts_with("decay_rate_")))
+            (is_one_rate() && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
         rows += row_of(each);
@@ -334,6 +348,7 @@ class Part : public LabTold {
     std::string text =
         words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
               {{"stiffness", in_braces("stiffness")},
+               {"w", in_braces("angular_frequency")},
                {"mass", in_braces("mass, g")},
                {"interval", interval("stiffness", k)}});
     double most = 0;
@@ -454,7 +469,9 @@ class Part : public LabTold {
     const std::string& x_shown = length ? x_unit : units_.displacement;
     const std::string& v_shown = length ? v_unit : units_.velocity;
     const std::string position = with_unit(displacement(), x_shown),
-                      velocity = with_unit(words("report_velocity"), v_shown);
+                      velocity = with_unit(
+                          words(units_.displacement == "rad" ? "report_angular_velocity" : "report_velocity"),
+                          v_shown);
     const std::string ids[] = {figure_id("position"), figure_id("velocity"), figure_id("portrait"),
                                figure_id("energy"), figure_id("phase")};
 
@@ -582,9 +599,15 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   StudyWriter toml, page;
   const Voice voice{front.language};
   const bool alone = recordings.size() == 1;
+  std::set<std::string> names, files;
+  for (const ReportedRecording& each : recordings) {
+    files.insert(each.fitted.file);
+    names.insert(std::filesystem::path(each.fitted.file).filename().string());
+  }
+  const bool whole_names = names.size() < files.size();
   std::vector<Part> parts;
   for (std::size_t i = 0; i < recordings.size(); ++i)
-    parts.emplace_back(recordings[i], task_of(i, recordings.size()), alone, front, page);
+    parts.emplace_back(recordings[i], task_of(i, recordings.size()), alone, whole_names, front, page);
 
   toml.text("title",
             !front.title.empty() ? verbatim(front.title)

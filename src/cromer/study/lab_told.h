@@ -46,12 +46,15 @@ inline const Parameter* named(const std::vector<Parameter>& list, std::string_vi
 /// the name `id` of its task: "{lab.stiffness}".
 class LabTold {
  public:
-  LabTold(const ReportedRecording& recording, std::string id, bool alone, const ReportFront& front)
+  /// `whole_names`: with their folders, because files of several folders are called alike.
+  LabTold(const ReportedRecording& recording, std::string id, bool alone, bool whole_names,
+          const ReportFront& front)
       : fitted_(recording.fitted),
         compared_(recording.compared ? &*recording.compared : nullptr),
         path_(recording.path),
         id_(std::move(id)),
         alone_(alone),
+        whole_names_(whole_names),
         front_(front),
         units_(motion_units(fitted_)) {
     if (!fitted_.fit.has_values()) return;
@@ -63,7 +66,8 @@ class LabTold {
   }
 
   std::string title() const {
-    const std::string name = std::filesystem::path(fitted_.file).filename().string();
+    const std::string name =
+        whole_names_ ? fitted_.file : std::filesystem::path(fitted_.file).filename().string();
     return fitted_.one_of_several
                ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}})
                : name;
@@ -148,13 +152,16 @@ class LabTold {
     const std::string& known = fitted_.series.quantity;
     if (known == "position") return words("report_position");
     if (known == "angle") return words("report_angle");
-    if (known == "velocity" || known == "angular velocity") return words("report_velocity");
+    if (known == "velocity") return words("report_velocity");
+    if (known == "angular velocity") return words("report_angular_velocity");
     if (known == "acceleration" || known == "angular acceleration") return words("report_acceleration");
     return known.empty() ? words("report_value") : known;
   }
 
   std::string time_axis() const { return words("report_time"); }
 
+  /// Of a velocity or an acceleration the level is the sensor's own zero, no position.
+  bool is_zero() const { return !of_position(); }
   std::string level(std::string_view unit) const {
     return in_braces(unit.empty() ? std::string("equilibrium, 4") : fmt::format("equilibrium, {}, 4", unit));
   }
@@ -232,6 +239,7 @@ class LabTold {
                              : each.name == "decay_rate_start" ? words("report_rate_at_start")
                              : each.name == "decay_rate_end"   ? words("report_rate_at_end")
                              : each.name == "reynolds_max"     ? words("report_reynolds_max")
+                             : each.name == "at_amplitude"     ? words("report_at_amplitude")
                              : each.name == "position"         ? words("report_position_at_start")
                              : each.name == "velocity"         ? words("report_velocity_at_start")
                                                                : name_of(each.name);
@@ -256,7 +264,7 @@ class LabTold {
   const CompareResult* compared_;
   const std::string& path_;
   std::string id_;
-  bool alone_;
+  bool alone_, whole_names_;
   const ReportFront& front_;
   MotionUnits units_;
   double spread_ = 0, period_ = 0, duration_ = 0;

@@ -7,6 +7,7 @@
 #include "cromer/documents/json/json.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/file.h"
+#include "cromer/report/paper.h"
 
 namespace cromer::core {
 namespace {
@@ -291,7 +292,8 @@ Result<void> make_folder(const std::string& folder) {
 
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
                                    const std::string& date, const std::string& program, const Watch& watch,
-                                   const StudyProgress& progress, const KnownResults& known) {
+                                   const StudyProgress& progress, const KnownResults& known,
+                                   const std::string& pdf) {
   const auto bytes = read_file(study_path);
   if (!bytes) return bytes.error();
   auto study = read_study(*bytes, study_path);
@@ -310,6 +312,12 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   const auto page = make_page(*study, run->results, *figures, versions(program));
   if (!page) return page.error();
 
+  if (!pdf.empty()) {
+    const auto bytes_of_pdf = to_pdf(*page);
+    if (!bytes_of_pdf) return bytes_of_pdf.error();
+    if (const auto done = write_file(pdf, *bytes_of_pdf); !done) return done.error();
+    written.pdf = pdf;
+  }
   for (const auto& [id, figure] : *figures) {
     written.figures.push_back(folder + "/" + id + ".svg");
     if (const auto done = write_file(written.figures.back(), figure.svg); !done) return done.error();
@@ -324,6 +332,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
 std::string to_json(const WrittenReport& report) {
   Json document = {{"index", report.index.empty() ? Json(nullptr) : Json(report.index)},
                    {"figures", report.figures}};
+  if (!report.pdf.empty()) document["pdf"] = report.pdf;
   add_notices(document, report.notices, {});
   document["shown"] = in_words(report.shown);
   if (!report.failure.empty()) document["message"] = in_words(report.failure);

@@ -39,6 +39,7 @@ struct WrittenReport {
   std::vector<Notice> shown;  ///< notices that the study is meant to show
   Notice failure;  ///< the task that did not succeed, where it is in the study, and why; then nothing was
                    ///< written
+  std::string pdf{};                 ///< path of the whole page as PDF, if it was asked for
 };
 
 /// Makes the folder of a report if it is missing; an Error where nothing can be written to it.
@@ -46,11 +47,11 @@ Result<void> make_folder(const std::string& folder);
 
 /// Reads the study, runs it and draws its figures; only then it writes, each file whole or not at all. `date`
 /// ("21 November 2026") and `program` ("cromer 0.1.0") stand under the title; the foot names the compiler as
-/// well.
+/// well. `pdf`: a file for the whole page.
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
                                    const std::string& date, const std::string& program,
                                    const Watch& watch = {}, const StudyProgress& progress = {},
-                                   const KnownResults& known = {});
+                                   const KnownResults& known = {}, const std::string& pdf = "");
 
 /// {"index", "figures": [paths], "warnings", "notices", "shown"}, with "message" if a task failed.
 std::string to_json(const WrittenReport& report);

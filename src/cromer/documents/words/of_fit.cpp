@@ -6,6 +6,25 @@ namespace {
 using enum Use;
 
 constexpr Entry entries[] = {
+    // What follows from a law, by its names.
+    {"stiffness", clause, "spring constant", "Federkonstante"},
+    {"drag_constant", clause, "drag constant", "Konstante des Luftwiderstands"},
+    {"friction_force", clause, "friction", "trockene Reibung"},
+    {"cubic_stiffness", clause, "cubic stiffness", "kubische Steifigkeit"},
+    {"quadratic_stiffness", clause, "quadratic stiffness", "quadratische Steifigkeit"},
+    {"odd_quadratic_stiffness", clause, "odd quadratic stiffness", "Steifigkeit von x|x|"},
+    {"quintic_stiffness", clause, "quintic stiffness", "Steifigkeit fünften Grades"},
+    {"van_der_pol_constant", clause, "van der Pol constant", "Van-der-Pol-Dämpfung"},
+    {"hysteresis_force_stiffness", clause, "hysteresis stiffness", "hysteretische Federkonstante"},
+    {"frequency", clause, "frequency", "Frequenz"},
+    {"period", clause, "period", "Periode"},
+    {"damping_ratio", clause, "damping ratio", "Dämpfungsgrad"},
+    {"quality_factor", clause, "quality factor", "Güte"},
+    {"logarithmic_decrement", clause, "logarithmic decrement", "logarithmisches Dekrement"},
+    {"drag_coefficient", clause, "drag coefficient", "Widerstandsbeiwert"},
+    {"mass", clause, "mass", "Masse"},
+    {"spring_mass", clause, "mass of the spring", "Masse der Feder"},
+
     // What the options ask of each other
     {"spring_mass_alone", error, "{--spring-mass} needs {--mass} as well",
      "{--spring-mass} braucht auch {--mass}"},
@@ -556,6 +575,9 @@ constexpr Entry entries[] = {
      "es schwingt noch, wo die gemessene Bewegung abgeklungen ist"},
     {"end_is_right", clause, "the amplitude at the end is right to 0.05\u00a0%",
      "die Amplitude am Ende stimmt auf 0,05\u00a0%"},
+    {"end_is_right_within_noise", clause,
+     "the amplitude at the end is right within what the noise lets see, {noise:n}\u00a0%",
+     "die Amplitude am Ende stimmt, soweit das Rauschen es sehen lässt, auf {noise:n}\u00a0%"},
     {"end_too_large", clause, "the amplitude at the end is {off:n}\u00a0% too large",
      "die Amplitude am Ende ist um {off:n}\u00a0% zu groß"},
     {"end_too_small", clause, "the amplitude at the end is {off:n}\u00a0% too small",

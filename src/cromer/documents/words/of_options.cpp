@@ -6,6 +6,15 @@ namespace {
 using enum Use;
 
 constexpr Entry entries[] = {
+    {"options_need_recognise", error,
+     "options of the law, of columns and of reading a file are about a run: name its file with {--recognise}",
+     "Optionen zum Gesetz, zu Spalten und zum Lesen einer Datei gelten einem Lauf: bitte seine Datei mit "
+     "{--recognise} nennen"},
+    {"unknown_choice", error, "{option:option}: \"{typed}\" is not known; it takes {words:or}{near}",
+     "{option:option}: „{typed}“ ist unbekannt; erwartet wird {words:or}{near}"},
+    {"perhaps_choice", clause, " (did you mean {near}?)", " (ist {near} gemeint?)"},
+    {"motions_failed", clause, "{failed} of {all} motions did not succeed",
+     "{failed} von {all} Bewegungen sind nicht gelungen"},
     // Any option
     {"option_is_wrong", error, "{option:option}: {what}", "{option:option}: {what}"},
     {"value_is_empty", clause, "the value is empty", "der Wert fehlt"},

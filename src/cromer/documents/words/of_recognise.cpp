@@ -7,10 +7,6 @@ using enum Use;
 
 constexpr Entry entries[] = {
     // What is wrong with the options, or with the file.
-    {"options_need_recognise", error,
-     "options of the law, of columns and of reading a file are about a run: name its file with {--recognise}",
-     "Optionen zum Gesetz, zu Spalten und zum Lesen einer Datei gelten einem Lauf: bitte seine Datei mit "
-     "{--recognise} nennen"},
     {"law_without_spring", error,
      "the law has no spring: give {--stiffness} or {--natural-frequency} as well (or nothing of the law: "
      "then "

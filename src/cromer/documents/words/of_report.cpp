@@ -6,25 +6,6 @@ namespace {
 using enum Use;
 
 constexpr Entry entries[] = {
-    // What follows from a law, by its names.
-    {"stiffness", clause, "spring constant", "Federkonstante"},
-    {"drag_constant", clause, "drag constant", "Konstante des Luftwiderstands"},
-    {"friction_force", clause, "friction", "trockene Reibung"},
-    {"cubic_stiffness", clause, "cubic stiffness", "kubische Steifigkeit"},
-    {"quadratic_stiffness", clause, "quadratic stiffness", "quadratische Steifigkeit"},
-    {"odd_quadratic_stiffness", clause, "odd quadratic stiffness", "Steifigkeit von x|x|"},
-    {"quintic_stiffness", clause, "quintic stiffness", "Steifigkeit fünften Grades"},
-    {"van_der_pol_constant", clause, "van der Pol constant", "Van-der-Pol-Dämpfung"},
-    {"hysteresis_force_stiffness", clause, "hysteresis stiffness", "hysteretische Federkonstante"},
-    {"frequency", clause, "frequency", "Frequenz"},
-    {"period", clause, "period", "Periode"},
-    {"damping_ratio", clause, "damping ratio", "Dämpfungsgrad"},
-    {"quality_factor", clause, "quality factor", "Güte"},
-    {"logarithmic_decrement", clause, "logarithmic decrement", "logarithmisches Dekrement"},
-    {"drag_coefficient", clause, "drag coefficient", "Widerstandsbeiwert"},
-    {"mass", clause, "mass", "Masse"},
-    {"spring_mass", clause, "mass of the spring", "Masse der Feder"},
-
     // The report of one's own recordings: its head.
     {"report_file_head", clause, "# To make the report again: cromer report study.toml -o report",
      "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht"},
@@ -33,9 +14,20 @@ constexpr Entry entries[] = {
      "Die Bewegungsgesetze von {count} Aufnahmen"},
     {"report_run_of", clause, "{file}, run {run}", "{file}, Lauf {run}"},
     {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
-     "{file}: kein Bewegungsgesetz wird angegeben. Der Grund: {why}."},
+     "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
+    {"report_swings_at_amplitude", clause,
+     "{file}: a free swing at {frequency}, at an amplitude of {amplitude}.",
+     "{file}: eine freie Schwingung mit {frequency} bei einer Amplitude von {amplitude}."},
+    {"report_at_amplitude", clause,
+     "amplitude that frequency, period, damping ratio, quality factor and decrement hold at",
+     "Amplitude, bei der Frequenz, Periode, Dämpfungsgrad, Güte und Dekrement gelten"},
+    {"report_zero", clause, "zero of the sensor", "Nullpunkt des Sensors"},
+    {"report_record_with_zero", clause,
+     "The recording, {used} samples, and the sensor's zero by the law, {level}.",
+     "Die Aufnahme, {used} Messwerte, und der Nullpunkt des Sensors nach dem Gesetz, {level}."},
+    {"report_angular_velocity", clause, "angular velocity", "Winkelgeschwindigkeit"},
     {"report_driven_at", clause,
      "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
      "{file}: die angetriebene Bewegung eines Schwingers mit der eigenen Frequenz {frequency}."},
@@ -69,7 +61,7 @@ constexpr Entry entries[] = {
     {"report_measured", clause, "What was measured", "Was gemessen wurde"},
     {"report_samples", clause, "{file}: {used} samples in {duration}{rate}.{aside}",
      "{file}: {used} Messwerte in {duration}{rate}.{aside}"},
-    {"report_rate", clause, ", {rate} a second", ", {rate} in der Sekunde"},
+    {"report_rate", clause, ", {rate} a second", ", {rate} pro Sekunde"},
     {"report_gaps", clause, " Samples are missing at {gaps:place|places}.",
      " An {gaps:Stelle|Stellen} fehlen Messwerte."},
     {"report_outliers", clause,
@@ -123,7 +115,7 @@ constexpr Entry entries[] = {
      "Aufnahmen, falls das Gesetz stimmt."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
-    {"report_viscous_part", clause, "viscous part of the decay rate", "zäher Teil der Abklingrate"},
+    {"report_viscous_part", clause, "viscous part of the decay rate", "viskoser Anteil der Abklingrate"},
     {"report_swings_title", clause, "The first swings, measured and by the law",
      "Die ersten Schwingungen, gemessen und nach dem Gesetz"},
     {"report_swings", clause, "The first swings: measured, and by the law {law}.",
@@ -131,8 +123,8 @@ constexpr Entry entries[] = {
     {"report_law_curve", clause, "law", "Gesetz"},
     {"report_residual_title", clause, "What the law leaves", "Was das Gesetz übrig lässt"},
     {"report_residual_caption", clause, "Measured minus fitted; root mean square {rms}.",
-     "Gemessen weniger angepasst; Effektivwert {rms}."},
-    {"report_residual", clause, "residual", "Rest"},
+     "Messung minus Anpassung; Effektivwert {rms}."},
+    {"report_residual", clause, "residual", "Residuum"},
 
     // How it dies down.
     {"report_dies_down", clause, "How the swing dies down", "Wie die Schwingung abklingt"},
@@ -146,7 +138,8 @@ constexpr Entry entries[] = {
      "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard "
      "error), "
      "against the amplitude; the line is the law's.",
-     "Die Abklingrate von {stretches} Stücken der Aufnahme, jedes für sich angepasst (± ein Standardfehler), "
+     "Die Abklingrate von {stretches} Abschnitten der Aufnahme, jeder für sich angepasst (± ein "
+     "Standardfehler), "
      "gegen "
      "die Amplitude; die Linie ist die des Gesetzes."},
     {"report_amplitude", clause, "amplitude", "Amplitude"},
@@ -171,23 +164,27 @@ constexpr Entry entries[] = {
     // Spring constant and Reynolds number.
     {"report_stiffness", clause, "How stiff the spring is", "Wie steif die Feder ist"},
     {"report_stiffness_is", clause,
-     "From the frequency without damping and the mass of {mass}, *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 "
+     "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, and the mass of {mass}, "
+     "*k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 "
      "%: "
      "{interval}.",
-     "Aus der Frequenz ohne Dämpfung und der Masse von {mass} folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
+     "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, und der Masse von {mass} "
+     "folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
      "95 %: "
      "{interval}."},
     {"report_stiffness_with_spring", clause,
-     "From the frequency without damping, the mass of {mass} and a third of the spring's own mass, *k* = "
+     "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
+     "third of the spring's own mass, *k* = "
      "(*m* + "
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
-     "Aus der Frequenz ohne Dämpfung, der Masse von {mass} und einem Drittel der Masse der Feder folgt *k* = "
+     "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, der Masse von {mass} und "
+     "einem Drittel der Masse der Feder folgt *k* = "
      "(*m* + "
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "Most of its variance, {share} %, comes from the {quantity}.",
-     "Der größte Teil der Varianz, {share} %, kommt aus: {quantity}."},
+     "Der größte Teil der Varianz, {share} %, entfällt auf: {quantity}."},
     {"report_budget", clause, "Where the uncertainty of the spring constant comes from.",
      "Woher die Unsicherheit der Federkonstante kommt."},
     {"report_from_what", clause, "from", "aus"},
@@ -204,9 +201,9 @@ constexpr Entry entries[] = {
     {"report_not_stokes", clause,
      "A drag in proportion to the velocity (Stokes) needs Re well below 1: at its fastest, no swing of this "
      "recording is so slow.",
-     "Ein Widerstand im Verhältnis der Geschwindigkeit (Stokes) braucht ein Re weit unter 1: so langsam ist "
-     "bei "
-     "ihrer größten Geschwindigkeit keine Schwingung dieser Aufnahme."},
+     "Ein Widerstand proportional zur Geschwindigkeit (Stokes) braucht ein Re weit unter 1: an der "
+     "schnellsten Stelle "
+     "ist es bei keiner Schwingung dieser Aufnahme so klein."},
     {"report_reynolds_title", clause, "Reynolds number in windows of half a second",
      "Reynolds-Zahl in Fenstern von einer halben Sekunde"},
     {"report_reynolds_caption", clause,
@@ -229,10 +226,11 @@ constexpr Entry entries[] = {
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
-    {"report_method_does", clause, "{what:A}.", "{what:A}."},
+    {"report_method_does", clause, "It {what}.", "Es {what}."},
     {"report_energy_grew", clause,
      "After {t} the energy is {ratio} times that at the start; by the law it is {exact} times that.",
-     "Nach {t} ist die Energie das {ratio}fache der am Anfang; nach dem Gesetz ist sie das {exact}fache."},
+     "Nach {t} ist die Energie das {ratio}-Fache der Anfangsenergie; nach dem Gesetz ist sie das "
+     "{exact}-Fache."},
     {"report_forward_euler", clause, "forward Euler", "Euler vorwärts"},
     {"report_exact", clause, "exact", "exakt"},
     {"report_position_title", clause, "Position by both methods", "Ort nach beiden Verfahren"},

@@ -7,9 +7,6 @@ using enum Use;
 
 constexpr Entry entries[] = {
     // Options.
-    {"unknown_choice", error, "{option:option}: \"{typed}\" is not known; it takes {words:or}{near}",
-     "{option:option}: „{typed}“ ist unbekannt; erwartet wird {words:or}{near}"},
-    {"perhaps_choice", clause, " (did you mean {near}?)", " (ist {near} gemeint?)"},
     {"damping_said_twice", error,
      "{--damping-ratio} and {--loss-factor} both say how the springs are damped; leave one of them out",
      "{--damping-ratio} und {--loss-factor} sagen beide, wie die Federn gedämpft sind; bitte eines davon "
@@ -85,8 +82,6 @@ constexpr Entry entries[] = {
      "{--band-pass} "
      "nehmen eine Drift weg"},
     // Recordings.
-    {"motions_failed", clause, "{failed} of {all} motions did not succeed",
-     "{failed} von {all} Bewegungen sind nicht gelungen"},
     {"like_of_others", clause, "{what} (the like of {others} more of {all} motions)",
      "{what} (ähnlich bei {others} weiteren von {all} Bewegungen)"},
     {"no_memory_for_motion", error, "not enough memory for its spectra",

@@ -80,6 +80,7 @@ struct EndComparison {
   double phase_drift = 0;      // [rad] of the second minus the first, followed through the record
   double first_amplitude = 0, second_amplitude = 0;  ///< at the end
   std::size_t samples = 0;                           ///< that the amplitudes at the end rest on
+  double early_amplitude = 0;                        ///< of the first, before
 };
 
 /// Samples [first, last).
@@ -147,11 +148,13 @@ EndComparison compare_ends(std::span<const double> t, std::span<const double> fi
     }
     if (i > 1) continue;
     const std::complex<double> ratio = ratio_at_end(t, first, second, window, here);
-    end = {.amplitude_ratio = std::abs(ratio),
-           .phase_drift = drift + std::arg(ratio * std::polar(1.0, -drift)),
-           .first_amplitude = std::abs(local_sinusoid(t, first, late_half(window), here)),
-           .second_amplitude = std::abs(local_sinusoid(t, second, late_half(window), here)),
-           .samples = window.last - late_half(window).first};
+    end = {
+        .amplitude_ratio = std::abs(ratio),
+        .phase_drift = drift + std::arg(ratio * std::polar(1.0, -drift)),
+        .first_amplitude = std::abs(local_sinusoid(t, first, late_half(window), here)),
+        .second_amplitude = std::abs(local_sinusoid(t, second, late_half(window), here)),
+        .samples = window.last - late_half(window).first,
+        .early_amplitude = std::abs(local_sinusoid(t, first, {window.first, late_half(window).first}, here))};
   }
   return end;
 }
@@ -218,9 +221,14 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
   const EndComparison end = compare_ends(samples.t, samples.measured, samples.simulated, samples.law, w);
   const double noise = noise_amplitude(recording.fit.residual.rms, end.samples);
   curve.measured_at_rest = end.first_amplitude < noise;
-  curve.at_rest = end.second_amplitude < noise;
+  // What is measured may itself be as large as the noise.
+  curve.at_rest = end.second_amplitude < 2 * noise;
   if (curve.measured_at_rest) return;
   curve.amplitude_ratio_end = end.amplitude_ratio;
+  // Of late^(3/2) over early^(1/2).
+  const double one = recording.fit.residual.rms * std::sqrt(2 / static_cast<double>(end.samples));
+  curve.amplitude_ratio_error =
+      end.amplitude_ratio * std::hypot(1.5 * one / end.first_amplitude, 0.5 * one / end.early_amplitude);
   curve.phase_drift = end.phase_drift;
 }
 

@@ -34,12 +34,13 @@ struct ComparedCurve {
   bool diverged = false;  ///< the method is not stable at this step: the figures say nothing about the law
   double rms = 0;         // [m] or the column's SI unit
   double r_squared = 0;
-  double amplitude_ratio_end = 0;     ///< simulated over measured, at the end (extrapolated from the last ten
-                                      ///< periods); NaN if the measured motion has stopped
-  double phase_drift = 0;             // [rad] simulated minus measured, at the end; NaN likewise
-  bool measured_at_rest = false;      ///< the measured swing is below the noise at the end
-  bool at_rest = false;               ///< the simulated swing is
-  double law_rms = 0;                 ///< as rms, of the exact law: without the method's error
+  double amplitude_ratio_end = 0;    ///< simulated over measured, at the end (extrapolated from the last ten
+                                     ///< periods); NaN if the measured motion has stopped
+  double amplitude_ratio_error = 0;  ///< standard error of amplitude_ratio_end, by the noise of the recording
+  double phase_drift = 0;            // [rad] simulated minus measured, at the end; NaN likewise
+  bool measured_at_rest = false;     ///< the measured swing is below the noise at the end
+  bool at_rest = false;              ///< the simulated swing is
+  double law_rms = 0;                ///< as rms, of the exact law: without the method's error
   double method_amplitude_ratio = 1;  ///< simulated over the exact law, at the end; NaN if that has stopped
   double method_phase = 0;            // [rad] simulated minus the exact law, at the end; NaN likewise
 };

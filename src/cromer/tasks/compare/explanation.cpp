@@ -24,6 +24,8 @@ Notice amplitude_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return Notice{curve.at_rest ? "both_have_died_down" : "it_still_swings"};
   const double off = 100 * std::abs(curve.amplitude_ratio_end - 1);
   if (off < 0.05) return Notice{"end_is_right"};
+  const double noise = 100 * 2 * curve.amplitude_ratio_error;
+  if (off < noise) return Notice{"end_is_right_within_noise", {{"noise", rounded(noise, 2)}}};
   return Notice{curve.amplitude_ratio_end > 1 ? "end_too_large" : "end_too_small",
                 {{"off", rounded(off, 2)}}};
 }

@@ -85,7 +85,9 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   const double from = part.t.front(), to = part.t.back();
   const double middle = std::exp(-rate * 0.5 * (to - from));
   const double amplitude = std::hypot(p[DampedPhasor::cosine], p[DampedPhasor::sine]) * middle;
-  if (!std::isfinite(error) || !std::isfinite(amplitude) || !(amplitude > 0)) return std::nullopt;
+  // What the noise alone would show is no swing: one that friction has stopped.
+  const double of_noise = std::sqrt(2 * variance / static_cast<double>(part.t.size()));
+  if (!std::isfinite(error) || !(amplitude > 4 * of_noise)) return std::nullopt;
   w = p[DampedPhasor::angular_frequency];
   const double t = student_95(std::max(1.0, degrees / widening));
   return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0};

@@ -184,7 +184,12 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   };
   const double ends = made + made_until(run.outcome.t - 2 * quarter);
   const double between = 2 * made_until(run.outcome.t - quarter);
-  return MethodEnergy{(ends + between) / 4, std::abs(ends - between) / 4};
+  const double comes = std::abs(ends - between) / 4;
+  // Of a growth without end nothing comes and goes.
+  if (comes < 0.05 * std::abs(made)) return MethodEnergy{made, comes};
+  // The mean is that of a quarter of a period before the end: from there it goes on as it did.
+  const double later = (made - made_until(run.outcome.t - 2 * quarter)) / 2;
+  return MethodEnergy{(ends + between) / 4 + later, comes};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
