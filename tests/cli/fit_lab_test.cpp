@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -142,6 +143,7 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
   std::istringstream line(fit["simulate"].get<std::string>());
   std::vector<std::string> again{std::istream_iterator<std::string>(line), {}};
   again.erase(again.begin());
+  again.erase(std::find(again.begin(), again.end(), "--over"), again.end());
   again.insert(again.end(), {"-o", "again.csv"});
   const Finished simulated = folder.run(again);
   ASSERT_EQ(simulated.status, 0) << simulated.err;

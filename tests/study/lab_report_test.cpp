@@ -171,6 +171,27 @@ TEST(LabReport, OfAStronglyDampedSwing) {
   EXPECT_THAT(lab.figures(), testing::Contains("energy"));
 }
 
+TEST(LabReport, OfASwingThatFrictionStopsTellsNothingOfWhatFollows) {
+  // Half waves about both balance points, 1.9 mm to either side, until the next would stop within them.
+  const auto x = [](double t) {
+    const double w = 6, stuck = 1.9e-3, half = M_PI / w;
+    double top = 0.05;
+    int n = 0;
+    while (t > half && std::abs(top) > stuck) {
+      top = -(top - std::copysign(2 * stuck, top));
+      t -= half;
+      ++n;
+    }
+    if (std::abs(top) <= stuck) return top;
+    const double middle = std::copysign(stuck, top);
+    return middle + (top - middle) * std::cos(w * t);
+  };
+  const Made lab = report({{"lab.csv", recorded(x, 20)}}, {{"mass", "0.2 kg"}});
+  const FittedRecording& fitted = lab.recordings.front().fitted;
+  ASSERT_TRUE(fitted.succeeded());
+  for (const AmplitudeRate& each : fitted.decay_by_amplitude) EXPECT_GT(each.amplitude, 1e-3) << each.from;
+}
+
 TEST(LabReport, OfADrivenMotionHasItsResonance) {
   const auto x = [](double t) {
     return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t);

@@ -5,6 +5,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/simulate/run_effect.h"
+#include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
@@ -59,6 +60,19 @@ TEST(Explanation, SaysWhereOneRateIsEnough) {
   both.curves[0].at_rest = true;
   EXPECT_THAT(in_words(explanation(both)),
               testing::EndsWith(", and the swing has died down where the measured one has."));
+}
+
+TEST(Explanation, AnAmplitudeWithinTheNoiseIsRight) {
+  CompareResult both = compared();
+  both.curves[1].law = law_of("viscous");
+  both.curves[0].amplitude_ratio_end = 0.81;
+  both.curves[0].amplitude_ratio_error = 0.1;
+  EXPECT_THAT(
+      in_words(explanation(both)),
+      testing::EndsWith("the amplitude at the end is right within what the noise lets see, 20\u00a0%."));
+  both.curves[0].amplitude_ratio_error = 0.09;
+  EXPECT_THAT(in_words(explanation(both)),
+              testing::EndsWith("the amplitude at the end is 19\u00a0% too small."));
 }
 
 TEST(Explanation, AConstantRateLeavesTheFrequency) {
@@ -207,6 +221,21 @@ TEST(RunInWords, TellsWhatLastsFromWhatComesAndGoes) {
         testing::ContainsRegex("the method itself added about 0.[12] %, beside 1.[0-9]* % that come and go$"))
         << until;
   EXPECT_THAT(words("forward-euler", 30), testing::Not(testing::HasSubstr("come and go")));
+  // Of what grows without end all is told, not the mean of its last half period.
+  SimulateOptions options;
+  options.mass = 1;
+  options.stiffness = 32;
+  options.law.cubic = 2000;
+  options.damping = 0.08;
+  options.position = 0.12;
+  options.method = {"forward-euler"};
+  options.step = 0.0043;
+  options.until = 8.6;
+  const auto result = simulate(options);
+  ASSERT_TRUE(result);
+  const SimulatedRun& run = result->runs.front();
+  ASSERT_TRUE(run.energy_balance);
+  EXPECT_EQ(method_energy_of(run)->lasting, run.energy_balance->method());
   EXPECT_THAT(words("rk4", 30), testing::Not(testing::HasSubstr("come and go")));
 }
 

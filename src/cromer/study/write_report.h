@@ -37,9 +37,9 @@ struct WrittenReport {
   std::vector<std::string> figures;  ///< paths
   std::vector<Notice> notices;
   std::vector<Notice> shown;  ///< notices that the study is meant to show
-  Notice failure;  ///< the task that did not succeed, where it is in the study, and why; then nothing was
-                   ///< written
-  std::string pdf{};                 ///< path of the whole page as PDF, if it was asked for
+  Notice failure;     ///< the task that did not succeed, where it is in the study, and why; then nothing was
+                      ///< written
+  std::string pdf{};  ///< path of the whole page as PDF, if it was asked for
 };
 
 /// Makes the folder of a report if it is missing; an Error where nothing can be written to it.

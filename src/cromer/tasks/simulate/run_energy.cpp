@@ -187,9 +187,7 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   const double comes = std::abs(ends - between) / 4;
   // Of a growth without end nothing comes and goes.
   if (comes < 0.05 * std::abs(made)) return MethodEnergy{made, comes};
-  // The mean is that of a quarter of a period before the end: from there it goes on as it did.
-  const double later = (made - made_until(run.outcome.t - 2 * quarter)) / 2;
-  return MethodEnergy{(ends + between) / 4 + later, comes};
+  return MethodEnergy{(ends + between) / 4, comes};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
