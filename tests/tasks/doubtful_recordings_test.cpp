@@ -54,10 +54,11 @@ TEST(DoubtfulRecordings, TheSameComponentTwiceIsSaid) {
   const auto result = response_spectrum(same, one_period());
   ASSERT_TRUE(result);
   EXPECT_THAT(in_words(result->notices),
-              ElementsAre(AllOf(HasSubstr("a.csv"), HasSubstr("b.csv"), HasSubstr("the same samples"))));
+              Contains(AllOf(HasSubstr("a.csv"), HasSubstr("b.csv"), HasSubstr("the same samples"))));
   EXPECT_NEAR(result->spectra[0].rotd100[0] / result->spectra[0].displacement[0][0], std::sqrt(2.0), 1e-12);
   const SpectrumFile other[] = {shake("a.csv", 1), shake("b.csv", 2)};
-  EXPECT_THAT(in_words(response_spectrum(other, one_period())->notices), IsEmpty());
+  EXPECT_THAT(in_words(response_spectrum(other, one_period())->notices),
+              Not(Contains(HasSubstr("the same samples"))));
 }
 
 TEST(DoubtfulRecordings, ComponentsOfTwoMotionsAreSaid) {

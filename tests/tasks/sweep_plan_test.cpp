@@ -279,7 +279,7 @@ TEST(SweepPlan, MeasuresAreKnownOnceAndFitTheMotion) {
   SweepOptions options = options_with(harmonic, "rk4");
   options.measure = {" amplitude , final", "rms"};
   EXPECT_THAT(planned(options).measured, ElementsAre("amplitude (m)", "x (m)", "v (m/s)", "rms (m)"));
-  const std::string all = " (amplitude, phase, peak, final, mean, rms, energy)";
+  const std::string all = " (amplitude, phase, peak, final, mean, rms, energy, transmissibility)";
   options.measure = {"amplitud"};
   EXPECT_EQ(refused(options), "--measure: there is no measure \"amplitud\"; did you mean amplitude?" + all);
   options.measure = {"zzzzzzzzzzz"};
