@@ -9,6 +9,7 @@
 
 #include "completions.h"
 #include "cromer/base/nearest.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/option_owner.h"
 #include "manual.h"
 #include "message.h"
@@ -17,13 +18,6 @@
 
 namespace cromer::core::cli {
 namespace {
-
-/// In single quotes; a quote inside ends them, stands escaped, and opens them again.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
 
 /// Looks like an option, not like a value: a negative number has one dash and no letter after it.
 bool is_option(std::string_view word) { return word == "-o" || word.substr(0, 2) == "--"; }
@@ -171,11 +165,7 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
 
 std::string command_line(std::string_view command, const Arguments& arguments) {
   std::string line = "cromer " + std::string(command);
-  for (const auto& word : arguments) {
-    const bool plain =
-        !word.empty() && word.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string::npos;
-    line += plain ? " " + word : " " + quoted(word);
-  }
+  for (const auto& word : arguments) line += " " + as_one_word(word);
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;
 }

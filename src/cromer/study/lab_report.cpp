@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <initializer_list>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "cromer/base/ascii.h"
+#include "cromer/figures/panels.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -19,28 +17,22 @@
 namespace cromer::core {
 namespace {
 
-struct Scale {
-  std::string_view prefix, unit;  ///< "m", "mJ"
-};
-Scale energy_scale(double largest) {
-  if (largest < 1e-4) return {"µ", "µJ"};
-  if (largest < 0.1) return {"m", "mJ"};
-  return {"", "J"};
-}
-
 /// One recording's part of the study.
 class Part : public LabTold {
  public:
-  Part(const ReportedRecording& recording, std::string id, bool alone, bool whole_names,
+  Part(const ReportedRecording& recording, std::string file, std::string id, bool alone,
        const ReportFront& front, StudyWriter& toml)
-      : LabTold(recording, std::move(id), alone, whole_names, front),
+      : LabTold(recording, std::move(file), std::move(id), alone, front),
         methods_(id_ + "_methods"),
+        forward_(methods_ + ".1"),
+        cromer_(methods_ + ".2"),
+        exact_(id_ + "_exact.1"),
         toml_(toml) {}
 
   void write(const std::vector<TypedOption>& options) {
     if (fitted_.wrong_input) return refused();
     task(options);
-    if (fitted_.fit.has_values() && fitted_.succeeded() && simulates()) simulation();
+    if (fitted_.succeeded() && simulates()) simulation();
     heading("report_measured");
     paragraph(words("report_samples", {{"file", verbatim(title())},
                                        {"used", in_braces("used, bare")},
@@ -60,14 +52,10 @@ class Part : public LabTold {
 
   /// The lines of the summary.
   std::vector<std::string> summary() const {
-    if (!fitted_.succeeded())
-      return {
-          words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}})};
+    if (!fitted_.succeeded()) return {no_law()};
     std::vector<std::string> lines;
-    const auto add = [&](const char* code, std::vector<NoticeValue> values) {
-      Notice notice{std::string(code)};
-      notice.values = std::move(values);
-      lines.push_back(say(notice));
+    const auto add = [&](std::string_view code, std::vector<NoticeValue> values) {
+      lines.push_back(words(code, std::move(values)));
     };
     const bool depends = !fitted_.driven && named(fitted_.derived, "at_amplitude");
     add(fitted_.driven ? "report_driven_at"
@@ -96,8 +84,8 @@ class Part : public LabTold {
     if (const Estimate* k = fitted_.find("stiffness"))
       key("stiffness", "stiffness", interval("stiffness", *k));
     if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
-      key(is_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
-          named(fitted_.headline, "decay_rate_end") && !is_one_rate()
+      key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
+          named(fitted_.headline, "decay_rate_end") && !has_one_rate()
               ? words("report_at_end", {{"rate", in_braces("decay_rate_end")}})
               : interval("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
@@ -146,11 +134,8 @@ class Part : public LabTold {
 
   void refused() {
     heading("report_measured");
-    paragraph(
-        words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    paragraph(no_law());
   }
-
-  // What is seen of the recorded quantity.
 
   void record_figure() {
     const std::string id = figure_id("record");
@@ -181,9 +166,7 @@ class Part : public LabTold {
   }
 
   void failed() {
-    if (!alone_)
-      paragraph(
-          words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}}));
+    if (!alone_) paragraph(no_law());
     not_told();
   }
 
@@ -216,7 +199,7 @@ class Part : public LabTold {
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
         if (std::find(listed.begin(), listed.end(), each.name) != listed.end() ||
-            (is_one_rate() && each.name.starts_with("decay_rate_")))
+            (has_one_rate() && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
         rows += row_of(each);
@@ -224,8 +207,7 @@ class Part : public LabTold {
     toml_.bare("rows", "[\n" + rows + "]");
   }
 
-  // The first periods, as the law has them and as they were measured.
-
+  /// The first periods, as the law has them and as they were measured.
   void swings_figure() {
     const double until = swings(drawn_periods);
     const bool simulated = simulates() && (of_position() || of_velocity());
@@ -240,10 +222,9 @@ class Part : public LabTold {
                        .x_name = words("report_since_start"),
                        .y_name = with_own_unit(from_level(), shown()),
                        .y_unit = shown()};
-    const std::string id = figure_id("swings"), exact = id_ + "_exact.1";
+    const std::string id = figure_id("swings");
     figure.id = id;
-    CurveLines law{
-        .of = simulated ? std::string_view(exact) : id_, .role = "fitted", .name = words("report_law_curve")};
+    CurveLines law{.of = simulated ? exact_ : id_, .role = "fitted", .name = words("report_law_curve")};
     law.to = simulated ? until : begin() + until;
     figure.curves = {law, measured_swing(until)};
     toml_.figure(figure);
@@ -455,7 +436,6 @@ class Part : public LabTold {
 
   void methods() {
     heading("report_methods");
-    forward_ = methods_ + ".1", cromer_ = methods_ + ".2", exact_ = id_ + "_exact.1";
     paragraph(words("report_methods_text",
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},
@@ -502,13 +482,12 @@ class Part : public LabTold {
     if (fitted_.driven) return;
     const bool in_joules = fitted_.find("stiffness") != nullptr;
     const double mass = in_joules ? fitted_.find("stiffness")->value / (w * w) : 1;
-    const Scale scale = energy_scale(mass * w * w * amplitude * amplitude);
-    figure = method_figure(
-        ids[3], "report_energy_title", "report_energy_caption", "energy",
-        in_joules ? with_unit(words("report_energy"), scale.unit)
-        : length  ? with_unit(words("report_energy_per_mass"), fmt::format("{}J/kg", scale.prefix))
-                  : with_unit(words("report_energy_per_mass"), units_.energy),
-        length || in_joules ? std::string(scale.unit) : "");
+    const std::string joules(energy_unit(mass * w * w * amplitude * amplitude / 2).symbol);
+    figure = method_figure(ids[3], "report_energy_title", "report_energy_caption", "energy",
+                           in_joules ? with_unit(words("report_energy"), joules)
+                           : length  ? with_unit(words("report_energy_per_mass"), joules + "/kg")
+                                     : with_unit(words("report_energy_per_mass"), units_.energy),
+                           length || in_joules ? joules : "");
     add_methods(figure, true);
     toml_.figure(figure);
 
@@ -599,15 +578,12 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   StudyWriter toml, page;
   const Voice voice{front.language};
   const bool alone = recordings.size() == 1;
-  std::set<std::string> names, files;
-  for (const ReportedRecording& each : recordings) {
-    files.insert(each.fitted.file);
-    names.insert(std::filesystem::path(each.fitted.file).filename().string());
-  }
-  const bool whole_names = names.size() < files.size();
+  std::vector<std::string> files;
+  for (const ReportedRecording& each : recordings) files.push_back(each.fitted.file);
+  const std::vector<std::string> names = short_names(files);
   std::vector<Part> parts;
   for (std::size_t i = 0; i < recordings.size(); ++i)
-    parts.emplace_back(recordings[i], task_of(i, recordings.size()), alone, whole_names, front, page);
+    parts.emplace_back(recordings[i], names[i], task_of(i, recordings.size()), alone, front, page);
 
   toml.text("title",
             !front.title.empty() ? verbatim(front.title)
@@ -625,9 +601,7 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   toml.text("summary", summary);
   if (front.language == Language::german) toml.text("language", "de");
 
-  const auto first = std::find_if(recordings.begin(), recordings.end(),
-                                  [](const auto& each) { return each.fitted.succeeded(); });
-  if (alone && first != recordings.end()) parts[0].key_figures();
+  if (alone && recordings[0].fitted.succeeded()) parts[0].key_figures();
   if (!front.text.empty()) {
     page.table("block");
     page.text("text", verbatim(front.text));

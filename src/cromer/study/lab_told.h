@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "cromer/base/extent.h"
 #include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/catalogue.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/model/terms/term.h"
@@ -36,25 +36,19 @@ inline int digits_of(const Estimate& e) {
   return std::clamp(2 + static_cast<int>(std::ceil(std::log10(std::abs(e.value) / e.standard_error))), 2, 12);
 }
 
-inline const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 /// One recording with its fit, in the words of the report. Numbers stand in them as results of the study, by
 /// the name `id` of its task: "{lab.stiffness}".
 class LabTold {
  public:
-  /// `whole_names`: with their folders, because files of several folders are called alike.
-  LabTold(const ReportedRecording& recording, std::string id, bool alone, bool whole_names,
+  /// `file`: what the page calls it.
+  LabTold(const ReportedRecording& recording, std::string file, std::string id, bool alone,
           const ReportFront& front)
       : fitted_(recording.fitted),
         compared_(recording.compared ? &*recording.compared : nullptr),
         path_(recording.path),
+        file_(std::move(file)),
         id_(std::move(id)),
         alone_(alone),
-        whole_names_(whole_names),
         front_(front),
         units_(motion_units(fitted_)) {
     if (!fitted_.fit.has_values()) return;
@@ -66,11 +60,9 @@ class LabTold {
   }
 
   std::string title() const {
-    const std::string name =
-        whole_names_ ? fitted_.file : std::filesystem::path(fitted_.file).filename().string();
     return fitted_.one_of_several
-               ? say(Notice{"report_run_of", {{"file", name}, {"run", fitted_.series.run}}})
-               : name;
+               ? say(Notice{"report_run_of", {{"file", file_}, {"run", fitted_.series.run}}})
+               : file_;
   }
 
  protected:
@@ -86,10 +78,11 @@ class LabTold {
 
   /// The name of a quantity, of its parameter or as it is.
   std::string name_of(const std::string& parameter) const {
-    if (find_entry(parameter)) return words(parameter);
-    std::string name = parameter;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
+    return find_entry(parameter) ? words(parameter) : readable_name(parameter);
+  }
+
+  std::string no_law() const {
+    return words("report_no_law", {{"file", verbatim(title())}, {"why", verbatim(say(fitted_.fit.message))}});
   }
 
   std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
@@ -113,11 +106,10 @@ class LabTold {
   }
 
   /// Whether the rate is the same at the start and at the end, by the law.
-  bool is_one_rate() const {
+  bool has_one_rate() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
                     *end = named(fitted_.headline, "decay_rate_end");
-    return start && end &&
-           std::abs(end->estimate.value - start->estimate.value) <= 1e-9 * std::abs(start->estimate.value);
+    return start && end && is_one_rate(*start, *end);
   }
 
   /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
@@ -127,7 +119,7 @@ class LabTold {
     if (!start) return "";
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
-    if (is_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
+    if (has_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
     const bool apart = a.low > b.high || b.low > a.high;
     return words(!apart              ? "report_rate_at_both"
                  : b.value < a.value ? "report_rate_falls"
@@ -184,17 +176,6 @@ class LabTold {
                                                                        : "F(t)");
   }
 
-  std::string term_of(std::string_view parameter) const {
-    std::string formula;
-    for_each_term([&]<class T>() {
-      if (!fitted_.fit.law.has<T>()) return;
-      for (const CoefficientInfo& info : T::coefficients)
-        if (info.parameter == parameter || info.in_si == parameter)
-          formula = fmt::format("`{}`", T::info.formula);
-    });
-    return formula;
-  }
-
   double begin() const { return fitted_.series.t.front(); }
 
   double swings(double periods) const { return std::min(duration_, periods * period_); }
@@ -215,7 +196,7 @@ class LabTold {
 
   double until() const {
     const double steps = std::floor(swings(most_periods) / step());
-    return std::stod(shortest(std::stod(fmt::format("{:.12g}", steps * step()))));
+    return std::stod(fmt::format("{:.12g}", steps * step()));
   }
 
   bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
@@ -233,21 +214,20 @@ class LabTold {
   }
 
   std::string row_of(const Parameter& each) const {
-    const bool part =
-        each.name == "decay_rate" && fitted_.fit.law.shares(dampings.without(law_with<Viscous>));
-    const std::string name = part                              ? words("report_viscous_part")
-                             : each.name == "decay_rate_start" ? words("report_rate_at_start")
-                             : each.name == "decay_rate_end"   ? words("report_rate_at_end")
-                             : each.name == "reynolds_max"     ? words("report_reynolds_max")
-                             : each.name == "at_amplitude"     ? words("report_at_amplitude")
-                             : each.name == "position"         ? words("report_position_at_start")
-                             : each.name == "velocity"         ? words("report_velocity_at_start")
-                                                               : name_of(each.name);
+    const std::string name = is_viscous_part(fitted_.fit.law, each.name) ? words("report_viscous_part")
+                             : each.name == "decay_rate_start"           ? words("report_rate_at_start")
+                             : each.name == "decay_rate_end"             ? words("report_rate_at_end")
+                             : each.name == "reynolds_max"               ? words("report_reynolds_max")
+                             : each.name == "at_amplitude"               ? words("report_at_amplitude")
+                             : each.name == "position"                   ? words("report_position_at_start")
+                             : each.name == "velocity"                   ? words("report_velocity_at_start")
+                                                                         : name_of(each.name);
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
     const bool known = each.estimate.standard_error > 0;
     const std::string ends = known ? interval(place, each.estimate) : "–";
+    const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name), toml_text(in_braces(place)), toml_text(ends),
-                       toml_text(term_of(each.name)));
+                       toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 
   CurveLines measured_swing(double until) const {
@@ -263,8 +243,8 @@ class LabTold {
   const FittedRecording& fitted_;
   const CompareResult* compared_;
   const std::string& path_;
-  std::string id_;
-  bool alone_, whole_names_;
+  std::string file_, id_;
+  bool alone_;
   const ReportFront& front_;
   MotionUnits units_;
   double spread_ = 0, period_ = 0, duration_ = 0;

@@ -120,18 +120,11 @@ std::string more(const FittedRecording& fitted) {
   return out;
 }
 
-const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Parameter& each) { return each.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 /// The decay rate at both ends of the record, or what is known of it.
 std::string decay_in_words(const Parameter& start, const Parameter* end, const Law& law) {
   const std::string first = in_words(start.estimate, start.unit);
   if (!end) return first + (law.has<Friction>() ? " at the start; it comes to rest" : " at the start");
-  const double change = end->estimate.value - start.estimate.value;
-  if (std::abs(change) <= 1e-9 * std::abs(start.estimate.value)) return first;
+  if (is_one_rate(start, *end)) return first;
   return fmt::format("{} at the start \u2192 {} at the end", first, in_words(end->estimate, end->unit));
 }
 
@@ -154,22 +147,8 @@ std::vector<std::vector<std::string>> headline(const FittedRecording& fitted) {
   return rows;
 }
 
-/// The term of the law that a parameter belongs to, as a formula; "" for others.
-std::string_view term_of(const Law& law, std::string_view parameter) {
-  std::string_view formula;
-  for_each_term([&]<class T>() {
-    if (!law.has<T>()) return;
-    for (const CoefficientInfo& info : T::coefficients)
-      if (info.parameter == parameter || info.in_si == parameter) formula = T::info.formula;
-  });
-  return formula;
-}
-
-/// Of several terms that damp, the decay rate is the viscous one's alone.
 std::string name_in_law(const Law& law, std::string_view parameter) {
-  const bool others = law.shares(dampings.without(law_with<Viscous>)) || law.shares(bounding_terms);
-  const bool is_part = others && parameter == Viscous::coefficients[0].parameter;
-  return is_part ? "viscous part of the decay rate" : readable_name(parameter);
+  return is_viscous_part(law, parameter) ? "viscous part of the decay rate" : readable_name(parameter);
 }
 
 std::string one_fit(const FittedRecording& fitted) {

@@ -16,6 +16,32 @@ std::string readable_name(std::string_view name) {
   return words;
 }
 
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Parameter& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+std::string_view term_of(const Law& law, std::string_view parameter) {
+  std::string_view formula;
+  for_each_term([&]<class T>() {
+    if (!law.has<T>()) return;
+    for (const CoefficientInfo& info : T::coefficients)
+      if (info.parameter == parameter || info.in_si == parameter) formula = T::info.formula;
+  });
+  return formula;
+}
+
+bool is_viscous_part(const Law& law, std::string_view parameter) {
+  const bool others = law.shares(dampings.without(law_with<Viscous>)) || law.shares(bounding_terms);
+  return others && parameter == Viscous::coefficients[0].parameter;
+}
+
+bool is_one_rate(const Parameter& start, const Parameter& end) {
+  const double rate = start.estimate.value;
+  return std::abs(end.estimate.value - rate) <= 1e-9 * std::abs(rate);
+}
+
 std::string in_words(const Estimate& estimate, std::string_view unit) {
   return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
 }

@@ -1,4 +1,4 @@
-// Names, numbers and tables as a terminal shows them.
+// Names, numbers and tables as a terminal and a report show them.
 #pragma once
 
 #include <span>
@@ -12,6 +12,18 @@ namespace cromer::core {
 
 /// "decay rate" for decay_rate.
 std::string readable_name(std::string_view name);
+
+/// The parameter of that name; nullptr if there is none.
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name);
+
+/// The term of the law that a parameter belongs to, as a formula; "" for others.
+std::string_view term_of(const Law& law, std::string_view parameter);
+
+/// Of several terms that damp, the decay rate is the viscous one's alone.
+bool is_viscous_part(const Law& law, std::string_view parameter);
+
+/// Whether the decay rates at both ends of a record are the same, by the law.
+bool is_one_rate(const Parameter& start, const Parameter& end);
 
 /// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);

@@ -246,18 +246,13 @@ std::string first_option(const Notice& notice) {
   return {};
 }
 
-namespace {
-
-/// In quotes if a shell would take it apart.
-std::string as_one_word(std::string_view value) {
-  if (value.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string_view::npos)
-    return std::string(value);
-  std::string word = "'";
-  for (const char each : value) word += each == '\'' ? std::string("'\\''") : std::string(1, each);
-  return word + "'";
+std::string as_one_word(std::string_view word) {
+  if (!word.empty() && word.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == word.npos)
+    return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
 }
-
-}  // namespace
 
 std::string command_of(std::string_view command,
                        const std::vector<std::pair<std::string, std::string>>& options) {

@@ -42,6 +42,9 @@ std::string argument_of(std::string_view option, bool of_arrays = false);
 /// The option that the sentence begins with, without its dashes; "" where it begins otherwise.
 std::string first_option(const Notice& notice);
 
+/// A word as a shell takes it: in single quotes where it would be taken apart.
+std::string as_one_word(std::string_view word);
+
 /// "cromer simulate --mass 1 --step 0.01": options with their values, or without one for a flag, as a command
 /// of the program that a shell takes as it stands; "" without any.
 std::string command_of(std::string_view command,

@@ -187,10 +187,15 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+/// The standard error of the amplitude of a sinusoid fitted to so many samples.
+double amplitude_error(double rms, std::size_t samples) {
+  return rms * std::sqrt(2 / static_cast<double>(std::max<std::size_t>(samples, 1)));
+}
+
 /// The most that noise alone adds to the amplitude of a sinusoid fitted to so many samples.
 double noise_amplitude(double rms, std::size_t samples) {
   constexpr double standard_errors = 5;
-  return standard_errors * rms * std::sqrt(2 / static_cast<double>(std::max<std::size_t>(samples, 1)));
+  return standard_errors * amplitude_error(rms, samples);
 }
 
 // The samples not set aside, and the motions of a law at their times.
@@ -226,7 +231,7 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
   if (curve.measured_at_rest) return;
   curve.amplitude_ratio_end = end.amplitude_ratio;
   // Of late^(3/2) over early^(1/2).
-  const double one = recording.fit.residual.rms * std::sqrt(2 / static_cast<double>(end.samples));
+  const double one = amplitude_error(recording.fit.residual.rms, end.samples);
   curve.amplitude_ratio_error =
       end.amplitude_ratio * std::hypot(1.5 * one / end.first_amplitude, 0.5 * one / end.early_amplitude);
   curve.phase_drift = end.phase_drift;
