@@ -10,6 +10,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
 #include "cromer/model/linear_quantities.h"
+#include "cromer/run/step_control.h"
 #include "cromer/tasks/recognise/maker.h"
 #include "cromer/tasks/recognise/recorded_states.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
