@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "cromer/base/utf8.h"
+#include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/os/process.h"
 #include "cromer/report/file.h"

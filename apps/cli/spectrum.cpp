@@ -126,9 +126,9 @@ std::vector<MotionSpectra> spectra_of(const Motions& motions, const SpectrumOpti
       auto result = spectrum_of(motions[i], options, of_one);
       if (result && result->interrupted) return;
       if (result) result->forget();
-      all[i].emplace(motions[i], std::move(result));
+      all[i] = MotionSpectra{motions[i], std::move(result)};
     } catch (const std::bad_alloc&) {
-      all[i].emplace(motions[i], Error{"no_memory_for_motion"});
+      all[i] = MotionSpectra{motions[i], Error{"no_memory_for_motion"}};
     }
   });
   std::vector<MotionSpectra> done;

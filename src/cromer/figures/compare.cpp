@@ -61,8 +61,7 @@ Kind kind_of(const ComparedCurve& curve) {
 class Compared {
  public:
   explicit Compared(const CompareResult& comparison)
-      : comparison_(comparison),
-        recording_(comparison.recording),
+      : recording_(comparison.recording),
         position_(measured_axis(recording_)),
         velocity_(position_) {
     for (const ComparedCurve& curve : comparison.curves) curves_.push_back(&curve);
@@ -226,7 +225,6 @@ class Compared {
     return x;
   }
 
-  const CompareResult& comparison_;
   const FittedRecording& recording_;
   MeasuredAxis position_, velocity_;
   std::vector<const ComparedCurve*> curves_{};  ///< the law first
