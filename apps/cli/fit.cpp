@@ -30,9 +30,9 @@ namespace {
 
 /// What `cromer fit` is asked instead of, or beyond, the law.
 struct SpringOptions {
-  bool held = false;       ///< --static
-  bool mass_line = false;  ///< --mass-line
-  std::string masses;
+  bool held = false;                ///< --static
+  bool mass_line = false;           ///< --mass-line
+  std::vector<Quantity> masses;     // [kg]
   std::optional<Quantity> gravity;  // [m/s²]
 };
 
@@ -45,8 +45,8 @@ std::vector<Option> static_options_of(SpringOptions& o) {
       {"mass-line", &o.mass_line, "", Range::any,
        "from the periods: T² against --masses, one for each recording and run; also the spring's own mass",
        "each by itself", group},
-      {"masses", &o.masses, "", Range::any, "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings",
-       "none", group},
+      {"masses", &o.masses, "kg", Range::not_negative,
+       "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings", "none", group},
       {"gravity", &o.gravity, "m/s^2", Range::positive, "local acceleration of free fall, for --static",
        "9.80665 m/s²", group},
   };
@@ -60,9 +60,7 @@ Result<void> check_masses(const SpringOptions& options) {
   if (!options.held && !options.mass_line)
     return options.masses.empty() ? Result<void>{} : Error{"masses_without_line"};
   if (options.masses.empty()) return Error{"masses_needed", {{"way", way}}};
-  const auto masses = parse_masses(options.masses);
-  if (!masses) return masses.error();
-  if (masses->size() < 2) return Error{"two_masses_needed", {{"way", way}}};
+  if (options.masses.size() < 2) return Error{"two_masses_needed", {{"way", way}}};
   return {};
 }
 
@@ -86,9 +84,9 @@ int run_static(const std::vector<std::string>& files, const FitOptions& fit, con
               output);
 }
 
-std::size_t files_of(const std::vector<FittedRecording>& fits) {
-  std::size_t files = 0;
-  for (std::size_t i = 0; i < fits.size(); ++i) files += i == 0 || fits[i].file != fits[i - 1].file;
+std::vector<std::string> files_of(const std::vector<FittedRecording>& fits) {
+  std::vector<std::string> files;
+  for (const FittedRecording& fitted : fits) files.push_back(fitted.file);
   return files;
 }
 
@@ -166,7 +164,7 @@ int run_fit(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error());
   if (auto good = check_masses(spring); !good) return refuse(good.error());
-  if (options.mass && (spring.mass_line || spring.held))
+  if (!options.mass.empty() && (spring.mass_line || spring.held))
     return refuse(fmt::format("--mass: {} takes the masses from --masses, one for each; leave --mass out",
                               spring.held ? "--static" : "--mass-line"));
   const auto found = recording_files(files);
@@ -182,19 +180,16 @@ int run_fit(const Arguments& arguments) {
   clear_progress();
   if (!fits) return refuse(fits.error());
   const bool interrupted = watch.interrupted();
-  if (interrupted)
-    complain(fmt::format("interrupted; what follows are the results of {} of {} files", files_of(*fits),
-                         found->files.size()));
+  if (interrupted) complain(interrupted_at("results", "files", found->files, files_of(*fits)));
   const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
                                                 [](const auto& each) { return each.succeeded(); });
   std::optional<MassLine> line;
   std::optional<Error> no_line;
   if (spring.mass_line && !interrupted) {
-    const auto masses = *parse_masses(spring.masses);
-    auto through = mass_line(*fits, masses);
+    auto through = mass_line(*fits, spring.masses);
     if (through)
       line = *std::move(through);
-    else if (!good && lacks_points(through.error(), masses))
+    else if (!good && lacks_points(through.error(), spring.masses))
       no_line = Error{"no_mass_line", {{"what", through.error().notice}}};
     else
       return refuse(through.error());

@@ -26,7 +26,9 @@ std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, co
                                        const Watch& watch) {
   std::vector<std::vector<FittedRecording>> of_file(files.size());
   for_each_file(files.size(), watch, [&](std::size_t i, const Watch& of_one) {
-    of_file[i] = fit_file(files[i], options, of_one);
+    FitOptions own = options;
+    if (own.mass.size() > 1) own.mass = {options.mass[i]};
+    of_file[i] = fit_file(files[i], own, of_one);
   });
   std::vector<FittedRecording> fits;
   for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
@@ -37,6 +39,9 @@ std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, co
 
 Result<std::vector<FittedRecording>> fit_all(const RecordingFiles& found, const FitOptions& options,
                                              const Watch& watch) {
+  const std::size_t masses = options.mass.size();
+  if (found.many && masses > 1 && masses != found.files.size())
+    return Error{"masses_unlike_files", {{"masses", masses}, {"files", found.files.size()}}};
   if (found.many) return fit_files(found.files, options, watch);
   const auto recording = open_recording(found.files.front(), options.read);
   return recording ? fit(*recording, options, watch) : recording.error();

@@ -1,5 +1,7 @@
 #include "many_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -108,6 +110,21 @@ void for_each_file(std::size_t count, const Watch& watch,
   for (std::size_t i = 1; i < threads; ++i) others.emplace_back(take);
   take();
   for (auto& thread : others) thread.join();
+}
+
+std::string interrupted_at(std::string_view results, std::string_view things,
+                           const std::vector<std::string>& all, const std::vector<std::string>& done) {
+  constexpr std::size_t most_named = 5;
+  std::vector<std::string_view> missing;
+  for (const std::string& each : all)
+    if (std::find(done.begin(), done.end(), each) == done.end()) missing.push_back(each);
+  std::string said = fmt::format("interrupted; what follows are the {} of {} of {} {}", results,
+                                 all.size() - missing.size(), all.size(), things);
+  if (missing.empty()) return said;
+  const std::size_t more = missing.size() - std::min(missing.size(), most_named);
+  missing.resize(missing.size() - more);
+  said += fmt::format("; missing: {}", fmt::join(missing, ", "));
+  return more > 0 ? said + fmt::format(" and {} more", more) : said;
 }
 
 }  // namespace cromer::core::cli

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/base/function_ref.h"
@@ -28,5 +29,10 @@ Result<RecordingFiles> recording_files(const std::vector<std::string>& named);
 /// progress of all together. After an interruption no further one is begun.
 void for_each_file(std::size_t count, const Watch& watch,
                    FunctionRef<void(std::size_t i, const Watch& watch)> work);
+
+/// "interrupted; what follows are the fits of 3 of 5 files; missing: d.csv, e.csv": `all` in their order, of
+/// which `done` has the finished ones.
+std::string interrupted_at(std::string_view results, std::string_view things,
+                           const std::vector<std::string>& all, const std::vector<std::string>& done);
 
 }  // namespace cromer::core::cli

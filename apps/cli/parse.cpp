@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "completions.h"
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/option_owner.h"
@@ -47,8 +48,13 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
 
 /// Grams or kilograms? The refusal of a value without a unit that is large for what the option takes it for.
 std::string unit_in_doubt(const Option& option, std::string_view text) {
-  const auto bare = parse_quantity(text, "1");
-  if (!bare || bare->value < option.doubtful_from) return "";
+  bool much = false;
+  for (const std::string_view part : split(text, ',')) {
+    const auto bare = parse_quantity(part, "1");
+    if (!bare) return "";
+    much = much || bare->value >= option.doubtful_from;
+  }
+  if (!much) return "";
   return fmt::format("--{0} {1}: would be {2}, which is much; write --{0} \"{1} {3}\" or --{0} \"{1} {2}\"",
                      option.name, text, option.unit, option.unit == "kg" ? "g" : "cm");
 }

@@ -137,6 +137,17 @@ std::vector<MotionSpectra> spectra_of(const Motions& motions, const SpectrumOpti
   return done;
 }
 
+const std::vector<std::string>& files_named(const MotionSpectra& motion) { return motion.files; }
+const std::vector<std::string>& files_named(const std::vector<std::string>& files) { return files; }
+
+/// The file that each motion is called by.
+template <class Motion>
+std::vector<std::string> first_files(const std::vector<Motion>& motions) {
+  std::vector<std::string> files;
+  for (const Motion& motion : motions) files.push_back(files_named(motion).front());
+  return files;
+}
+
 bool names(const Notice& notice, const std::string& file) {
   return std::any_of(notice.values.begin(), notice.values.end(), [&](const NoticeValue& each) {
     const auto* text = std::get_if<std::string>(&each.value);
@@ -187,9 +198,7 @@ int run_many(const Motions& files, std::vector<Notice> notes, const SpectrumOpti
   const std::vector<MotionSpectra> motions = spectra_of(files, options, watch);
   clear_progress();
   const bool interrupted = watch.interrupted();
-  if (interrupted)
-    complain(fmt::format("interrupted; what follows are the spectra of {} of {} motions", motions.size(),
-                         files.size()));
+  if (interrupted) complain(interrupted_at("spectra", "motions", first_files(files), first_files(motions)));
   const auto succeeded = [](const MotionSpectra& motion) { return motion.succeeded(); };
   const bool any = std::any_of(motions.begin(), motions.end(), succeeded);
   Answer answer{.text = [&] { return spectra_text(motions); },

@@ -132,6 +132,25 @@ TEST(FitMany, EachIsFittedAsIfItWereAlone) {
   }
 }
 
+TEST(FitMany, EachHasItsOwnMass) {
+  Folder folder;
+  fill(folder);
+  const auto stiffness = [](const auto& fit) {
+    return fit["parameters"]["stiffness"]["value"].template get<double>();
+  };
+  const auto heavy = folder.run({"fit", "runs/1.csv", "--mass", "200 g", "--json"}).json();
+  const auto both =
+      folder.run({"fit", "runs/2.csv", "runs/1.csv", "--mass", "0.1, 200 g", "--json", "--quiet"}).json();
+  EXPECT_EQ(stiffness(both["fits"][1]), stiffness(heavy));
+  EXPECT_LT(stiffness(both["fits"][0]), 1e-3 * stiffness(heavy));
+  const Finished three = folder.run({"fit", "runs/2.csv", "runs/1.csv", "--mass", "1 g, 2 g, 3 g"});
+  EXPECT_EQ(three.status, 2);
+  EXPECT_THAT(three.err,
+              HasSubstr("--mass: 3 masses are given for 2 files; give one for all, or one for each"));
+  EXPECT_THAT(folder.run({"fit", "runs/1.csv", "--mass", "94.72, 55.19"}).err,
+              HasSubstr("write --mass \"94.72, 55.19 g\""));
+}
+
 TEST(FitMany, OneTableHasARowForEach) {
   Folder folder;
   fill(folder);

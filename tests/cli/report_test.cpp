@@ -199,6 +199,21 @@ TEST(ReportOfRecordings, IsWrittenWithItsStudyReadyToEdit) {
   EXPECT_THAT(kept.err, HasSubstr("out/study.toml was changed by hand and is kept"));
 }
 
+TEST(ReportOfRecordings, EachHasItsOwnMass) {
+  const Folder folder;
+  const std::string data = std::string(source) + "/data/";
+  ASSERT_EQ(folder
+                .run({"report", data + "recording1.csv", data + "recording2.csv", "--mass", "100 ± 1, 200 g",
+                      "-o", "out"})
+                .status,
+            0);
+  const std::string study = folder.read("out/study.toml");
+  EXPECT_THAT(study, HasSubstr("mass = \"0.1 ± 0.001 kg\"\n"));
+  EXPECT_THAT(study, HasSubstr("mass = \"0.2 kg\"\n"));
+  EXPECT_EQ(folder.run({"report", "out/study.toml", "-o", "again"}).status, 0);
+  EXPECT_EQ(folder.read("again/index.html"), folder.read("out/index.html"));
+}
+
 TEST(ReportOfRecordings, OfWhatCannotBeFittedHasTheReason) {
   const Folder folder;
   std::string bytes = "t (s),x (m)\n";

@@ -76,26 +76,5 @@ TEST(SampleData, AnswersTheLabsQuestions) {
   EXPECT_EQ(fit.at("decay_segments").size(), 3u);
 }
 
-TEST(SampleData, TheSoftSpringsOfTheCapstoneLabMeetTheirAuthors) {
-  const std::string file = CROMER_SOURCE_DIR
-      "/../shared/data/spring-disc-capstone-mm/Oscillazioni non_pretensionata_cd_3e1masse.csv";
-  if (bytes_of(file).empty()) GTEST_SKIP() << "no " << file;
-  const char* masses[] = {"94.72 g", "55.19 g"};
-  const double rates[] = {0.04690, 0.07388}, frequencies[] = {5.6623, 7.2526};
-  for (int run = 0; run < 2; ++run) {
-    const Finished end =
-        Folder().run({"fit", "--law", "viscous", file, "--rate", "100", "--run", std::to_string(run + 1),
-                      "--mass", masses[run], "--spring-mass", "15.43 g", "--json"});
-    ASSERT_EQ(end.status, 0) << end.err;
-    const auto fit = end.json();
-    EXPECT_NEAR(fit.at("parameters").at("decay_rate").at("value").get<double>() / rates[run], 1, 1e-3);
-    EXPECT_NEAR(fit.at("derived").at("frequency").at("value").get<double>() * 2 * M_PI / frequencies[run], 1,
-                1e-3);
-    if (run == 0) {
-      EXPECT_NEAR(fit.at("parameters").at("stiffness").at("value").get<double>() / 3.226, 1, 0.01);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace cromer::core::test

@@ -21,6 +21,7 @@ struct TypeOf {
   std::string operator()(std::optional<double>*) const { return "Value"; }
   std::string operator()(std::vector<double>*) const { return "Union[Value, Sequence[Value]]"; }
   std::string operator()(std::optional<Quantity>*) const { return "Uncertain"; }
+  std::string operator()(std::vector<Quantity>*) const { return "Uncertain"; }
   std::string operator()(std::optional<int>*) const { return "int"; }
   std::string operator()(long long*) const { return "int"; }
   std::string operator()(unsigned long long*) const { return "int"; }

@@ -71,7 +71,7 @@ TEST(CompareFigure, HasTheLawOneRateAndEachMethodInEveryPanel) {
     EXPECT_NEAR(*std::max_element(energy.begin(), energy.end()), 500 * v * v, 3) << i;
   }
   CompareOptions with_mass = options;
-  with_mass.fit.mass = Quantity{0.2, 0};
+  with_mass.fit.mass = {Quantity{0.2, 0}};
   EXPECT_EQ(drawn(compared(swing(5), with_mass), "energy").panels[0].y.name, "energy {/:Italic E} (mJ)");
 }
 

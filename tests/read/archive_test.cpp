@@ -252,6 +252,23 @@ TEST(Archive, OnlyFilesThatEndAsTextAreLookedAt) {
             "export.zip: this is a spreadsheet: export the sheet as CSV");
 }
 
+TEST(ProgramFile, IsAnsweredWithItsExportMenu) {
+  const std::string zip = archive_of({{"main.xml", "<x/>"}}),
+                    xml = "<?xml version=\"1.0\"?>\n<Document>\n1\n2\n</Document>";
+  const auto refused = [](const std::string& bytes, const char* name) {
+    return in_words(read_recording(bytes, name, {}).error());
+  };
+  EXPECT_EQ(refused(zip, "swing.CAP"),
+            "swing.CAP: this is a file of PASCO Capstone's own: there, choose File > Export Data...");
+  EXPECT_THAT(refused(xml, "a/swing.cmbl"),
+              HasSubstr("Vernier Logger Pro's own: there, choose File > Export As > CSV"));
+  EXPECT_THAT(refused(archive_of({{"[Content_Types].xml", "<x/>"}}), "swing.xlsx"),
+              HasSubstr("File > Save As"));
+  EXPECT_THAT(refused(zip, "swing.zip"), HasSubstr("holds no CSV file"));
+  // A table is a table, whatever its name.
+  EXPECT_TRUE(read_recording("t (s),x (m)\n0,1\n1,2\n2,4\n", "swing.ds", {}).ok());
+}
+
 TEST(Archive, NotesOfPhonesAreNoData) {
   for (const char* notes : {"meta/time.csv", "a/meta/time.csv"})
     EXPECT_EQ(dialect_of({{"a.csv", table}, {notes, "t (s),x (m)\n5,6\n6,7\n"}}), "phyphox ZIP") << notes;

@@ -33,7 +33,7 @@ FittedRecording fitted() {
 
 TEST(CollectFit, HasEveryEstimateWithItsInterval) {
   FittedRecording lab = fitted();
-  lab.options.mass = Quantity{2, 0.5};
+  lab.options.mass = {Quantity{2, 0.5}};
   lab.keulegan_carpenter = estimate(6);
   Results results;
   collect("lab", lab, results);

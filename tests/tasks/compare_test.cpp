@@ -64,7 +64,7 @@ TEST(CompareTask, WhatIsAskedOfTheFitIsNotAskedOfTheOneRate) {
   options.method = {"rk4"};
   options.fit.law = "viscous+drag";
   const CompareResult plain = compared(disc_recording(4, 20), options);
-  options.fit.mass = Quantity{0.2176, 0};
+  options.fit.mass = {Quantity{0.2176, 0}};
   options.fit.disc_diameter = Quantity{0.12, 0};
   options.fit.temperature = Quantity{293, 0};
   options.fit.monte_carlo = 1000;

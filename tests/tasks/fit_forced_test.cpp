@@ -53,7 +53,7 @@ FittedRecording fitted(const std::string& bytes, const FitOptions& options) {
 TEST(FitForced, NamesFollowTheContract) {
   FitOptions options = forced_options();
   options.law = "viscous+cubic+quadratic";
-  options.mass = Quantity{0.25, 0.001};
+  options.mass = {Quantity{0.25, 0.001}};
   const FittedRecording result = fitted(rig(), options);
   ASSERT_EQ(result.fit.status, FitStatus::converged) << in_words(result.fit.message);
   std::vector<std::string> names;
@@ -191,7 +191,7 @@ std::string beats(double amplitude) {
 TEST(FitDriven, SaysTheDrive) {
   FitOptions options;
   options.drive_frequency = "1.206 Hz";
-  options.mass = Quantity{0.25, 0};
+  options.mass = {Quantity{0.25, 0}};
   const FittedRecording result = fitted(beats(0.3), options);
   ASSERT_EQ(result.fit.status, FitStatus::converged) << in_words(result.fit.message);
   const auto near = [&](const char* name, double truth) {

@@ -29,10 +29,10 @@ const Quantity kilogram{1, 0};
 
 TEST(FitOptions, KnownQuantitiesArePositive) {
   EXPECT_EQ(said({}), "");
-  EXPECT_EQ(said({.mass = Quantity{1e-300, 0}}), "");
-  EXPECT_EQ(said({.mass = Quantity{0, 0}}), "--mass: it must be positive, not 0 kg");
-  EXPECT_EQ(said({.mass = kilogram, .spring_mass = Quantity{0, 0}}), "");
-  EXPECT_EQ(said({.mass = kilogram, .spring_mass = Quantity{-0.5, 0}}),
+  EXPECT_EQ(said({.mass = {Quantity{1e-300, 0}}}), "");
+  EXPECT_EQ(said({.mass = {Quantity{0, 0}}}), "--mass: it must be positive, not 0 kg");
+  EXPECT_EQ(said({.mass = {kilogram}, .spring_mass = Quantity{0, 0}}), "");
+  EXPECT_EQ(said({.mass = {kilogram}, .spring_mass = Quantity{-0.5, 0}}),
             "--spring-mass: it must not be negative, not -0.5 kg");
   EXPECT_EQ(said({.spring_mass = Quantity{1, 0}}), "--spring-mass needs --mass as well");
   EXPECT_EQ(said({.disc_diameter = Quantity{1e-300, 0}}), "");
@@ -55,16 +55,16 @@ TEST(FitOptions, KnownQuantitiesArePositive) {
 }
 
 TEST(FitOptions, TrialsAndTheirSeedNeedOneAnother) {
-  EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 1000}), "");
-  EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 10'000'000}), "");
-  EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 999}),
+  EXPECT_EQ(said({.mass = {kilogram}, .monte_carlo = 1000}), "");
+  EXPECT_EQ(said({.mass = {kilogram}, .monte_carlo = 10'000'000}), "");
+  EXPECT_EQ(said({.mass = {kilogram}, .monte_carlo = 999}),
             "--monte-carlo: it must lie between 1000 and 10000000 trials, not 999");
-  EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 10'000'001}),
+  EXPECT_EQ(said({.mass = {kilogram}, .monte_carlo = 10'000'001}),
             "--monte-carlo: it must lie between 1000 and 10000000 trials, not 10000001");
   EXPECT_EQ(said({.monte_carlo = 1000}),
             "--monte-carlo needs --mass: it checks the uncertainty of the spring constant");
   EXPECT_EQ(said({.seed_given = true}), "--seed needs --monte-carlo: it is the seed of its trials");
-  EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 1000, .seed_given = true}), "");
+  EXPECT_EQ(said({.mass = {kilogram}, .monte_carlo = 1000, .seed_given = true}), "");
 }
 
 TEST(FitOptions, ARateIsThatOfALogger) {
@@ -202,26 +202,37 @@ TEST(PartOfWork, GoesFromItsBeginningToItsEnd) {
 }
 
 std::string masses(std::string_view text) {
-  const auto parsed = parse_masses(text);
-  if (!parsed) return in_words(parsed.error());
+  FitOptions options;
+  if (const auto read = assign({{"mass", std::string(text)}}, options_of(options), "fit"); !read)
+    return in_words(read.error());
   std::string list;
-  for (const Quantity& mass : *parsed) list += shortest(mass.value) + ";";
+  for (const Quantity& mass : options.mass)
+    list += shortest(mass.value) + (mass.uncertainty > 0 ? "±" + shortest(mass.uncertainty) : "") + ";";
   return list;
 }
 
-TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
+TEST(Masses, AreReadWithOneUnitOrManyOrNone) {
+  EXPECT_EQ(masses("48.4 g, 67.95 ± 0.01 g,0.08796 kg"), "0.0484;0.06795±0.00001;0.08796;");
   EXPECT_EQ(masses("1,2,3"), "1;2;3;");
+  EXPECT_EQ(masses("0.05,0.06"), "0.05;0.06;");
   EXPECT_EQ(masses("1, 2 , 3000 g"), "0.001;0.002;3;");
   EXPECT_EQ(masses("1 g,2 kg,3 g"), "0.001;2;0.003;");
-  EXPECT_EQ(masses("0"), "0;");
+}
+
+TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
   const std::string why =
-      " has no unit, but others have: give each its unit, or give one to the last mass only, for all of them";
-  EXPECT_EQ(masses("1 g,2,3"), "--masses: 2" + why);
-  EXPECT_EQ(masses("1 g,2,3 g"), "--masses: 2" + why);
-  EXPECT_EQ(masses("1,,2"), "--masses: a mass is missing between two commas");
-  EXPECT_EQ(masses("1,2,"), "--masses: a mass is missing between two commas");
-  EXPECT_EQ(masses("1,-2"), "--masses: -2 is negative");
-  EXPECT_THAT(masses("one"), testing::StartsWith("--masses: "));
+      " has no unit, but others have: give each its unit, or give one to the last only, for all of them";
+  EXPECT_EQ(masses("1 g,2,3"), "--mass: 2" + why);
+  EXPECT_EQ(masses("1 g,2,3 g"), "--mass: 2" + why);
+  EXPECT_EQ(masses("1,,2"), "--mass: a value is missing between two commas");
+  EXPECT_EQ(masses("1,2,"), "--mass: a value is missing between two commas");
+  EXPECT_THAT(masses("1,-2"), testing::HasSubstr("must be positive"));
+  EXPECT_THAT(masses("one"), testing::StartsWith("--mass: "));
+}
+
+TEST(Masses, ADecimalCommaMakesNoTwoOfThem) {
+  EXPECT_THAT(masses("217,6 g"), testing::HasSubstr("decimal comma: write 217.6"));
+  EXPECT_EQ(masses("217, 6 g"), "0.217;0.006;");
 }
 
 /// Ten samples, one each second, from 0 to 9 s; y is the square of the time, the lines are from 2.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 
@@ -24,7 +25,7 @@ const Series& disc() {
 
 FitOptions disc_options() {
   FitOptions options;
-  options.mass = Quantity{0.2176, 0.0003};
+  options.mass = {Quantity{0.2176, 0.0003}};
   options.disc_diameter = Quantity{0.12, 0};
   options.segment = 30;
   options.segments = 3;
@@ -111,7 +112,7 @@ TEST(FitTask, CarriesTheMassesUncertainty) {
   FitOptions options = disc_options();
   const Estimate with = *fitted(disc(), options).find("stiffness");
   EXPECT_NEAR(with.standard_error, 17.04 * 0.0003 / 0.2176, 0.02 * with.standard_error);
-  options.mass = Quantity{0.2176, 0};
+  options.mass = {Quantity{0.2176, 0}};
   EXPECT_LT(fitted(disc(), options).find("stiffness")->standard_error, 0.01 * with.standard_error);
   options.spring_mass = Quantity{0.015, 0.003};
   const Estimate spring = *fitted(disc(), options).find("stiffness");
@@ -247,7 +248,7 @@ TEST(FitTask, RefusesWhatCannotBeFitted) {
   EXPECT_THAT(message({.law = "viscous+pendulum"}), HasSubstr("--law viscous+pendulum: a pendulum's law"));
   EXPECT_THAT(message({.law = "viscos"}), HasSubstr("did you mean viscous"));
   EXPECT_THAT(message({.from = 5, .to = 3}), HasSubstr("--from"));
-  EXPECT_THAT(message({.mass = Quantity{0, 0}}), HasSubstr("--mass"));
+  EXPECT_THAT(message({.mass = {Quantity{0, 0}}}), HasSubstr("--mass"));
   EXPECT_THAT(message({.spring_mass = Quantity{0.01, 0}}), HasSubstr("needs --mass"));
   EXPECT_THAT(message({.segment = -1}), HasSubstr("--segment"));
 }
@@ -277,24 +278,33 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
 TEST(FitTask, AgreesWithTheAuthorsOfTheCompactDisc) {
   const std::string path = data("spring-disc-capstone-mm/Oscillazioni non_pretensionata_cd_3e1masse.csv");
   SKIP_WITHOUT(path);
-  const double masses[] = {0.09472, 0.05519}, rates[] = {0.04690, 0.07388}, frequencies[] = {5.6623, 7.2526};
-  for (int run = 1; run <= 2; ++run) {
-    FitOptions options;
-    options.read.rate = 100;
-    options.run = run;
-    options.law = "viscous";
-    options.mass = Quantity{masses[run - 1], 0};
-    options.spring_mass = Quantity{0.01543, 0};
-    const auto result = fit(bytes_of(path), path, options);
-    ASSERT_TRUE(result.ok()) << in_words(result.error());
-    const FittedRecording& one = result->front();
-    EXPECT_NEAR(one.find("decay_rate")->value, rates[run - 1], 1e-3 * rates[run - 1]);
-    EXPECT_NEAR(2 * std::numbers::pi * one.find("frequency")->value, frequencies[run - 1],
-                1e-3 * frequencies[run - 1]);
-    if (run == 1) {
-      EXPECT_NEAR(one.find("stiffness")->value, 3.226, 0.03226);
-    }
+  const double rates[] = {0.04690, 0.07388}, frequencies[] = {5.6623, 7.2526};
+  FitOptions options;
+  options.read.rate = 100;
+  options.law = "viscous";
+  options.mass = {Quantity{0.09472, 0}, Quantity{0.05519, 0}};
+  options.spring_mass = Quantity{0.01543, 0};
+  const auto result = fit(bytes_of(path), path, options);
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  ASSERT_EQ(result->size(), 2u);
+  for (std::size_t run = 0; run < 2; ++run) {
+    const FittedRecording& one = (*result)[run];
+    EXPECT_NEAR(one.find("decay_rate")->value, rates[run], 1e-3 * rates[run]);
+    EXPECT_NEAR(2 * std::numbers::pi * one.find("frequency")->value, frequencies[run],
+                1e-3 * frequencies[run]);
+    EXPECT_NEAR(one.find("stiffness")->value, 3.226, run == 0 ? 0.03226 : 0.06);
   }
+  const auto doubted = [&] {
+    const auto notices = fit(bytes_of(path), path, options)->front().notices;
+    return std::any_of(notices.begin(), notices.end(),
+                       [](const Notice& each) { return each.code == "one_mass_for_unlike_runs"; });
+  };
+  EXPECT_FALSE(doubted());
+  options.mass.pop_back();
+  EXPECT_TRUE(doubted());
+  options.mass.resize(3, Quantity{0.1, 0});
+  EXPECT_THAT(in_words(fit(bytes_of(path), path, options).error()),
+              HasSubstr("3 masses are given for 2 runs; --mass needs one for each"));
 }
 
 TEST(FitTask, TheFullDiscNeedsDragAndASofteningSpring) {

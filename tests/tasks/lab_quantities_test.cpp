@@ -16,7 +16,7 @@ namespace {
 
 FitOptions disc_options() {
   FitOptions options;
-  options.mass = Quantity{0.2176, 0.0003};
+  options.mass = {Quantity{0.2176, 0.0003}};
   options.disc_diameter = Quantity{0.12, 0};
   return options;
 }
@@ -74,7 +74,7 @@ TEST(KeuleganCarpenter, IsTheWayOfTheDiscInItsDiameters) {
 
 TEST(DragCoefficient, CarriesTheTemperaturesUncertainty) {
   FitOptions options = disc_options();
-  options.mass = Quantity{0.2176, 0};
+  options.mass = {Quantity{0.2176, 0}};
   const Estimate without = *fitted(options, disc()).find("drag_coefficient");
   options.temperature = Quantity{293.15, 10};
   const FittedRecording with = fitted(options, disc());
@@ -94,7 +94,7 @@ TEST(DragCoefficient, CarriesTheTemperaturesUncertainty) {
 
 TEST(StiffnessBudget, SumsUpToTheStiffnesssError) {
   FitOptions options = disc_options();
-  options.mass = Quantity{0.2176, 1e-6};
+  options.mass = {Quantity{0.2176, 1e-6}};
   options.spring_mass = Quantity{0.01, 6e-6};
   const FittedRecording result = fitted(options, disc());
   ASSERT_EQ(result.stiffness_budget.size(), 3u);

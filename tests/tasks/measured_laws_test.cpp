@@ -41,7 +41,8 @@ TEST(MeasuredLaws, TheSpringConstantIsTheStaticOne) {
   const char* file = "spring-disc-capstone-mm/Oscillazioni non_pretensionata_cd_3e1masse.csv";
   const double masses[] = {0.09472, 0.05519}, residuals[] = {0.32e-3, 0.18e-3};
   for (int run : {1, 2}) {
-    FitOptions options{.run = run, .mass = Quantity{masses[run - 1], 0}, .spring_mass = Quantity{0.01543, 0}};
+    FitOptions options{
+        .run = run, .mass = {Quantity{masses[run - 1], 0}}, .spring_mass = Quantity{0.01543, 0}};
     options.read.rate = 100;
     const auto result = fitted(file, options);
     SKIP_WITHOUT_FIT(result);

@@ -171,8 +171,8 @@ TEST(FitTable, KeepsUncertaintiesWhereTheyAreUsed) {
   FitOptions options;
   const auto table = options_of(options);
   ASSERT_TRUE(assign(find(table, "mass"), "217.6 ± 0.3 g").ok());
-  EXPECT_DOUBLE_EQ(options.mass->value, 0.2176);
-  EXPECT_DOUBLE_EQ(options.mass->uncertainty, 0.0003);
+  EXPECT_DOUBLE_EQ(options.mass.front().value, 0.2176);
+  EXPECT_DOUBLE_EQ(options.mass.front().uncertainty, 0.0003);
   EXPECT_FALSE(assign(find(table, "segment"), "30 ± 1 s").ok());
   ASSERT_TRUE(assign(find(table, "segment"), "30 s").ok());
   EXPECT_EQ(options.segment, 30);

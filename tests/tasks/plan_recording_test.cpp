@@ -118,7 +118,7 @@ TEST(PlanRecording, HoldsForDragToo) {
 TEST(PlanRecording, KnowsThatTheMassLimitsTheSpring) {
   FitOptions options;
   options.law = "viscous";
-  options.mass = Quantity{0.2, 0.001};
+  options.mass = {Quantity{0.2, 0.001}};
   options.goal = "stiffness 0.1 %";
   const auto result = fit_series(decay(20, 0.05, 1e-3, 1), "lab.csv", options);
   ASSERT_TRUE(result.ok());

@@ -145,7 +145,7 @@ class Call {
       if (value.is_null()) continue;
       if (!value.is_array()) {
         settings.emplace_back(name, text_of(value));
-      } else if (std::holds_alternative<std::optional<Quantity>*>(option.target) && value.size() == 2) {
+      } else if (option.has_uncertainty() && value.size() == 2) {
         settings.emplace_back(name, text_of(value[0]) + " ± " + text_of(value[1]));
       } else if (option.is_list()) {
         for (const auto& each : value) settings.emplace_back(name, text_of(each));

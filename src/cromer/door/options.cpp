@@ -94,7 +94,7 @@ FitOptions fit_options(const cromer::FitOptions& options, const Selection& selec
   o.law = options.law.terms();
   o.no_spring = options.no_spring;
   o.hysteresis_exponent = options.hysteresis_exponent;
-  o.mass = options.mass;
+  if (options.mass) o.mass = {*options.mass};
   o.spring_mass = options.spring_mass;
   o.disc_diameter = options.disc_diameter;
   o.temperature = options.temperature;

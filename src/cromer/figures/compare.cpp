@@ -61,9 +61,7 @@ Kind kind_of(const ComparedCurve& curve) {
 class Compared {
  public:
   explicit Compared(const CompareResult& comparison)
-      : recording_(comparison.recording),
-        position_(measured_axis(recording_)),
-        velocity_(position_) {
+      : recording_(comparison.recording), position_(measured_axis(recording_)), velocity_(position_) {
     for (const ComparedCurve& curve : comparison.curves) curves_.push_back(&curve);
     std::stable_sort(curves_.begin(), curves_.end(), [](const ComparedCurve* a, const ComparedCurve* b) {
       return kind_of(*a) < kind_of(*b);

@@ -88,8 +88,12 @@ std::vector<int> runs(const Recording& recording);
 /// An Error if there is no such run.
 Result<void> check_run(const Recording& recording, int run);
 
+/// The columns of a run that may be the motion: its positions, else its angles, angular velocities,
+/// velocities or accelerations.
+std::vector<std::size_t> motion_columns(const Recording& recording, int run);
+
 /// Takes one column of a run (from 1) as a series. `column` is matched exactly, else without case, decoration
-/// and unit. If it is empty, a position is taken, else an angle, angular velocity, velocity or acceleration.
+/// and unit. If it is empty, the one of motion_columns() is taken.
 /// Several that fit, or several of which only the names are known, are an Error that lists them. The times
 /// are those of the time column before it.
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,

@@ -17,27 +17,19 @@
 namespace cromer::core {
 namespace {
 
-/// The column if none is named: a position, else an angle, ... Several alike are an Error, and so are several
+/// The column if none is named. Several alike are an Error, and so are several
 /// of which only the names are known; in a file without names it is the first that is not a time.
 Result<std::size_t> main_column(const Recording& recording, int run, std::vector<Notice>& notices) {
-  constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
-                                                   "acceleration"};
   const auto& columns = recording.table.columns;
-  std::vector<std::size_t> of_run;
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    if (columns[j].run == run) of_run.push_back(j);
-  for (const std::string_view quantity : wanted) {
-    std::vector<std::size_t> alike;
-    for (const std::size_t j : of_run)
-      if (columns[j].quantity == quantity) alike.push_back(j);
-    if (alike.size() == 1) return alike.front();
-    if (alike.empty()) continue;
+  const std::vector<std::size_t> alike = motion_columns(recording, run);
+  if (alike.size() == 1) return alike.front();
+  if (!alike.empty())
     return Error{"columns_alike",
                  {{"columns", quoted_titles(columns, alike)}, {"first", columns[alike.front()].name}}};
-  }
   constexpr std::array<std::string_view, 3> no_motions{"time", "index", "frequency"};
   std::vector<std::size_t> left, frequencies;
-  for (const std::size_t j : of_run) {
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (columns[j].run != run) continue;
     if (std::find(no_motions.begin(), no_motions.end(), columns[j].quantity) == no_motions.end())
       left.push_back(j);
     if (columns[j].quantity == "frequency") frequencies.push_back(j);
@@ -157,6 +149,18 @@ std::vector<int> runs(const Recording& recording) {
   std::set<int> found;
   for (const Column& column : recording.table.columns) found.insert(column.run);
   return {found.begin(), found.end()};
+}
+
+std::vector<std::size_t> motion_columns(const Recording& recording, int run) {
+  const auto& columns = recording.table.columns;
+  std::vector<std::size_t> alike;
+  for (const std::string_view quantity :
+       {"position", "angle", "angular velocity", "velocity", "acceleration"}) {
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (columns[j].run == run && columns[j].quantity == quantity) alike.push_back(j);
+    if (!alike.empty()) break;
+  }
+  return alike;
 }
 
 Result<void> check_run(const Recording& recording, int run) {

@@ -114,7 +114,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   facts_of(fitted, results).set(id, fitted);
   for (const auto& [option, value] : fitted.simulate)
     results.set(id + ".simulate." + with_underscores(option), value);
-  set_optional(results, id + ".mass", fitted.options.mass, "kg");
+  set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   collect_mean_damping(id, fitted, results);
   collect_reynolds(id, fitted, results);

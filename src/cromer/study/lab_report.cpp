@@ -17,6 +17,11 @@
 namespace cromer::core {
 namespace {
 
+std::string typed(const Quantity& mass) {
+  const std::string value = shortest(mass.value);
+  return mass.uncertainty > 0 ? fmt::format("{} ± {} kg", value, shortest(mass.uncertainty)) : value + " kg";
+}
+
 /// One recording's part of the study.
 class Part : public LabTold {
  public:
@@ -115,9 +120,16 @@ class Part : public LabTold {
     toml_.text("text", text);
   }
 
-  /// The options, and the file; of a file with several runs also which.
-  void settings(const std::vector<TypedOption>& options) {
+  /// The options, and the file; of a file with several runs also which. Of several masses, its own.
+  void settings(std::vector<TypedOption> options) {
     toml_.text("file", verbatim(path_));
+    std::size_t masses = 0;
+    for (const TypedOption& each : options)
+      if (each.first == "mass") masses += split(each.second, ',').size();
+    if (masses > 1) {
+      std::erase_if(options, [](const TypedOption& each) { return each.first == "mass"; });
+      options.emplace_back("mass", typed(fitted_.options.mass.front()));
+    }
     toml_.raw(toml_settings(options));
     const bool has_run =
         std::any_of(options.begin(), options.end(), [](const auto& each) { return each.first == "run"; });
@@ -544,7 +556,7 @@ class Part : public LabTold {
     const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "\n\n") + sentence; };
     for (const Notice& notice : worst_first(compared_ ? compared_->notices : fitted_.notices))
       if (severity(notice) != Severity::detail) add(words("report_sentence", {{"what", notice}}));
-    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && !fitted_.options.mass)
+    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && fitted_.options.mass.empty())
       add(words("report_give_mass"));
     if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && !fitted_.options.disc_diameter)
       add(words("report_give_disc"));

@@ -28,7 +28,7 @@ std::string with_decimals(double value, int decimals) {
 /// What is known about the apparatus, and what else was asked, says nothing of the curves: it is answered by
 /// the fit.
 bool asks_for_the_fit(const FitOptions& options) {
-  return options.mass || options.disc_diameter || !options.goal.empty() || options.textbook;
+  return !options.mass.empty() || options.disc_diameter || !options.goal.empty() || options.textbook;
 }
 
 }  // namespace

@@ -408,15 +408,6 @@ constexpr Entry entries[] = {
     {"or_a_larger_start", clause, " or a larger start", " oder ein größerer Anfang"},
 
     // Lines through several masses
-    {"of_masses", error, "{--masses}: {what}", "{--masses}: {what}"},
-    {"mass_missing", error, "{--masses}: a mass is missing between two commas",
-     "{--masses}: zwischen zwei Kommas fehlt eine Masse"},
-    {"mass_without_unit", error,
-     "{--masses}: {mass} has no unit, but others have: give each its unit, or give one to the last mass "
-     "only, for all of them",
-     "{--masses}: {mass} hat keine Einheit, und andere haben eine: bitte jeder ihre Einheit geben oder nur "
-     "der letzten, dann gilt sie für alle"},
-    {"mass_negative", error, "{--masses}: {mass} is negative", "{--masses}: {mass} ist negativ"},
     {"masses_unlike_recordings", error,
      "{--masses}: {masses} masses are given for {recordings:recording|recordings}; each recording, and each "
      "run in one, needs its own",
@@ -458,8 +449,17 @@ constexpr Entry entries[] = {
     {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
     {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
     {"masses_unlike_runs", error,
-     "{file}: {masses} masses are given for {runs} runs; {--masses} needs one for each",
-     "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {--masses} braucht eine für jeden"},
+     "{file}: {masses} masses are given for {runs:run|runs}; {option:option} needs one for each",
+     "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {option:option} braucht eine für jeden"},
+    {"masses_unlike_files", error,
+     "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
+     "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
+    {"one_mass_for_unlike_runs", worth_knowing,
+     "the runs' frequencies differ by {percent:.2g} %, and one mass is used for all; if the masses differ, "
+     "give "
+     "one for each: {--mass} \"0.1 kg, 0.2 kg\"",
+     "die Frequenzen der Läufe unterscheiden sich um {percent:.2g} %, und für alle gilt eine Masse; sind es "
+     "verschiedene, dann jede angeben: {--mass} \"0.1 kg, 0.2 kg\""},
     {"more_holds_than_masses", error,
      "{--masses}: {masses} masses are given, and there are more holds: {file} has {runs:run|runs}",
      "{--masses}: {masses:Masse|Massen}, und es gibt mehr Ruhelagen: {file} hat {runs:Lauf|Läufe}"},

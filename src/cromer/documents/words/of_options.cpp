@@ -18,6 +18,13 @@ constexpr Entry entries[] = {
     // Any option
     {"option_is_wrong", error, "{option:option}: {what}", "{option:option}: {what}"},
     {"value_is_empty", clause, "the value is empty", "der Wert fehlt"},
+    {"value_missing_in_list", clause, "a value is missing between two commas",
+     "zwischen zwei Kommas fehlt ein Wert"},
+    {"unit_missing_in_list", clause,
+     "{value} has no unit, but others have: give each its unit, or give one to the last only, for all of "
+     "them",
+     "{value} hat keine Einheit, und andere haben eine: bitte jedem Wert seine Einheit geben oder nur dem "
+     "letzten, dann gilt sie für alle"},
     {"not_whole_number", clause, "\"{text}\" is not a whole number", "„{text}“ ist keine ganze Zahl"},
     {"whole_number_too_large", clause, "\"{text}\" is a whole number too large to be used",
      "„{text}“ ist eine zu große ganze Zahl"},

@@ -28,6 +28,8 @@ constexpr Entry entries[] = {
      "das ist ein ZIP-Archiv oder ein Tabellenblatt: bitte auspacken oder als CSV ausgeben"},
     {"spreadsheet", error, "this is a spreadsheet: export the sheet as CSV",
      "das ist ein Tabellenblatt: bitte als CSV ausgeben"},
+    {"file_of_a_program", error, "this is a file of {program}'s own: there, choose {menu}",
+     "das ist eine eigene Datei von {program}: dort bitte {menu} wählen"},
     {"archive_damaged", error, "the ZIP archive is damaged or not complete: export it again",
      "das ZIP-Archiv ist beschädigt oder nicht vollständig: bitte neu ausgeben"},
     {"archive_of_many_files", error, "the ZIP archive holds more than {most} files: unpack it",
@@ -136,6 +138,12 @@ constexpr Entry entries[] = {
      "for instance} \"{first}\"",
      "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
      "{--column}|eine wählen, zum Beispiel} „{first}“"},
+    {"liveliest_axis_taken", worth_knowing,
+     "of the sensor's axes \"{column}\" is taken: it swings most, by {amplitude:.3g} {unit}, \"{other}\" by "
+     "{less:.3g}; {|{--column} names another|another one can be chosen}",
+     "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am meisten, um {amplitude:.3g} "
+     "{unit}, "
+     "„{other}“ um {less:.3g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",

@@ -21,6 +21,7 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/inspect/take_motion.h"
 
 namespace cromer::core {
 namespace {
@@ -220,7 +221,7 @@ namespace {
 
 Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, std::string_view file,
                                           const FitOptions& options, const Watch& watch) {
-  const Result<Series> series = take_series(recording, options.column, run, options.read);
+  const Result<Series> series = take_motion(recording, options.column, run, options.read);
   if (!series) return series.error();
   if (!options.drive_frequency.empty()) {
     Result<FittedRecording> driven = fit_driven(*series, file, options, watch);
@@ -244,6 +245,24 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
   for (const Column& column : recording.table.columns)
     if (column.quantity == "force" && column_title(column) != fitted) return column.name;
   return "";
+}
+
+// Says so where one mass is used for runs that swing at frequencies of their own.
+void doubt_one_mass(std::vector<FittedRecording>& fits, const FitOptions& options) {
+  constexpr double alike = 1.05;  // of one oscillator, started in different ways
+  if (options.mass.size() != 1) return;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const FittedRecording& each : fits) {
+    if (!each.succeeded() || !each.find("stiffness")) continue;
+    const Estimate w = each.fit.angular_frequency();
+    lowest = std::min(lowest, w.high);
+    highest = std::max(highest, w.low);
+  }
+  if (!(highest > alike * lowest)) return;
+  FittedRecording& first = fits.front();
+  first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file),
+                       Notice{"one_mass_for_unlike_runs", {{"percent", 100 * (highest / lowest - 1)}}});
+  ++first.of_file;
 }
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
@@ -281,10 +300,15 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
   std::vector<FittedRecording> fits;
   std::optional<Error> first_error;
   bool any_read = false;
+  const std::vector<Quantity>& masses = options.mass;
+  if (masses.size() > 1 && masses.size() != wanted.size())
+    return unlike_runs("mass", file, masses.size(), wanted.size());
+  FitOptions of_run = options;
   for (int run : wanted) {
+    if (masses.size() > 1) of_run.mass = {masses[fits.size()]};
     const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
     const Watch part = part_of(watch, done / all, (done + 1) / all);
-    Result<FittedRecording> one = fit_run(recording, run, file, options, part);
+    Result<FittedRecording> one = fit_run(recording, run, file, of_run, part);
     if (one) {
       // Notices on the file are given once, with the first run that could be read.
       if (!any_read) {
@@ -302,6 +326,7 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
   }
   if (!any_read && first_error) return *first_error;
   for (FittedRecording& each : fits) each.one_of_several = fits.size() > 1;
+  doubt_one_mass(fits, options);
   return fits;
 }
 

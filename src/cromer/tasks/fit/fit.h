@@ -29,7 +29,7 @@ struct FitOptions {
   std::string law = "auto";
   bool no_spring = false;                   ///< a body without a spring, under a recorded force
   double hysteresis_exponent = 1;           ///< >= 1
-  std::optional<Quantity> mass{};           // [kg] > 0
+  std::vector<Quantity> mass{};             // [kg] > 0; one, or one for each run
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter{};  // [m] > 0
   std::optional<Quantity> temperature{};    // [K] of the air; 293.15 by default

@@ -72,8 +72,8 @@ Result<void> check_fit_options(const FitOptions& given) {
   FitOptions options = given;
   for (const Option& option : options_of(options))
     if (auto good = check(option); !good) return good;
-  if (options.spring_mass && !options.mass) return Error{"spring_mass_alone"};
-  if (options.monte_carlo && !options.mass) return Error{"monte_carlo_without_mass"};
+  if (options.spring_mass && options.mass.empty()) return Error{"spring_mass_alone"};
+  if (options.monte_carlo && options.mass.empty()) return Error{"monte_carlo_without_mass"};
   if (options.temperature && !options.disc_diameter) return Error{"temperature_without_disc"};
   if (options.seed_given && !options.monte_carlo) return Error{"seed_without_monte_carlo"};
   if (!options.goal.empty())
@@ -84,6 +84,11 @@ Result<void> check_fit_options(const FitOptions& given) {
     return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
   if (const auto law = law_of(options); !law) return law.error();
   return {};
+}
+
+Error unlike_runs(std::string_view option, std::string_view file, std::size_t masses, std::size_t runs) {
+  return Error{"masses_unlike_runs",
+               {{"option", option}, {"file", file}, {"masses", masses}, {"runs", runs}}};
 }
 
 }  // namespace cromer::core

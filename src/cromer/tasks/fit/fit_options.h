@@ -27,4 +27,7 @@ Result<std::optional<Law>> law_of(const FitOptions& options);
 /// The angular frequency of --drive-frequency [rad/s]; empty for auto.
 Result<std::optional<double>> drive_of(const FitOptions& options);
 
+/// The Error of a file whose runs are not as many as the masses of this option.
+Error unlike_runs(std::string_view option, std::string_view file, std::size_t masses, std::size_t runs);
+
 }  // namespace cromer::core

@@ -59,7 +59,8 @@ std::string to_known_digits(double value, double relative_error) {
 }  // namespace
 
 Body body_of(const FitOptions& options) {
-  Body body{options.mass, options.spring_mass, options.disc_diameter};
+  Body body{{}, options.spring_mass, options.disc_diameter};
+  if (!options.mass.empty()) body.mass = options.mass.front();
   if (options.temperature) body.temperature = *options.temperature;
   return body;
 }
@@ -134,7 +135,7 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
     const double error = known ? power * known->standard_error / std::abs(known->value) : 0;
     settings.emplace_back(option, to_known_digits(value, error));
   };
-  add("mass", mass);
+  add("mass", to_15_digits(mass));
   const Oscillator<double> oscillator = multiplied_by_mass(motion.per_mass, mass);
   if (!motion.law.has<Spring>()) add(Spring::coefficients[0].option, 0);
   for_each_term([&]<class T>() {

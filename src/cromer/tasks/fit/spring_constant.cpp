@@ -14,15 +14,10 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/inspect/take_motion.h"
 
 namespace cromer::core {
 namespace {
-
-/// What follows the last digit or bracket: "g" of "48.4(2) g".
-std::string_view unit_in(std::string_view part) {
-  const auto last = part.find_last_of("0123456789)");
-  return last == std::string_view::npos ? std::string_view{} : trimmed(part.substr(last + 1));
-}
 
 Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::string_view file) {
   Hold hold;
@@ -127,7 +122,7 @@ Result<std::vector<Series>> runs_of(const Recording& recording, const FitOptions
   if (!timed && read.rate == 0) read.rate = 1;
   std::vector<Series> found;
   for (const int run : options.run ? std::vector<int>{*options.run} : runs(recording)) {
-    auto series = take_series(recording, options.column, run, read);
+    auto series = take_motion(recording, options.column, run, read);
     if (!series) return series.error();
     auto part = used_part(*std::move(series), options);
     if (!part) return part.error();
@@ -138,7 +133,7 @@ Result<std::vector<Series>> runs_of(const Recording& recording, const FitOptions
 
 /// The first given option that has a meaning for a motion only; empty if there is none.
 std::string_view of_a_motion(const FitOptions& o) {
-  if (o.mass || o.spring_mass) return o.mass ? "mass" : "spring-mass";
+  if (!o.mass.empty() || o.spring_mass) return o.spring_mass ? "spring-mass" : "mass";
   if (law_is_chosen(o)) return "law";
   if (o.disc_diameter || o.temperature) return o.disc_diameter ? "disc-diameter" : "temperature";
   if (o.segment || o.segments) return o.segment ? "segment" : "segments";
@@ -151,31 +146,6 @@ std::string_view of_a_motion(const FitOptions& o) {
 }
 
 }  // namespace
-
-Result<std::vector<Quantity>> parse_masses(std::string_view text) {
-  const std::vector<std::string_view> given = split(text, ',');
-  std::vector<std::string> parts(given.begin(), given.end());
-  std::size_t with_unit = 0;
-  for (const std::string& part : parts) {
-    if (part.empty()) return Error{"mass_missing"};
-    with_unit += !unit_in(part).empty();
-  }
-  // A single unit at the end is that of all. Units on some of them could mean anything.
-  const std::string unit(unit_in(parts.back()));
-  for (std::string& part : parts) {
-    if (with_unit == parts.size() || with_unit == 0 || !unit_in(part).empty()) continue;
-    if (with_unit > 1 || unit.empty()) return Error{"mass_without_unit", {{"mass", part}}};
-    part += " " + unit;
-  }
-  std::vector<Quantity> masses;
-  for (const std::string& part : parts) {
-    const auto mass = parse_quantity(part, "kg");
-    if (!mass) return Error{"of_masses", {{"what", mass.error().notice}}};
-    if (!(mass->value >= 0)) return Error{"mass_negative", {{"mass", part}}};
-    masses.push_back(*mass);
-  }
-  return masses;
-}
 
 Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
                                      const std::vector<Quantity>& masses) {
@@ -203,8 +173,7 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
   } else {
     for (const Series& series : runs) holds.push_back(hold_of(series, 0, series.y.size(), file));
   }
-  if (holds.size() != masses.size())
-    return Error{"masses_unlike_runs", {{"file", file}, {"masses", masses.size()}, {"runs", holds.size()}}};
+  if (holds.size() != masses.size()) return unlike_runs("masses", file, masses.size(), holds.size());
   for (std::size_t i = 0; i < holds.size(); ++i) holds[i].mass = masses[i];
   return holds;
 }
@@ -242,8 +211,7 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
 }
 
 Result<StaticStiffness> fit_static(const std::vector<Recording>& recordings, const StaticOptions& options) {
-  const auto masses = parse_masses(options.masses);
-  if (!masses) return masses.error();
+  const std::vector<Quantity>& masses = options.masses;
   if (const std::string_view unused = of_a_motion(options.fit); !unused.empty())
     return Error{"no_meaning_with_static", {{"option", unused}}};
   std::vector<Hold> holds;
@@ -252,19 +220,19 @@ Result<StaticStiffness> fit_static(const std::vector<Recording>& recordings, con
     const auto series = runs_of(recording, options.fit);
     if (!series) return series.error();
     const bool plateaus = recordings.size() == 1 && series->size() == 1;
-    const std::size_t count = plateaus ? masses->size() : series->size();
-    if (next + count > masses->size())
+    const std::size_t count = plateaus ? masses.size() : series->size();
+    if (next + count > masses.size())
       return Error{"more_holds_than_masses",
-                   {{"masses", masses->size()}, {"file", recording.file}, {"runs", series->size()}}};
-    const auto first = masses->begin() + static_cast<std::ptrdiff_t>(next);
+                   {{"masses", masses.size()}, {"file", recording.file}, {"runs", series->size()}}};
+    const auto first = masses.begin() + static_cast<std::ptrdiff_t>(next);
     const auto found =
         find_holds(*series, recording.file, {first, first + static_cast<std::ptrdiff_t>(count)});
     if (!found) return found.error();
     holds.insert(holds.end(), found->begin(), found->end());
     next += count;
   }
-  if (next < masses->size())
-    return Error{"more_masses_than_holds", {{"masses", masses->size()}, {"holds", next}}};
+  if (next < masses.size())
+    return Error{"more_masses_than_holds", {{"masses", masses.size()}, {"holds", next}}};
   return static_stiffness(std::move(holds), options.gravity);
 }
 

@@ -18,11 +18,6 @@
 
 namespace cromer::core {
 
-/// Reads a list of masses in kg, all >= 0: "48.4 g, 67.95 ± 0.01 g, 0.088 kg". If only the last has a unit,
-/// all have it ("48.4, 67.95, 87.96 g"); if none has one, all are in kg; anything between is an Error. Errors
-/// name the option.
-Result<std::vector<Quantity>> parse_masses(std::string_view text);
-
 /// A mass at rest: the mean of its samples.
 struct Hold {
   std::string file;
@@ -56,9 +51,9 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity);
 
 struct StaticOptions {
-  FitOptions fit{};              ///< reading, column, run, from and to are used
-  std::string masses{};          ///< "48.4 g, 67.95 g, 87.96 g", one for each hold
-  Quantity gravity{9.80665, 0};  // [m/s²] > 0
+  FitOptions fit{};                ///< reading, column, run, from and to are used
+  std::vector<Quantity> masses{};  // [kg] >= 0; one for each hold
+  Quantity gravity{9.80665, 0};    // [m/s²] > 0
 };
 
 /// Takes the holds in the order of the files and their runs; a single file of one run may hold several

@@ -10,6 +10,7 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/time.h"
+#include "cromer/tasks/inspect/take_motion.h"
 
 namespace cromer::core {
 namespace {
@@ -17,19 +18,17 @@ namespace {
 /// The first column of the kind that a fit would take: a position, else an angle, ..., else anything but the
 /// time.
 const Column* main_column(const Recording& recording, int run) {
-  for (const std::string_view quantity :
-       {"position", "angle", "angular velocity", "velocity", "acceleration", "any other"})
-    for (const Column& column : recording.table.columns)
-      if (column.run == run &&
-          (column.quantity == quantity ||
-           (quantity == "any other" && column.quantity != "time" && column.quantity != "index")))
-        return &column;
-  return nullptr;
+  const auto& columns = recording.table.columns;
+  if (const auto alike = motion_columns(recording, run); !alike.empty()) return &columns[alike.front()];
+  const auto other = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
+    return column.run == run && column.quantity != "time" && column.quantity != "index";
+  });
+  return other == columns.end() ? nullptr : &*other;
 }
 
-/// Of several columns alike a description takes the first, and a notice says so.
+/// Of several columns alike that are no axes a description takes the first, and a notice says so.
 Result<Series> main_series(const Recording& recording, int run, const ReadOptions& options) {
-  auto series = take_series(recording, "", run, options);
+  auto series = take_motion(recording, "", run, options);
   const Column* main = series ? nullptr : main_column(recording, run);
   if (!main) return series;
   auto first = take_series(recording, column_title(*main), run, options);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/concat.h"
 #include "cromer/base/nearest.h"
 
 namespace cromer::core {
@@ -64,6 +65,40 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
   return quantity;
 }
 
+/// Whether the only comma of a text is a decimal one: "217,6 g".
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  const auto digit = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
+  return comma != text.npos && text.find(',', comma + 1) == text.npos && text.find('.') == text.npos &&
+         digit(comma - 1) && digit(comma + 1);
+}
+
+/// What follows the last digit or bracket: "g" of "48.4(2) g".
+std::string_view unit_in(std::string_view part) {
+  const auto last = part.find_last_of("0123456789)");
+  return last == std::string_view::npos ? std::string_view{} : trimmed(part.substr(last + 1));
+}
+
+/// Quantities between commas. A unit that only the last has is that of all; on some of them it could mean
+/// anything.
+Result<std::vector<Quantity>> parse_list(const Option& option, std::string_view text) {
+  const std::vector<std::string_view> given = has_decimal_comma(text) ? std::vector{text} : split(text, ',');
+  const auto with_unit =
+      std::count_if(given.begin(), given.end(), [](std::string_view part) { return !unit_in(part).empty(); });
+  std::vector<Quantity> all;
+  for (const std::string_view part : given) {
+    if (given.size() > 1 && part.empty()) return wrong_option(option, Notice{"value_missing_in_list"});
+    const bool of_last = with_unit == 1 && unit_in(part).empty();
+    if ((of_last && unit_in(given.back()).empty()) || (with_unit > 1 && unit_in(part).empty()))
+      return wrong_option(option, Notice{"unit_missing_in_list", {{"value", part}}});
+    auto quantity =
+        parse_in_range(option, of_last ? concat({part, " ", unit_in(given.back())}) : std::string(part));
+    if (!quantity) return quantity.error();
+    all.push_back(*quantity);
+  }
+  return all;
+}
+
 /// A quantity whose uncertainty the task does not use: one that is given is an error, not silently dropped.
 Result<double> parse_certain(const Option& option, std::string_view text) {
   auto quantity = parse_in_range(option, text);
@@ -110,6 +145,10 @@ struct Assigner {
   Result<void> operator()(std::optional<Quantity>* to) const {
     return keep(parse_in_range(option, text), [&](Quantity value) { *to = value; });
   }
+  Result<void> operator()(std::vector<Quantity>* to) const {
+    return keep(parse_list(option, text),
+                [&](const std::vector<Quantity>& more) { to->insert(to->end(), more.begin(), more.end()); });
+  }
   Result<void> operator()(std::optional<int>* to) const {
     return keep(parse_whole<int>(option, text), [&](int value) { *to = value; });
   }
@@ -154,11 +193,12 @@ struct Checker {
     return {};
   }
   Result<void> operator()(const std::optional<Quantity>* value) const {
-    if (!*value) return {};
-    const double uncertainty = (*value)->uncertainty;
-    if (!(uncertainty >= 0) || !std::isfinite(uncertainty))
-      return wrong_option(option, Notice{"uncertainty_is_wrong", {{"uncertainty", uncertainty}}});
-    return check_value(option, (*value)->value);
+    return *value ? check_quantity(**value) : Result<void>{};
+  }
+  Result<void> operator()(const std::vector<Quantity>* values) const {
+    for (const Quantity& value : *values)
+      if (auto good = check_quantity(value); !good) return good;
+    return {};
   }
   Result<void> operator()(const std::optional<int>* value) const {
     return *value ? check_value(option, **value) : Result<void>{};
@@ -170,6 +210,12 @@ struct Checker {
   Result<void> operator()(const bool*) const { return {}; }
   Result<void> operator()(const std::string*) const { return {}; }
   Result<void> operator()(const std::vector<std::string>*) const { return {}; }
+
+  Result<void> check_quantity(const Quantity& value) const {
+    if (!(value.uncertainty >= 0) || !std::isfinite(value.uncertainty))
+      return wrong_option(option, Notice{"uncertainty_is_wrong", {{"uncertainty", value.uncertainty}}});
+    return check_value(option, value.value);
+  }
 };
 
 Error unknown_option(std::string_view name, const std::vector<Option>& options, std::string_view task) {

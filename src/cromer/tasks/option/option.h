@@ -46,8 +46,8 @@ Notice constraint(Range range);
 /// One option: where its value goes, in which unit, and what it means.
 struct Option {
   using Target = std::variant<double*, std::optional<double>*, std::vector<double>*, std::optional<Quantity>*,
-                              std::optional<int>*, long long*, unsigned long long*, bool*, std::string*,
-                              std::vector<std::string>*>;
+                              std::vector<Quantity>*, std::optional<int>*, long long*, unsigned long long*,
+                              bool*, std::string*, std::vector<std::string>*>;
 
   std::string_view name;  ///< as typed, without dashes: "drive-frequency"; "drive_frequency" in a study file
   Target target;          ///< outlives the Option
@@ -61,10 +61,16 @@ struct Option {
   double doubtful_from = std::numeric_limits<double>::infinity();
 
   bool is_flag() const { return std::holds_alternative<bool*>(target); }
-  /// May be given several times; each time adds a value.
+  /// May be given several times; each time adds a value. Quantities may also stand between commas: "48 g, 68
+  /// g".
   bool is_list() const {
     return std::holds_alternative<std::vector<double>*>(target) ||
+           std::holds_alternative<std::vector<Quantity>*>(target) ||
            std::holds_alternative<std::vector<std::string>*>(target);
+  }
+  bool has_uncertainty() const {
+    return std::holds_alternative<std::optional<Quantity>*>(target) ||
+           std::holds_alternative<std::vector<Quantity>*>(target);
   }
   /// Holds words rather than a number.
   bool is_text() const {

@@ -1,0 +1,16 @@
+// The column of a recording that holds its motion.
+#pragma once
+
+#include <string_view>
+
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+/// take_series(), which see. Where no column is named and the three axes of a sensor are alike, as in the
+/// files of a phone, the axis with the strongest spectral line is taken, and a notice says so.
+Result<Series> take_motion(const Recording& recording, std::string_view column, int run,
+                           const ReadOptions& options);
+
+}  // namespace cromer::core

@@ -1,0 +1,81 @@
+#include "cromer/tasks/inspect/take_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "cromer/base/number.h"
+#include "cromer/documents/words/words.h"
+#include "tests/tasks/of_bytes.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::HasSubstr;
+
+/// A phone that swings by these amplitudes along its axes at 0.8 Hz and 50 samples a second, for 20 s and then,
+/// put down, for as long again. At 1 s it is let go: every axis jumps for half a second.
+std::string phone(std::array<double, 3> amplitudes, const std::string& header) {
+  std::string text = header + "\n";
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 0.02 * i;
+    text += shortest(t);
+    double square = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double swing = t > 1.5 && t < 20 ? amplitudes[axis] * std::cos(5.0 * t + axis) : 0;
+      const double hand = t > 1 && t < 1.5 ? (axis == 0 ? 6 : 1) * std::sin(40 * t) : 0;
+      const double value = (axis == 2 ? 9.8 : 0) + swing + hand + 0.01 * std::sin(1e4 * t * (axis + 1));
+      text += "," + shortest(value);
+      square += value * value;
+    }
+    text += "," + shortest(std::sqrt(square)) + "\n";
+  }
+  return text;
+}
+
+constexpr const char* of_phyphox =
+    "\"Time (s)\",\"Acceleration x (m/s^2)\",\"Acceleration y (m/s^2)\",\"Acceleration z (m/s^2)\","
+    "\"Absolute acceleration (m/s^2)\"";
+
+TEST(Axis, TheLiveliestIsTakenAndSaid) {
+  const auto recording = read_recording(phone({0.3, 2, 0.5}, of_phyphox), "phone.csv", {});
+  const auto series = take_motion(*recording, "", 1, {});
+  ASSERT_TRUE(series.ok()) << in_words(series.error());
+  EXPECT_EQ(series->column, "Acceleration y (m/s^2)");
+  EXPECT_THAT(in_words(series->notices).front(),
+              HasSubstr("\"Acceleration y (m/s^2)\" is taken: it swings most"));
+  EXPECT_THAT(in_words(series->notices).front(), HasSubstr("\"Acceleration z (m/s^2)\""));
+  const auto named = take_motion(*recording, "Acceleration x", 1, {});
+  EXPECT_EQ(named->column, "Acceleration x (m/s^2)");
+  EXPECT_EQ(inspect(*recording, {})->column, "Acceleration y (m/s^2)");
+}
+
+TEST(Axis, OfWhateverNamesWithXYAndZ) {
+  for (const char* header : {"t (s),gFx (g),gFy (g),gFz (g),magnitude (g)",
+                             "t (s),X acceleration (m/s²),Y acceleration (m/s²),Z acceleration (m/s²),note"}) {
+    const auto series =
+        take_motion(*read_recording(phone({0.3, 0.4, 2}, header), "phone.csv", {}), "", 1, {});
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
+    EXPECT_THAT(series->column, testing::AnyOf(HasSubstr("gFz"), HasSubstr("Z acc")));
+  }
+}
+
+TEST(Axis, OtherColumnsAlikeAreAskedFor) {
+  for (const char* header : {"t (s),x (m),y (m),w (m),note", "t (s),left (m),right (m),third (m),note",
+                             "t (s),x1 (m),y2 (m),z3 (m),note"}) {
+    const auto series = take_motion(*read_recording(phone({1, 2, 3}, header), "two.csv", {}), "", 1, {});
+    ASSERT_FALSE(series.ok()) << header;
+    EXPECT_THAT(in_words(series.error()), HasSubstr("several columns are alike"));
+  }
+}
+
+TEST(Axis, WhereNothingSwingsNoneIsChosen) {
+  std::string still = "t (s),x (m),y (m),z (m)\n";
+  for (int i = 0; i < 100; ++i) still += shortest(0.01 * i) + ",1,2,3\n";
+  EXPECT_FALSE(take_motion(*read_recording(still, "still.csv", {}), "", 1, {}).ok());
+}
+
+}  // namespace
+}  // namespace cromer::core
