@@ -79,9 +79,13 @@ TEST(Envelope, OfTwoEqualHighestSamplesTheFirstCounts) {
 }
 
 TEST(Envelope, AReleaseCountsOnlyWhereTheMotionFallsBackToZero) {
-  EXPECT_EQ(of({2, 1, 0}).top, std::vector<double>{2});
-  EXPECT_EQ(of({2, 1, 0}).top_t, std::vector<double>{5});
-  EXPECT_EQ(of({-2, -1, 0}).bottom, std::vector<double>{-2});
+  EXPECT_EQ(of({2, 1.8, 1.2}).top, std::vector<double>{2});
+  EXPECT_EQ(of({2, 1.8, 1.2}).top_t, std::vector<double>{5});
+  EXPECT_EQ(of({-2, -1.8, -1.2}).bottom, std::vector<double>{-2});
+  // In the middle of a swing the first sample is no turning point.
+  for (const auto& moving : {std::vector<double>{2, 1, 0}, {2, 1.4, 0.6}, {2, 1, 0.5}})
+    EXPECT_TRUE(of(moving).top.empty());
+  EXPECT_TRUE(of({-2, -1.4, -0.6}).bottom.empty());
   for (const auto& none : {std::vector<double>{0, -1, -2}, {0, 1, 2}, {1, 1, 1}, {-1, -1, -1}, {1, 2, 3}}) {
     EXPECT_TRUE(of(none).top.empty());
     EXPECT_TRUE(of(none).bottom.empty());

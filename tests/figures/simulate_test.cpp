@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/quantity.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/layout.h"
 
@@ -103,6 +104,77 @@ TEST(SimulateFigure, CutsEveryPanelWhereARunGrowsWithoutEnd) {
       EXPECT_LT(std::abs(spiral.x[i]), 3 * portrait.x.high);
     }
   }
+}
+
+/// The remark of the only run's position.
+std::string remark_of(const SimulateOptions& options) {
+  return drawn(options, "position").panels[0].curves[0].remark;
+}
+
+TEST(SimulateFigure, SaysTheAmplitudeAtTheVeryEnd) {
+  SimulateOptions options = swing({"exact"});  // 10 rad/s
+  for (const double until : {3.0, 3.1, 3.25}) {
+    options.until = until;
+    EXPECT_EQ(remark_of(options), "±" + rounded(5 * std::exp(-0.125 * until), 3) + " cm at the end");
+  }
+  options.method = {"implicit-euler"};  // each step divides it by sqrt(1 + 0.1 * 0.025 + 0.1^2)
+  options.step = 0.01;
+  options.until = 6;
+  EXPECT_EQ(remark_of(options), "±" + rounded(5 * std::pow(1.0125, -300), 3) + " cm at the end");
+}
+
+TEST(SimulateFigure, OfAnUnevenSwingSaysHowFarItGoes) {
+  SimulateOptions uneven = swing({"rk4"});
+  uneven.damping = 0;
+  uneven.law.quadratic = 100;
+  EXPECT_THAT(remark_of(uneven), testing::MatchesRegex("from −[67].* to 5.00 cm\nin the last 0.63 s"));
+  SimulateOptions sticks = swing({"rk4"});
+  sticks.law.friction = 0.3;
+  EXPECT_THAT(remark_of(sticks), testing::MatchesRegex("[−.0-9]+ cm at the end"));
+  SimulateOptions rests = swing({"rk4"});
+  rests.position = 0;
+  rests.velocity = 0;
+  rests.until = 10;
+  EXPECT_EQ(remark_of(rests), "0 µm at the end");
+  SimulateOptions driven = swing({"exact"});
+  driven.drive_amplitude = 1;
+  driven.drive_frequency = {8};
+  driven.until = 100;
+  EXPECT_THAT(remark_of(driven), testing::MatchesRegex("±13[.].* cm at the end"));
+}
+
+TEST(SimulateFigure, ALineEndsTwoPeriodsAfterItLeavesTheFrame) {
+  SimulateOptions options = swing({"exact", "forward-euler"});
+  options.step = 0.01;  // grows by exp((0.5 - 0.125) t): to 4 times 5 cm in 3.7 s, to 8 times in 5.5 s
+  options.until = 6;
+  const Panel panel = drawn(options, "position").panels[0];
+  const Curve& grows = curve(panel, "forward-euler");
+  EXPECT_EQ(grows.remark, "grows without end");
+  EXPECT_NEAR(grows.x.back(), 3.7 + 2 * 0.628, 0.4);
+  EXPECT_EQ(curve(panel, "exact").x.back(), 6);
+  // A resonance that fills the frame is no such run.
+  SimulateOptions driven = swing({"exact"});
+  driven.drive_amplitude = 1;
+  driven.drive_frequency = {10, 20};
+  const Panel resonance = drawn(driven, "position").panels[0];
+  for (const Curve& each : resonance.curves) {
+    EXPECT_THAT(each.remark, testing::Not(testing::HasSubstr("without end")));
+    EXPECT_GT(each.x.back(), 12);
+  }
+}
+
+TEST(SimulateFigure, HasTheUnitsThatSuit) {
+  SimulateOptions quick = swing({"exact"});
+  quick.until = 0.4;
+  const Panel in_ms = drawn(quick, "position").panels[0];
+  EXPECT_EQ(in_ms.x.name, "time {/:Italic t} (ms)");
+  EXPECT_NEAR(in_ms.curves[0].x.back(), 400, 1e-9);
+  SimulateOptions pendulum = swing({"rk4"});
+  pendulum.stiffness = 0;
+  pendulum.law.pendulum = 9.81;
+  const Panel portrait = drawn(pendulum, "phase").panels[0];
+  EXPECT_EQ(portrait.x.name, "angle (rad)");
+  EXPECT_EQ(portrait.y.name, "angular velocity (rad/s)");
 }
 
 TEST(SimulateFigure, CutsTheVelocityOfARunInStepsLongerThanAPeriod) {

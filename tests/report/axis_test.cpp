@@ -99,6 +99,24 @@ TEST(Ticks, AreAThousandAtMost) {
   EXPECT_EQ(linear_ticks(2, 3, 0.5).back().value, 3);
 }
 
+TEST(XRange, GoesALittleBeyondErrorBars) {
+  Panel panel;
+  panel.curves.resize(2);
+  panel.curves[0].x = {10, 20}, panel.curves[0].y = {1, 2};
+  panel.curves[1].x = {10, 10, 20, 20}, panel.curves[1].y = {0, 2, 1, 3};
+  EXPECT_EQ(x_range(panel).high, 20);
+  panel.curves[1].role = "measured";
+  EXPECT_NEAR(x_range(panel).low, 9.7, 1e-12);
+  EXPECT_NEAR(x_range(panel).high, 20.3, 1e-12);
+}
+
+TEST(Ticks, OfOneAxisHaveTheSameForm) {
+  EXPECT_THAT(labels(linear_ticks(0, 0.0013, 0.00025)),
+              ElementsAre("0", "0.00025", "0.0005", "0.00075", "0.001", "0.00125"));
+  EXPECT_THAT(labels(linear_ticks(-5000, 10000, 5000)),
+              ElementsAre("−5×10^{3}", "0", "5×10^{3}", "1×10^{4}"));
+}
+
 TEST(Ticks, LabelsChangeTheirFormAtTheSameNumbersOnBothSides) {
   EXPECT_EQ(tick_label(9999), "9999");
   EXPECT_EQ(tick_label(10000), "1×10^{4}");
@@ -128,7 +146,9 @@ TEST(Ticks, OfALogarithmicAxisStandAtDigitsTimesPowersOfTen) {
   EXPECT_THAT(named(1.1, 99, 6), ElementsAre("2", "5", "10", "20", "50"));
   EXPECT_THAT(named(0.01, 1000, 9), ElementsAre("0.01", "0.1", "1", "10", "100", "1000"));
   EXPECT_THAT(named(0.9e-2, 10, 9), ElementsAre("0.01", "0.1", "1", "10"));
-  EXPECT_THAT(named(0.9e-3, 1, 9), ElementsAre("10^{−3}", "10^{−2}", "10^{−1}", "10^{0}"));
+  EXPECT_THAT(named(0.9e-3, 1, 9), ElementsAre("0.001", "0.01", "0.1", "1"));
+  EXPECT_THAT(named(5e-4, 0.02, 9), ElementsAre("0.0005", "0.001", "0.002", "0.005", "0.01", "0.02"));
+  EXPECT_THAT(named(2e-5, 4e-4, 9), ElementsAre("2×10^{−5}", "5×10^{−5}", "10^{−4}", "2×10^{−4}"));
   EXPECT_THAT(named(1, 9000, 9), ElementsAre("1", "10", "100", "1000"));
   EXPECT_THAT(named(1, 11000, 9), ElementsAre("10^{0}", "10^{1}", "10^{2}", "10^{3}", "10^{4}"));
   EXPECT_THAT(named(1e-4, 1, 6), ElementsAre("10^{−4}", "10^{−3}", "10^{−2}", "10^{−1}", "10^{0}"));

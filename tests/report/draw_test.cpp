@@ -72,6 +72,16 @@ TEST(Draw, EveryExampleIsASmallSvgThatCanStandInAPage) {
   }
 }
 
+TEST(Draw, ABlankAfterAnExponentIsSeen) {
+  Figure figure = of({three_methods()});
+  const auto picture = [&](const char* note) {
+    figure.note = note;
+    return draw(figure, FigureFormat::png);
+  };
+  if (!picture("")) GTEST_SKIP() << in_words(picture("").error());
+  EXPECT_NE(*picture("10^{-3} s"), *picture("10^{-3}s"));
+}
+
 TEST(Draw, AFigureWithoutTitleIsCalledByItsId) {
   Figure figure = of({three_methods()});
   figure.title = "";

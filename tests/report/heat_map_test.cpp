@@ -102,22 +102,16 @@ TEST(MapScale, ValuesOverDecadesGetEvenRatios) {
   EXPECT_DOUBLE_EQ(scale.share(2e-3), 0);
   EXPECT_DOUBLE_EQ(scale.share(30), 1);
   EXPECT_NEAR(scale.share(0.1) - scale.share(0.01), scale.share(10) - scale.share(1), 1e-15);
-  // Powers of ten alone have labels.
   std::vector<std::string> labels;
   for (const Tick& tick : scale.ticks)
     if (!tick.label.empty()) labels.push_back(tick.label);
-  EXPECT_EQ(labels, (std::vector<std::string>{"10^{\u22122}", "10^{\u22121}", "10^{0}", "10^{1}"}));
+  EXPECT_EQ(labels, (std::vector<std::string>{"0.01", "0.1", "1", "10"}));
   EXPECT_GT(scale.ticks.size(), labels.size());
-  // also where the axis of a plot would name 2 and 5 as well
-  labels.clear();
-  for (const Tick& tick : map_scale(map_of({2, 250, 10, 5}, true)).ticks)
-    if (!tick.label.empty()) labels.push_back(tick.label);
-  EXPECT_EQ(labels, (std::vector<std::string>{"10^{1}", "10^{2}"}));
 }
 
 TEST(MapScale, OthersGetEvenSteps) {
   for (const HeatMap& map : {map_of({2e-3, 1, 30, 0.1}, false), map_of({0, 1, 30, 0.1}, true),
-                             map_of({-1, 1, 30, 0.1}, true), map_of({0.31, 1, 30, 2}, true)}) {
+                             map_of({-1, 1, 30, 0.1}, true), map_of({1.51, 2, 30, 2}, true)}) {
     const MapScale scale = map_scale(map);
     EXPECT_FALSE(scale.range.logarithmic);
     for (const Tick& tick : scale.ticks) EXPECT_NE(tick.label, "");
@@ -210,9 +204,9 @@ TEST(MapScale, OfOneValueOrNoneHasALengthToo) {
   EXPECT_EQ(range({none, 2, 3, none}).high, 3);
 }
 
-TEST(MapScale, TwoDecadesAndMoreGetEvenRatios) {
-  EXPECT_FALSE(map_scale(map_of({1, 100, 10, 10}, true)).range.logarithmic);
-  EXPECT_TRUE(map_scale(map_of({1, 100.1, 10, 10}, true)).range.logarithmic);
+TEST(MapScale, MoreThanTwentyfoldGetsEvenRatios) {
+  EXPECT_FALSE(map_scale(map_of({1, 20, 10, 10}, true)).range.logarithmic);
+  EXPECT_TRUE(map_scale(map_of({1, 20.1, 10, 10}, true)).range.logarithmic);
 }
 
 }  // namespace

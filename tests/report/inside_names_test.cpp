@@ -143,6 +143,25 @@ bool listed(const Figure& figure) {
   return false;
 }
 
+TEST(InsideNames, OfASmallFigureStandAboveCurvesThatLeaveNoPlace) {
+  Panel panel;
+  Curve law, dots;
+  for (int i = 0; i <= 300; ++i) {
+    law.x.push_back(0.01 * i);
+    law.y.push_back(std::cos(2 * 3.14159265358979 * 1.7 * law.x.back()));
+  }
+  dots.x = law.x, dots.y = law.y;
+  law.role = "fitted", law.name = "law";
+  dots.role = dots.name = "measured";
+  dots.mark = Mark::dots;
+  panel.curves = {law, dots};
+  Figure figure;
+  figure.size = FigureSize::half;
+  figure.panels = {panel};
+  const Layout layout = lay_out(figure, Typeface::lato);
+  for (const PlacedText& text : layout.panels[0].texts) EXPECT_FALSE(text.ground) << text.text;
+}
+
 TEST(NameLists, AreForMoreThanSixNamesOrWhereNoPlaceIsGood) {
   EXPECT_FALSE(listed(of(levels(6, 1), FigureSize::single)));
   EXPECT_TRUE(listed(of(levels(7, 1), FigureSize::single)));

@@ -214,9 +214,9 @@ TEST(PhasePortrait, IsSquareAloneAndWiderBesideOthers) {
   EXPECT_NEAR(std::abs(narrow.front().x - narrow.back().x), asked.panels[1].frame.width / 2, 1e-6);
 }
 
-TEST(Layers, AreBandRoadFitDotsAndTheRest) {
+TEST(Layers, AreBandRoadFitTheRestAndDots) {
   Panel panel;
-  for (const char* role : {"euler-cromer", "measured", "fitted", "exact", "verlet"}) {
+  for (const char* role : {"constant-rate", "measured", "fitted", "exact", "verlet", "euler-cromer"}) {
     Curve& curve = panel.curves.emplace_back();
     curve.role = role;
     curve.x = {0, 1, 2};
@@ -229,9 +229,10 @@ TEST(Layers, AreBandRoadFitDotsAndTheRest) {
   for (int i = 0; i < 20000; ++i) dense.x.push_back(i * 1e-4), dense.y.push_back(std::sin(2.0 * i));
   std::vector<std::string> colours;
   for (const PlacedCurve& curve : sole(panel).curves) colours.push_back(curve.colour);
-  EXPECT_THAT(colours, testing::ElementsAre(style_of("drive").line, style_of("exact").line,
-                                            style_of("fitted").line, style_of("measured").line,
-                                            style_of("euler-cromer").line, style_of("verlet").line));
+  EXPECT_THAT(colours,
+              testing::ElementsAre(style_of("drive").line, style_of("exact").line, style_of("fitted").line,
+                                   style_of("verlet").line, style_of("euler-cromer").line,
+                                   style_of("constant-rate").line, style_of("measured").line));
 }
 
 TEST(Rows, OfEqualPanelsShareTheirEdges) {
@@ -306,6 +307,37 @@ TEST(Columns, PanelsStandBesideEachOtherAsWideAsTheySpan) {
   EXPECT_NEAR(find(layout.panels[2], "c")->size, 13 * 1.15, 1e-9);
   const Layout smaller = lay_out(of({line({0, 10}, {0, 1})}), Typeface::lato, 1);
   EXPECT_NEAR(find(smaller.panels[0], "time t (s)")->size, 11, 1e-9);
+}
+
+TEST(FigureKey, ShowsEachLookBesideItsNameBetweenPanelsAndNote) {
+  Figure figure = of({line({0, 1}, {0, 1})});
+  figure.note = "The first of two.";
+  const Layout without = lay_out(figure, Typeface::lato);
+  for (const char* role : {"measured", "fitted", "set-aside"}) {
+    Curve& curve = figure.key.emplace_back();
+    curve.role = curve.name = role;
+  }
+  figure.key[0].mark = Mark::dots;
+  figure.key[2].mark = Mark::crosses;
+  const Layout layout = lay_out(figure, Typeface::lato);
+  EXPECT_GT(layout.height, without.height + 12);
+  EXPECT_EQ(layout.height, std::floor(layout.height));
+  const PlacedPanel& panel = layout.panels[0];
+  const PlacedText *dots = find(panel, "measured"), *fit = find(panel, "fitted"),
+                   *crosses = find(panel, "set-aside");
+  EXPECT_GT(dots->at.y, find(panel, "time t (s)")->at.y);
+  EXPECT_LT(dots->at.y, find(panel, figure.note)->at.y);
+  EXPECT_LT(dots->box.right(), fit->at.x);
+  EXPECT_LT(fit->box.right(), crosses->at.x);
+  ASSERT_EQ(panel.dots.size(), 1u);
+  EXPECT_LT(panel.dots[0].x, dots->at.x);
+  ASSERT_EQ(panel.leaders.size(), 3u);  // a line and the two strokes of a cross
+  EXPECT_EQ(panel.leaders[0].colour, style_of("fitted").line);
+  EXPECT_LT(panel.leaders[0].to.x, fit->at.x);
+  EXPECT_LT(panel.leaders[1].to.x, crosses->at.x);
+  // Names that do not fit beside each other go on below.
+  for (Curve& curve : figure.key) curve.name = std::string(60, 'n');
+  EXPECT_GT(lay_out(figure, Typeface::lato).height, layout.height + 12);
 }
 
 TEST(FigureNote, StandsAtTheLeftBelowThePanels) {

@@ -70,9 +70,12 @@ TEST(Palette, AnOrderedFamilyOfAnySizeGoesFromDarkToLight) {
 
 TEST(Palette, HueIsTheFamilyAndDashTheMember) {
   const std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
-      dash_dot{8, 3, 2, 3};
+      dash_dot{8, 3, 2, 3}, longer_dash{14, 4, 0, 0};
   EXPECT_EQ(style_of("verlet").line, "#2E8FBF");
-  EXPECT_EQ(style_of("verlet").dash, solid);
+  // Told apart from euler-cromer and forward-euler without their hues.
+  EXPECT_EQ(style_of("euler-cromer").dash, solid);
+  EXPECT_EQ(style_of("verlet").dash, longer_dash);
+  EXPECT_EQ(style_of("rk4").dash, longer_dash);
   EXPECT_EQ(style_of("yoshida4").dash, long_dash);
   EXPECT_EQ(style_of("rk4").line, "#A06A00");
   EXPECT_EQ(style_of("heun").dash, short_dash);

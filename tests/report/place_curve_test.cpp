@@ -15,6 +15,18 @@ const double none = std::nan("");
 
 AxisRange axis(double low, double high, double from, double to) { return {low, high, false, from, to, 0}; }
 
+Panel panel_of(std::size_t curves) {
+  Panel panel;
+  panel.curves.resize(curves);
+  for (Curve& curve : panel.curves) curve.mark = Mark::dots;
+  return panel;
+}
+const Panel alone = panel_of(1), one_of_two = panel_of(2), phase = [] {
+  Panel portrait = panel_of(2);
+  portrait.phase_portrait = true;
+  return portrait;
+}();
+
 TEST(SpotsOf, ACurvePassesWhereItsDataAre) {
   Curve curve;
   curve.x = {0, 5, 10, none, 3, 7};
@@ -49,23 +61,28 @@ TEST(PlaceCurve, WidthsAreThoseOfLookMd) {
   Curve curve;
   const std::vector<Spot> spots{{0, 0}, {10, 10}};
   curve.role = "euler-cromer";
-  EXPECT_DOUBLE_EQ(place_curve(curve, spots, true, false).width, 1.5);
-  EXPECT_DOUBLE_EQ(place_curve(curve, spots, false, false).width, 1.3);
-  EXPECT_EQ(place_curve(curve, spots, false, false).colour, "#0072B2");
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, alone).width, 1.5);
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, one_of_two).width, 1.3);
+  EXPECT_EQ(place_curve(curve, spots, one_of_two).colour, "#0072B2");
   curve.dashed = true;
-  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{6, 4, 0, 0}));
+  EXPECT_EQ(place_curve(curve, spots, one_of_two).dash, (std::array<double, 4>{6, 4, 0, 0}));
   curve.role = "newmark";  // dashed already
-  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{3, 3, 0, 0}));
+  EXPECT_EQ(place_curve(curve, spots, one_of_two).dash, (std::array<double, 4>{3, 3, 0, 0}));
+  curve.dashed = false;
+  EXPECT_EQ(place_curve(curve, spots, one_of_two).dash, (std::array<double, 4>{3, 3, 0, 0}));
+  EXPECT_EQ(place_curve(curve, spots, alone).dash, (std::array<double, 4>{}));  // nothing to tell it from
   curve.role = "exact", curve.dashed = false;
-  EXPECT_DOUBLE_EQ(place_curve(curve, spots, true, false).width, 4.5);
-  EXPECT_DOUBLE_EQ(place_curve(curve, spots, false, true).width, 3);
-  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{}));
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, alone).width, 4.5);
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, phase).width, 3);
+  EXPECT_EQ(place_curve(curve, spots, one_of_two).dash, (std::array<double, 4>{}));
+  curve.role = "fitted", curve.road = true;
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, one_of_two).width, 3);
 }
 
 TEST(PlaceCurve, CrossesAreTwoStrokesAboutTheirPoint) {
   Curve curve;
   curve.mark = Mark::crosses;
-  const auto placed = place_curve(curve, {{10, 20}, {none, none}, {10.1, 20.1}, {30, 20}}, false, false);
+  const auto placed = place_curve(curve, {{10, 20}, {none, none}, {10.1, 20.1}, {30, 20}}, one_of_two);
   EXPECT_EQ(placed.mark, Mark::line);
   ASSERT_EQ(placed.pieces.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -93,14 +110,14 @@ TEST(PlaceCurve, DotsBecomeABandOrALineWhereTheyCannotBeToldApart) {
   curve.role = "measured";
   curve.mark = Mark::dots;
   const auto mark = [&](const std::vector<Spot>& spots) {
-    return place_curve(curve, spots, false, false).mark;
+    return place_curve(curve, spots, one_of_two).mark;
   };
   EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::band);
   EXPECT_EQ(mark(wave(5, 7, 40)), Mark::line);     // periods can be told apart
   EXPECT_EQ(mark(wave(3, 5.5, 40)), Mark::dots);   // points can
   EXPECT_EQ(mark(wave(5, 5.5, 0.2)), Mark::dots);  // thinner than two px
-  EXPECT_EQ(place_curve(curve, wave(5, 7, 40), false, false).width, 1);
-  EXPECT_EQ(place_curve(curve, wave(3, 7, 40), false, false).width, 2.6);
+  EXPECT_EQ(place_curve(curve, wave(5, 7, 40), one_of_two).width, 1);
+  EXPECT_EQ(place_curve(curve, wave(3, 7, 40), one_of_two).width, 2.6);
   std::vector<Spot> two_high;
   for (int i = 0; i < 1000; ++i) two_high.push_back({0.2 * i, i % 2 ? 102.0 : 100.0});
   EXPECT_EQ(mark(two_high), Mark::dots);
@@ -109,17 +126,43 @@ TEST(PlaceCurve, DotsBecomeABandOrALineWhereTheyCannotBeToldApart) {
   curve.mark = Mark::band;
   EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::band);
   EXPECT_EQ(mark(wave(3, 5.5, 40)), Mark::line);
-  EXPECT_EQ(place_curve(curve, wave(3, 5.5, 40), false, false).width, 1);
+  EXPECT_EQ(place_curve(curve, wave(3, 5.5, 40), one_of_two).width, 1);
   curve.mark = Mark::line;
   EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::line);
-  EXPECT_DOUBLE_EQ(place_curve(curve, wave(5, 5.5, 40), true, false).width, 2.6);
+  EXPECT_EQ(place_curve(curve, wave(5, 5.5, 40), alone).width, 1);
   EXPECT_EQ(mark({}), Mark::line);
+}
+
+TEST(PlaceCurve, DotsOnALineStandApartAndFewAreLarge) {
+  Curve curve;
+  curve.role = "measured";
+  curve.mark = Mark::dots;
+  Panel with_law = one_of_two;
+  with_law.curves[1].mark = Mark::line;
+  with_law.curves[1].role = "fitted";
+  const std::vector<Spot> dense = wave(1, 50, 40);
+  const PlacedCurve sparse = place_curve(curve, dense, with_law);
+  EXPECT_EQ(place_curve(curve, dense, one_of_two).pieces[0].size(), dense.size());
+  const std::vector<Spot>& kept = sparse.pieces[0];
+  EXPECT_LT(kept.size(), dense.size());
+  EXPECT_EQ(kept.front(), dense.front());
+  for (std::size_t i = 1; i < kept.size(); ++i)
+    EXPECT_GE(std::hypot(kept[i].x - kept[i - 1].x, kept[i].y - kept[i - 1].y), 5);
+  EXPECT_EQ(sparse.width, 2.6);
+  const std::vector<Spot> few(dense.begin(), dense.begin() + 40), more(dense.begin(), dense.begin() + 41);
+  EXPECT_EQ(place_curve(curve, few, one_of_two).width, 5);
+  EXPECT_EQ(place_curve(curve, more, one_of_two).width, 2.6);
+  // Error bars and guide lines hide no dots.
+  for (const char* role : {"measured", "grid"}) {
+    with_law.curves[1].role = role;
+    EXPECT_EQ(place_curve(curve, dense, with_law).pieces[0].size(), dense.size()) << role;
+  }
 }
 
 TEST(PlaceCurve, ABandFillsUpToTheEnvelope) {
   Curve curve;
   curve.mark = Mark::band;
-  const Band band = place_curve(curve, wave(20, 5.5, 40), false, false).band;
+  const Band band = place_curve(curve, wave(20, 5.5, 40), one_of_two).band;
   ASSERT_EQ(band.x.size(), 200u);
   for (std::size_t i = 0; i < band.x.size(); ++i) {
     EXPECT_NEAR(band.low[i], 60, 1);
@@ -127,7 +170,7 @@ TEST(PlaceCurve, ABandFillsUpToTheEnvelope) {
   }
   std::vector<Spot> parted = wave(20, 5.5, 40);
   parted[2000] = {none, none};
-  const Band two = place_curve(curve, parted, false, false).band;
+  const Band two = place_curve(curve, parted, one_of_two).band;
   ASSERT_EQ(two.x.size(), two.low.size());
   ASSERT_EQ(two.x.size(), two.high.size());
   EXPECT_TRUE(std::isnan(two.x[100]));
@@ -136,12 +179,12 @@ TEST(PlaceCurve, ABandFillsUpToTheEnvelope) {
 TEST(PlaceCurve, LoneAndAskedForPointsGetDots) {
   Curve curve;
   const std::vector<Spot> spots{{0, 0}, {none, none}, {10, 10}, {20, 30}, {30, 0}};
-  PlacedCurve placed = place_curve(curve, spots, false, false);
+  PlacedCurve placed = place_curve(curve, spots, one_of_two);
   EXPECT_EQ(placed.dots, (std::vector<Spot>{{0, 0}}));
   ASSERT_EQ(placed.pieces.size(), 2u);
   EXPECT_EQ(placed.pieces[1], (std::vector<Spot>{{10, 10}, {20, 30}, {30, 0}}));
   curve.with_dots = true;
-  placed = place_curve(curve, spots, false, false);
+  placed = place_curve(curve, spots, one_of_two);
   EXPECT_EQ(placed.dots, (std::vector<Spot>{{0, 0}, {10, 10}, {20, 30}, {30, 0}}));
 }
 
@@ -155,6 +198,7 @@ TEST(HeightAtEnd, IsTheLastPointsOrTheLastPeakOfASwing) {
   EXPECT_EQ(height_at_end({}, frame), 100);
   EXPECT_EQ(height_at_end({{0, 10}, {300, 900}}, frame), 200);
   EXPECT_EQ(height_at_end({{0, 10}, {300, -900}}, frame), 0);
+  EXPECT_EQ(height_at_end({{300, 70}, {0, 10}}, frame), 70);  // at the right, however the data run
   // Two turns in the last third: a swing, whose last peak (upwards: small y) counts.
   EXPECT_EQ(
       height_at_end({{0, 100}, {205, 100}, {220, 40}, {240, 160}, {260, 50}, {280, 150}, {300, 100}}, frame),

@@ -71,7 +71,7 @@ TEST(Svg, IsOneFlatElementOnWhite) {
       to_svg({100, 60.5, {}}, "x < \"y\"", "'A b', serif"),
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 100 60.5\" width=\"100\" height=\"60.5\" "
       "role=\"img\" aria-label=\"x &lt; &quot;y&quot;\" font-family=\"'A b', serif\" "
-      "stroke-linejoin=\"round\" fill=\"none\">\n"
+      "stroke-linejoin=\"round\" fill=\"none\" xml:space=\"preserve\">\n"
       "<rect fill=\"#FFFFFF\" x=\"0\" y=\"0\" width=\"100\" height=\"60.5\"/>\n</svg>\n");
 }
 

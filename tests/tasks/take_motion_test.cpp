@@ -15,8 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A phone that swings by these amplitudes along its axes at 0.8 Hz and 50 samples a second, for 20 s and then,
-/// put down, for as long again. At 1 s it is let go: every axis jumps for half a second.
+/// A phone that swings by these amplitudes along its axes at 0.8 Hz and 50 samples a second, for 20 s and
+/// then, put down, for as long again. At 1 s it is let go: every axis jumps for half a second.
 std::string phone(std::array<double, 3> amplitudes, const std::string& header) {
   std::string text = header + "\n";
   for (int i = 0; i < 2000; ++i) {
@@ -53,8 +53,9 @@ TEST(Axis, TheLiveliestIsTakenAndSaid) {
 }
 
 TEST(Axis, OfWhateverNamesWithXYAndZ) {
-  for (const char* header : {"t (s),gFx (g),gFy (g),gFz (g),magnitude (g)",
-                             "t (s),X acceleration (m/s²),Y acceleration (m/s²),Z acceleration (m/s²),note"}) {
+  for (const char* header :
+       {"t (s),gFx (g),gFy (g),gFz (g),magnitude (g)",
+        "t (s),X acceleration (m/s²),Y acceleration (m/s²),Z acceleration (m/s²),note"}) {
     const auto series =
         take_motion(*read_recording(phone({0.3, 0.4, 2}, header), "phone.csv", {}), "", 1, {});
     ASSERT_TRUE(series.ok()) << in_words(series.error());

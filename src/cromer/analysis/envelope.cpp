@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
 namespace cromer::core {
@@ -34,8 +35,11 @@ Envelope envelope(std::span<const double> t, std::span<const double> x) {
     (top ? found.top_t : found.bottom_t).push_back(p.t);
     (top ? found.top : found.bottom).push_back(p.x);
   };
-  if (x[0] > 0 && x[1] < x[0]) add({t[0], x[0]}, true);
-  if (x[0] < 0 && x[1] > x[0]) add({t[0], x[0]}, false);
+  if (x[0] != 0 && (x[1] - x[0]) * x[0] < 0) {
+    // At rest at first: the parabola turns nearer to the first sample than to the second.
+    const Point turns = vertex({t[0], x[0]}, {t[1], x[1]}, {t[2], x[2]});
+    if (std::abs(turns.t - t[0]) < 0.5 * (t[1] - t[0])) add({t[0], x[0]}, x[0] > 0);
+  }
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const bool top = x[i] > x[i - 1] && x[i] >= x[i + 1];
     const bool bottom = x[i] < x[i - 1] && x[i] <= x[i + 1];

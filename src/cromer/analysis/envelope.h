@@ -15,8 +15,8 @@ struct Envelope {
   std::vector<double> bottom;    ///< in the unit of x
 };
 
-/// `t` and `x` of the same length, `t` increasing. A first sample off zero from which the motion falls back
-/// counts: it was released there.
+/// `t` and `x` of the same length, `t` increasing. A first sample off zero at which the motion rests and
+/// from which it falls back counts: it was released there.
 Envelope envelope(std::span<const double> t, std::span<const double> x);
 
 /// The value of an envelope at time `t` by linear interpolation; held beyond its ends. `at` and `values` of

@@ -36,7 +36,7 @@ std::string beside_measured(const ComparedCurve& curve) {
 
 /// What the method makes of the law by the end, in words.
 std::string beside_law(const ComparedCurve& curve) {
-  if (curve.diverged) return "runs away: step too long";
+  if (curve.diverged) return std::string(grows) + ": step too long";
   if (!curve.complete) return "ends early";
   if (std::isnan(curve.method_amplitude_ratio)) return "";
   const double off = std::abs(curve.method_amplitude_ratio - 1), phase = std::abs(curve.method_phase);
@@ -45,9 +45,9 @@ std::string beside_law(const ComparedCurve& curve) {
     words = fmt::format("{} % too {}", rounded(100 * off, 2),
                         curve.method_amplitude_ratio > 1 ? "large" : "small");
   if (phase >= 0.01)
-    words += fmt::format("{}{} rad {}", words.empty() ? "" : ",\n", rounded(phase, 2),
-                         curve.method_phase > 0 ? "ahead" : "behind");
-  return words.empty() ? "as the law" : words + " of the law";
+    words += fmt::format("{}{} rad {} the law", words.empty() ? "" : ",\n", rounded(phase, 2),
+                         curve.method_phase > 0 ? "ahead of" : "behind");
+  return words.empty() ? "as the law" : words;
 }
 
 /// The three kinds of curves, the law first.
@@ -118,7 +118,8 @@ class Compared {
     Curve look;
     switch (kind_of(compared)) {
       case Kind::law:
-        look.role = "exact";
+        look.role = "fitted";
+        look.road = true;
         look.name = to_text(compared.law);
         break;
       case Kind::one_rate:
@@ -136,6 +137,17 @@ class Compared {
     return look;
   }
 
+  /// A run that leaves the frame, until it has left it for good.
+  Trajectory in_sight(const ComparedCurve& compared) const {
+    Trajectory motion = compared.trajectory;
+    if (!leaves(compared)) return motion;
+    const std::size_t end = end_of_line(motion.t, motion.x, largest_x_, period());
+    for (std::vector<double>* values : {&motion.t, &motion.x, &motion.v}) values->resize(end);
+    return motion;
+  }
+
+  double period() const { return two_pi / recording_.fit.angular_frequency().value; }
+
   Panel on_time(std::string name) const {
     Panel panel;
     panel.x.name = position_.time_name;
@@ -146,9 +158,10 @@ class Compared {
   Panel position() const {
     Panel panel = on_time(position_.name);
     add_measured(panel, recording_, position_);
-    for (const ComparedCurve* curve : curves_)
-      add_motion(panel, recording_, position_, {curve->trajectory.t, position_.scaled(curve->trajectory.x)},
-                 look_of(*curve, true));
+    for (const ComparedCurve* curve : curves_) {
+      const Trajectory seen = in_sight(*curve);
+      add_motion(panel, recording_, position_, {seen.t, position_.scaled(seen.x)}, look_of(*curve, true));
+    }
     return panel;
   }
 
@@ -162,9 +175,10 @@ class Compared {
   Panel velocity() const {
     Panel panel = on_time(velocity_.name);
     add_dots(panel, measured().local_velocity, velocity_.unit_size);
-    for (const ComparedCurve* curve : curves_)
-      add_motion(panel, recording_, position_, {curve->trajectory.t, velocity_.scaled(curve->trajectory.v)},
-                 look_of(*curve, false));
+    for (const ComparedCurve* curve : curves_) {
+      const Trajectory seen = in_sight(*curve);
+      add_motion(panel, recording_, position_, {seen.t, velocity_.scaled(seen.v)}, look_of(*curve, false));
+    }
     return panel;
   }
 
@@ -172,10 +186,10 @@ class Compared {
     Panel panel = on_time(energy_name_);
     add_dots(panel, energies_of(recording_, displacement(), measured().local_velocity), joules_);
     for (const ComparedCurve* curve : curves_) {
-      std::vector<double> values = energies_of(recording_, curve->trajectory.x, curve->trajectory.v);
+      Trajectory seen = in_sight(*curve);
+      std::vector<double> values = energies_of(recording_, seen.x, seen.v);
       for (double& value : values) value /= joules_;
-      add_line(panel, recording_, position_, {curve->trajectory.t, std::move(values)},
-               look_of(*curve, false));
+      add_line(panel, recording_, position_, {std::move(seen.t), std::move(values)}, look_of(*curve, false));
     }
     return panel;
   }
@@ -187,8 +201,7 @@ class Compared {
     panel.x.name = position_.name;
     panel.y.name = velocity_.name;
     const std::vector<double>& t = recording_.series.t;
-    const PortraitPart part =
-        portrait_part(t.front(), t.back(), two_pi / recording_.fit.angular_frequency().value);
+    const PortraitPart part = portrait_part(t.front(), t.back(), period());
     panel.title = part.title;
     const auto orbit = [&](Curve look, const std::vector<double>& at, const std::vector<double>& x,
                            const std::vector<double>& v) {
@@ -248,9 +261,7 @@ Figure compare_figure(std::span<const CompareResult> comparisons, std::span<cons
   const std::size_t most_runs = most_panels / asked.size();
   if (grid) {
     figure.columns = asked.size() == 1 ? 3 : static_cast<int>(asked.size());
-    figure.note =
-        "Dots: measured. Grey, or its envelope: the law. Dashed: one constant rate. Crosses: set aside.";
-    if (drawable > most_runs) figure.note += fmt::format(" The first {} of {} runs.", most_runs, drawable);
+    if (drawable > most_runs) figure.note = fmt::format("The first {} of {} runs.", most_runs, drawable);
   }
   std::size_t runs = 0;
   for (const auto& comparison : comparisons) {
@@ -267,12 +278,14 @@ Figure compare_figure(std::span<const CompareResult> comparisons, std::span<cons
         panel.title = panel.title.empty() ? run : run + ": " + panel.title;
       }
       if (grid) {
-        if (!panel.phase_portrait) panel.title += ": " + to_text(comparison.recording.fit.law);
-        for (Curve& curve : panel.curves) curve.name = curve.remark = "";
+        if (!panel.phase_portrait) panel.title += ": " + law_found(comparison.recording);
+        for (Curve& curve : panel.curves)
+          if (curve.role == "fitted" && !curve.name.empty()) curve.name = "law";
       }
       figure.panels.push_back(std::move(panel));
     }
   }
+  if (grid) move_names_to_key(figure);
   set_portrait_size(figure);
   return figure;
 }

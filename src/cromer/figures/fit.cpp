@@ -100,8 +100,7 @@ Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
   const MeasuredAxis axis = measured_axis(part);
   Panel panel = measured_panel(part, axis);
   const bool all = part.series.t.size() == fitted.series.t.size();
-  panel.title = figure_text(fmt::format("{}, run {}{}{}", part.series.column, part.series.run, which,
-                                        all ? "" : ", about its largest swing"));
+  panel.title = fmt::format("{}{}{}", run_title(part), which, all ? "" : ", about its largest swing");
   add_line(panel, part, axis, law_motion(part, axis, false), fitted_look(part));
   return panel;
 }
@@ -119,8 +118,9 @@ Panel first_panel(const FittedRecording& fitted) {
 void append_panels(Figure& figure, const FittedRecording& fitted) {
   const MeasuredAxis axis = measured_axis(fitted);
   Panel motion = measured_panel(fitted, axis);
-  motion.title = figure_text(fmt::format("{}, run {}", fitted.series.column, fitted.series.run));
+  motion.title = run_title(fitted);
   if (fitted.fit.status != FitStatus::converged) {
+    motion.title += ": " + law_found(fitted);
     figure.panels.push_back(std::move(motion));
     return;
   }
@@ -160,10 +160,9 @@ Panel small_panel(const FittedRecording& fitted) {
   const MeasuredAxis axis = measured_axis(fitted);
   Panel panel = measured_panel(fitted, axis);
   const bool good = fitted.fit.status == FitStatus::converged;
-  panel.title = figure_text(fmt::format("{}, run {}: {}", short_name(fitted.file), fitted.series.run,
-                                        good ? to_text(fitted.fit.law) : std::string(fitted.status())));
+  panel.title = figure_text(
+      fmt::format("{}, run {}: {}", short_name(fitted.file), fitted.series.run, law_found(fitted)));
   if (good) add_law(panel, fitted, axis);
-  for (Curve& curve : panel.curves) curve.name = curve.remark = "";
   return panel;
 }
 
@@ -177,9 +176,9 @@ void append_grid(Figure& figure, std::span<const FittedRecording> fits) {
   }
   figure.columns = 3;
   figure.title = "Measured and fitted motions";
-  figure.note = "Dots: measured. Line, or envelope: the fitted law. Crosses: samples set aside.";
+  move_names_to_key(figure);
   if (drawable > most_panels)
-    figure.note += fmt::format(" The first {} of {} recordings.", most_panels, drawable);
+    figure.note = fmt::format("The first {} of {} recordings.", most_panels, drawable);
 }
 
 }  // namespace

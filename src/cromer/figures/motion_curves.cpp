@@ -12,6 +12,7 @@
 #include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
 #include "cromer/documents/text/words.h"
+#include "cromer/figures/panels.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/report/thinning.h"
@@ -29,17 +30,13 @@ bool in_degrees(const Series& series) {
   return series.unit.find("deg") != std::string::npos || series.unit.find("°") != std::string::npos;
 }
 
-/// Chooses s, ms or µs. Times count from the first sample if all ticks would read alike otherwise.
+/// Times count from the first sample if all ticks would read alike otherwise.
 void set_time(MeasuredAxis& axis, const std::vector<double>& t) {
   constexpr double far_from_zero = 20;  // durations
   if (t.empty()) return;
   const double duration = t.back() - t.front();
-  std::string_view unit = "s";
-  if (duration > 0 && duration < 0.5) {
-    const bool milli = duration >= 5e-4;
-    unit = milli ? "ms" : "µs";
-    axis.time_unit = milli ? 1e-3 : 1e-6;
-  }
+  const auto [unit, seconds] = time_unit(duration);
+  axis.time_unit = seconds;
   const bool far = std::abs(t.front()) > far_from_zero * duration;
   if (far) axis.time_from = t.front();
   axis.time_name = far ? fmt::format("time {{/:Italic t}} from {:.10g} s on ({})", axis.time_from, unit)
@@ -63,13 +60,26 @@ std::vector<double> MeasuredAxis::times(std::vector<double> t) const {
   return t;
 }
 
+std::string run_title(const FittedRecording& fitted) {
+  const std::string& column = fitted.series.column;
+  const std::size_t unit = column.ends_with(')') ? column.rfind(" (") : column.npos;
+  return figure_text(fmt::format("{}, run {}", column.substr(0, unit), fitted.series.run));
+}
+
+std::string law_found(const FittedRecording& fitted) {
+  if (fitted.fit.status == FitStatus::converged) return to_text(fitted.fit.law);
+  std::string why(fitted.status());
+  std::replace(why.begin(), why.end(), '_', ' ');
+  return fmt::format("no law found ({})", why);
+}
+
 MeasuredAxis measured_axis(const FittedRecording& fitted) {
   MeasuredAxis axis;
   const bool centred = fitted.fit.status == FitStatus::converged;
   const Series& series = fitted.series;
   axis.equilibrium = centred ? fitted.fit.equilibrium().value : 0;
   const std::string si = unit_of(fitted);
-  axis.unit = figure_text(si);
+  axis.unit = figure_text(si.empty() ? series.unit : si);
   if (series.to_si != 1 && !series.unit.empty()) {
     axis.unit = figure_text(series.unit);
     axis.unit_size = series.to_si;
@@ -157,13 +167,6 @@ void outermost(std::vector<double>& t, std::vector<double>& x, double window, do
   x = std::move(kept_x);
 }
 
-/// Takes away a start that is no turning point: the first one lies beyond it.
-void drop_start(std::vector<double>& t, std::vector<double>& x) {
-  if (x.size() < 2 || std::abs(x[0]) >= std::abs(x[1])) return;
-  t.erase(t.begin());
-  x.erase(x.begin());
-}
-
 double period_of(const FittedRecording& fitted) {
   double w = fitted.fit.swing_frequency().value;
   if (const Estimate* drive = fitted.fit.find("drive_frequency")) w = std::min(w, drive->value);
@@ -220,7 +223,7 @@ Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   const FittedSamples good = without_outliers(fitted.series);
   Curve curve = measured_dots(fitted, axis, {good.t, axis.displacements(good.y)});
   curve.name = "measured";
-  curve.remark = fmt::format("{} samples", good.t.size());
+  curve.remark = samples_in_words(good.t.size());
   return curve;
 }
 
@@ -265,7 +268,7 @@ void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxi
   crosses.y = axis.displacements(aside.y);
   crosses.role = "set-aside";
   crosses.name = "set aside";
-  crosses.remark = fmt::format("{} samples", crosses.x.size());
+  crosses.remark = samples_in_words(crosses.x.size());
   crosses.remark_outside = ",\nat the edge: beyond it";
   crosses.mark = Mark::crosses;
   crosses.sets_axes = false;
@@ -355,8 +358,6 @@ bool add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   for (const SampledMotion& stretch : stretches) {
     around.push_back(envelope(stretch.t, stretch.y));
     Envelope& e = around.back();
-    drop_start(e.top_t, e.top);
-    drop_start(e.bottom_t, e.bottom);
     swings += e.top.size();
     outermost(e.top_t, e.top, window, 1);
     outermost(e.bottom_t, e.bottom, window, -1);

@@ -28,6 +28,12 @@ struct MeasuredAxis {
   std::vector<double> times(std::vector<double> t) const;
 };
 
+/// "Position, run 2".
+std::string run_title(const FittedRecording& fitted);
+
+/// The law, or why none was found.
+std::string law_found(const FittedRecording& fitted);
+
 MeasuredAxis measured_axis(const FittedRecording& fitted);
 
 /// The unit that amplitudes are drawn in. They are amplitudes of the displacement, whatever was recorded.

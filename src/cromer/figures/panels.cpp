@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -63,6 +64,37 @@ EnergyUnit energy_unit(double largest) {
   for (const EnergyUnit& unit : units)
     if (largest >= unit.joules) return unit;
   return {"µJ", 1e-6};
+}
+
+TimeUnit time_unit(double duration) {
+  if (!(duration > 0 && duration < 0.5)) return {"s", 1};
+  return duration >= 5e-4 ? TimeUnit{"ms", 1e-3} : TimeUnit{"µs", 1e-6};
+}
+
+std::string samples_in_words(std::size_t samples) {
+  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
+}
+
+std::size_t end_of_line(const std::vector<double>& t, const std::vector<double>& values, double height,
+                        double period) {
+  const auto leaves =
+      std::find_if(values.begin(), values.end(), [&](double value) { return std::abs(value) > height; });
+  if (leaves == values.end()) return values.size();
+  const double last = t[static_cast<std::size_t>(leaves - values.begin())] + 2 * period;
+  return static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), last) - t.begin());
+}
+
+void move_names_to_key(Figure& figure) {
+  for (Panel& panel : figure.panels)
+    for (Curve& curve : panel.curves) {
+      const bool known = std::any_of(figure.key.begin(), figure.key.end(),
+                                     [&](const Curve& each) { return each.role == curve.role; });
+      if (!curve.name.empty() && !known) {
+        Curve& look = figure.key.emplace_back(curve);
+        look.x.clear(), look.y.clear();
+      }
+      curve.name = curve.remark = "";
+    }
 }
 
 PortraitPart portrait_part(double begin, double end, double period) {

@@ -1,6 +1,7 @@
 // The panels of a figure of motions, as --panels asks for them.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,27 @@ struct EnergyUnit {
   double joules;
 };
 EnergyUnit energy_unit(double largest);
+
+/// The symbol that suits times, and what it is in seconds: s, ms or µs.
+struct TimeUnit {
+  std::string_view symbol;
+  double seconds;
+};
+TimeUnit time_unit(double duration);
+
+/// "1 sample", "12 samples".
+std::string samples_in_words(std::size_t samples);
+
+/// Two periods after the first value beyond `height`, where the line of a motion that leaves the frame is to
+/// end, as an index; their number if none is beyond. `t` and `values` of the same length.
+std::size_t end_of_line(const std::vector<double>& t, const std::vector<double>& values, double height,
+                        double period);
+
+/// What is said of a motion that grows without end.
+inline constexpr const char* grows = "grows without end";
+
+/// Takes the names off the curves of a grid of small panels; its key has each once.
+void move_names_to_key(Figure& figure);
 
 /// Which stretches of a motion from `begin` to `end` [s] a phase portrait shows: of many periods the first
 /// and the last ones, because rings upon rings would fill it.

@@ -48,11 +48,15 @@ std::vector<double> sizes_at_first(const std::vector<SimulatedRun>& runs,
   return sizes;
 }
 
+/// Whether the law, as the method simulates it, lets every motion grow.
+bool is_unstable(const SimulatedRun& run) { return run.effect && !run.effect->stable; }
+
 /// All runs fit in, unless one grows far beyond the others or its own `early` size. `power` of the amplitude,
 /// by which the quantity grows: 1, of an energy 2.
 Framed framed(const std::vector<SimulatedRun>& runs, std::vector<std::vector<double>> values,
               const std::vector<double>& early_sizes, double power) {
   double smallest = std::numeric_limits<double>::infinity(), greatest = 0;
+  std::vector<double> wholes;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SimulatedRun& run = runs[i];
     const double whole = largest(run.trajectory, values[i], 0, run.until);
@@ -60,12 +64,15 @@ Framed framed(const std::vector<SimulatedRun>& runs, std::vector<std::vector<dou
     const bool diverged = run.outcome.status == Status::not_finite || whole > std::pow(1e3, power) * early;
     smallest = std::min(smallest, diverged && early > 0 ? std::pow(10, power) * early : whole);
     greatest = std::max(greatest, whole);
+    wholes.push_back(whole);
   }
+  // A run whose method is unstable need not be seen for long.
+  bool cut = false;
+  for (std::size_t i = 0; i < runs.size() && smallest > 0; ++i)
+    cut = cut || wholes[i] > std::pow(is_unstable(runs[i]) ? 8 : 20, power) * smallest;
   Framed all{std::move(values)};
-  const bool cut = greatest > std::pow(20, power) * smallest && smallest > 0;
   all.height = cut ? std::pow(4, power) * smallest : greatest;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    all.leaves.push_back(largest(runs[i].trajectory, all.values[i], 0, runs[i].until) > all.height);
+  for (const double whole : wholes) all.leaves.push_back(whole > all.height);
   return all;
 }
 
@@ -84,40 +91,62 @@ Ends ends_from(const Trajectory& motion, double from) {
   return ends;
 }
 
-/// The last turning points of a free motion.
-Ends last_turns(const Trajectory& motion) {
+/// Whether it swings freely about 0, as far to one side as to the other.
+bool swings_about_zero(const SimulatedRun& run) {
+  const Oscillator<double>& o = run.oscillator;
+  return run.drive.amplitude == 0 && !run.general && o.quadratic == 0 && o.friction == 0 &&
+         o.hysteresis_stiffness == 0;
+}
+
+/// The amplitude [m] of such a swing at its end, by the ratio of its last two turning points; NaN if it does
+/// not turn any more.
+double amplitude_at_end(const Trajectory& motion) {
   const Envelope turns = envelope(motion.t, motion.x);
-  if (turns.top.empty() || turns.bottom.empty()) return {};
-  return {turns.bottom.back(), turns.top.back()};
+  if (turns.top.empty() || turns.bottom.empty()) return std::nan("");
+  const double top = turns.top.back(), bottom = -turns.bottom.back(), top_t = turns.top_t.back(),
+               bottom_t = turns.bottom_t.back(), half_period = std::abs(top_t - bottom_t);
+  const double since = motion.t.back() - std::max(top_t, bottom_t);
+  if (!(top > 0 && bottom > 0) || since > 1.5 * half_period) return std::nan("");
+  const double last = top_t > bottom_t ? top : bottom, before = top_t > bottom_t ? bottom : top;
+  return last * std::pow(last / before, since / half_period);
 }
 
-/// "±1.2 cm at the end", "100 ± 4 cm at the end".
-std::string swing(const Ends& ends, const LengthUnit& unit) {
-  if (!(ends.high >= ends.low)) return "";
-  const double middle = (ends.high + ends.low) / 2 / unit.metres,
-               half = (ends.high - ends.low) / 2 / unit.metres;
-  const std::string about =
-      std::abs(middle) > 0.1 * half ? format_quantity({middle, half}, "") : "±" + rounded(half, 3);
-  return fmt::format("{} {} at the end", about, unit.symbol);
-}
-
-/// What is said of a run that does not stay in the frame until its end; else "".
-std::string early_end(const SimulatedRun& run, bool leaves) {
-  if (run.outcome.status == Status::not_finite || leaves) return "grows without end";
+/// What is said of a run that does not stay in the frame until its end; else "". `values` are those in the
+/// frame, in `unit`.
+std::string early_end(const SimulatedRun& run, bool leaves, const std::vector<double>& values, double unit,
+                      std::string_view symbol) {
+  if (run.outcome.status == Status::not_finite || (leaves && is_unstable(run))) return grows;
+  if (leaves)
+    return fmt::format("reaches {} {}", rounded(largest(run.trajectory, values, 0, run.until) / unit, 3),
+                       symbol);
   if (run.outcome.status != Status::reached_end) return fmt::format("ends at {:.4g} s", run.outcome.t);
   return "";
 }
 
-/// The swing at the end of a run that stays in the frame.
-std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit) {
-  const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
-  if (!harmonic && !run.general) return swing(last_turns(run.trajectory), unit);
+/// "±1.2 cm at the end" of a run that stays in the frame; "from −1.4 to 1.8 cm in the last 3 s" of one that
+/// does not swing evenly.
+std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const TimeUnit& time) {
+  const auto in_unit = [&](double x) { return rounded(x / unit.metres, 3); };
+  const auto amplitude = [&](double x) { return fmt::format("±{} {} at the end", in_unit(x), unit.symbol); };
+  if (swings_about_zero(run))
+    if (const double at_end = amplitude_at_end(run.trajectory); std::isfinite(at_end))
+      return amplitude(at_end);
   // The extremes tell the amplitude only over at least one period.
+  const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
   const double period = natural_period(run.oscillator);
-  const double window = std::max(period > 0 ? period : 0.1 * run.until,
-                                 harmonic ? 2 * std::numbers::pi / run.drive.frequency : 0.1 * run.until);
+  const double of_drive = harmonic      ? 2 * std::numbers::pi / run.drive.frequency
+                          : run.general ? 0.1 * run.until
+                                        : 0;
+  const double window = std::max(period > 0 ? period : 0.1 * run.until, of_drive);
   if (window > 0.5 * run.until) return "";
-  return swing(ends_from(run.trajectory, run.until - window), unit);
+  const Ends ends = ends_from(run.trajectory, run.until - window);
+  if (!(ends.high >= ends.low)) return "";
+  const std::string low = in_unit(ends.low), high = in_unit(ends.high);
+  if (low == high) return fmt::format("{} {} at the end", high, unit.symbol);
+  if (std::abs(ends.high + ends.low) < 0.01 * (ends.high - ends.low))
+    return amplitude((ends.high - ends.low) / 2);
+  return fmt::format("from {} to {} {}\nin the last {} {}", low, high, unit.symbol,
+                     rounded(window / time.seconds, 2), time.symbol);
 }
 
 std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {
@@ -147,7 +176,12 @@ class Panels {
     auto x = each([](const SimulatedRun& run) { return run.trajectory.x; });
     const std::vector<double> early_x = sizes_at_first(runs_, x);
     position_ = framed(runs_, std::move(x), early_x, 1);
-    length_ = length_unit(position_.height);
+    angle_ = std::any_of(runs_.begin(), runs_.end(),
+                         [](const SimulatedRun& run) { return run.oscillator.pendulum != 0; });
+    length_ = unit_of(position_.height);
+    double duration = 0;
+    for (const SimulatedRun& run : runs_) duration = std::max(duration, run.until);
+    time_ = time_unit(duration);
     if (asks(MotionPanel::velocity) || asks(MotionPanel::phase)) {
       auto v = each([](const SimulatedRun& run) { return run.trajectory.v; });
       // A run in long steps has only its start in the first part, where it may be at rest.
@@ -178,9 +212,14 @@ class Panels {
       curve.role = one_method_ && runs_.size() > 1 ? family_role(i, which.size()) : run.method;
       curve.name = name_of(run, one_method_, name_frequency);
       if (what == MotionPanel::position || what == MotionPanel::energy) {
-        curve.remark = early_end(run, (what == MotionPanel::energy ? energy_ : position_).leaves[which[i]]);
+        const bool energy = what == MotionPanel::energy;
+        const Framed& framed = energy ? energy_ : position_;
+        const EnergyUnit joules = energy_unit(energy_.height);
+        curve.remark =
+            early_end(run, framed.leaves[which[i]], framed.values[which[i]],
+                      energy ? joules.joules : length_.metres, energy ? joules.symbol : length_.symbol);
         if (curve.remark.empty())
-          curve.remark = what == MotionPanel::position ? swing_at_end(run, length_) : energy_at_end(which[i]);
+          curve.remark = energy ? energy_at_end(which[i]) : swing_at_end(run, length_, time_);
       }
     }
     constexpr std::size_t most_at_curves = 6;
@@ -194,11 +233,11 @@ class Panels {
   /// The recorded samples, in the unit of the positions.
   Curve dots(const LaidOver& over) const {
     Curve curve;
-    curve.x = over.t;
+    for (const double t : over.t) curve.x.push_back(t / time_.seconds);
     for (const double x : over.x) curve.y.push_back(x / length_.metres);
     curve.role = "measured";
     curve.name = "measured";
-    curve.remark = fmt::format("{} samples", over.t.size());
+    curve.remark = samples_in_words(over.t.size());
     curve.mark = Mark::dots;
     return curve;
   }
@@ -209,12 +248,17 @@ class Panels {
     double unit = 1;   ///< in SI units
   };
 
+  /// Of a pendulum x is an angle.
+  LengthUnit unit_of(double largest) const { return angle_ ? LengthUnit{"rad", 1} : length_unit(largest); }
+
   Scale position_axis() const {
-    return {fmt::format("position {{/:Italic x}} ({})", length_.symbol), length_.metres};
+    return {fmt::format("{} ({})", angle_ ? "angle" : "position {/:Italic x}", length_.symbol),
+            length_.metres};
   }
   Scale velocity_axis() const {
-    const LengthUnit unit = length_unit(velocity_.height);
-    return {fmt::format("velocity {{/:Italic v}} ({}/s)", unit.symbol), unit.metres};
+    const LengthUnit unit = unit_of(velocity_.height);
+    return {fmt::format("{} ({}/s)", angle_ ? "angular velocity" : "velocity {/:Italic v}", unit.symbol),
+            unit.metres};
   }
   Scale energy_axis() const {
     const EnergyUnit unit = energy_unit(energy_.height);
@@ -242,13 +286,17 @@ class Panels {
 
   Panel against_time(const Framed& framed, const Scale& scale, const std::vector<std::size_t>& which) const {
     Panel panel;
-    panel.x.name = "time {/:Italic t} (s)";
+    panel.x.name = fmt::format("time {{/:Italic t}} ({})", time_.symbol);
     panel.y.name = scale.name;
     for (const std::size_t run : which) {
       Curve& curve = panel.curves.emplace_back();
-      curve.x = runs_[run].trajectory.t;
-      for (const double value : framed.values[run])
-        curve.y.push_back(std::clamp(value, -3 * framed.height, 3 * framed.height) / scale.unit);
+      const std::vector<double>&t = runs_[run].trajectory.t, &values = framed.values[run];
+      const std::size_t end =
+          framed.leaves[run] ? end_of_line(t, values, framed.height, first_part(runs_[run])) : values.size();
+      for (std::size_t i = 0; i < end; ++i) {
+        curve.x.push_back(t[i] / time_.seconds);
+        curve.y.push_back(std::clamp(values[i], -3 * framed.height, 3 * framed.height) / scale.unit);
+      }
     }
     cut(panel.y, framed, which, scale.unit);
     return panel;
@@ -283,7 +331,9 @@ class Panels {
   const std::vector<SimulatedRun>& runs_;
   bool one_method_;
   Framed position_, velocity_, energy_;
+  bool angle_ = false;
   LengthUnit length_{};
+  TimeUnit time_{"s", 1};
 };
 
 }  // namespace

@@ -443,7 +443,7 @@ Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span
     const Abscissa along = abscissa_of(result);
     const std::vector<double> heights = heights_of(result, result.spectra[damping], tripartite);
     Curve curve = curve_of(tripartite ? result.periods : along.values, named ? figure_text(names[m]) : "",
-                           named ? family_role(m / 2, (results.size() + 1) / 2) : "grid",
+                           named ? family_role(m / 2, (results.size() + 1) / 2) : "one-of-many",
                            [&](std::size_t i) { return heights[i]; });
     curve.dashed = named && m % 2 == 1;
     if (named && !tripartite) say_summit(curve, written_unit(result), along.unit);
@@ -456,6 +456,7 @@ Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span
     panel.y.logarithmic = any.options.shock;
     if (!any.options.shock) panel.y.low = 0;
   }
+  if (!named) panel.curves.front().name = "each motion";
   if (!named && at_the_same_places(panel.curves)) add_statistics(panel);
   if (!named) point_words(panel);
   if (tripartite) add_equal_lines(panel, any);

@@ -33,6 +33,15 @@ Shown shown(const std::string& column, double largest) {
   return {name, 1};
 }
 
+/// The name of a measure. The last state has symbols alone.
+Shown measure_shown(const std::string& column, double largest) {
+  Shown measure = shown(column, largest);
+  for (const auto& [symbol, name] :
+       {std::pair{"x (", "final position {/:Italic x} ("}, std::pair{"v (", "final velocity {/:Italic v} ("}})
+    if (measure.name.starts_with(symbol)) measure.name.replace(0, 3, name);
+  return measure;
+}
+
 /// Whether the values have even ratios rather than even steps.
 bool is_logarithmic(const std::vector<double>& values) {
   if (values.size() < 3 || !(values.front() > 0 && values.back() > 0)) return false;
@@ -132,10 +141,10 @@ class Drawing {
 
   /// A curve for each value of the outer option; up solid, down dashed.
   Panel curves(std::size_t column, std::uint64_t outer, std::uint64_t points) const {
-    const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
+    const Shown measure = measure_shown(result_.plan.rows.columns[column], largest(column));
     Panel panel;
     panel.title = measure.name.substr(0, measure.name.find(" ("));
-    if (outer > 1) panel.title += fmt::format(", names: {}", axis_name(axes_.front()));
+    if (outer > 1) panel.title += fmt::format(" for each {}", axis_name(axes_.front()));
     if (outer > 1 && ways_ == 2) panel.title += ", down dashed";
     panel.y.name = measure.name;
     panel.x.name = axis_name(axes_.back());
@@ -178,7 +187,7 @@ class Drawing {
 
   /// A map. The inner option runs across; in the phase plane the position does.
   Panel map(std::size_t column, std::uint64_t outer, std::uint64_t points, std::size_t way) const {
-    const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
+    const Shown measure = measure_shown(result_.plan.rows.columns[column], largest(column));
     const std::size_t first = axes_.front(), second = axes_.back();
     const bool phase_plane = swept(first).name == "position" && swept(second).name == "velocity";
     const std::size_t across = phase_plane ? first : second, upward = phase_plane ? second : first;

@@ -24,6 +24,16 @@ std::string fixed(double value, int decimals) {
 
 int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12)); }
 
+bool is_plain(int exponent) { return exponent >= -3 && exponent < 4; }
+
+std::string label_of(double value, bool plain) {
+  if (value == 0) return "0";
+  const int exponent = exponent_of(value);
+  if (plain) return fixed(value, std::max(0, 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0)));
+  const std::string mantissa = fixed(value / std::pow(10.0, exponent), 2);
+  return fmt::format("{}×10^{{{}}}", mantissa, fixed(exponent, 0));
+}
+
 }  // namespace
 
 double tick_step(double low, double high, int most) {
@@ -42,7 +52,9 @@ std::vector<Tick> linear_ticks(double low, double high, double step) {
   std::vector<Tick> ticks;
   const double first = std::ceil(low / step - slack);
   const double last = std::min(std::floor(high / step + slack), first + most_ticks - 1);
-  for (double n = first; n <= last; ++n) ticks.push_back({n * step, tick_label(n * step)});
+  // All numbers of an axis have the same form.
+  const bool plain = is_plain(exponent_of(step * std::max(std::abs(first), std::abs(last))));
+  for (double n = first; n <= last; ++n) ticks.push_back({n * step, label_of(n * step, plain)});
   return ticks;
 }
 
@@ -51,7 +63,13 @@ std::vector<Tick> logarithmic_ticks(double low, double high, int most) {
   const int last = static_cast<int>(std::ceil(std::log10(high) + slack));
   const auto inside = [&](double value) { return value >= low * (1 - slack) && value <= high * (1 + slack); };
   int decades = 0;
-  for (int e = first; e <= last; ++e) decades += inside(std::pow(10.0, e));
+  bool plain = true;  // all numbers have the same form
+  for (int e = first; e <= last; ++e) {
+    if (!inside(std::pow(10.0, e))) continue;
+    ++decades;
+    plain = plain && is_plain(e);
+  }
+  if (decades == 0) plain = is_plain(first);
   const int stride = std::max(1, (decades + most - 1) / std::max(most, 1));
   std::vector<Tick> ticks;
   for (int e = first; e <= last; ++e) {
@@ -61,28 +79,21 @@ std::vector<Tick> logarithmic_ticks(double low, double high, int most) {
       const bool labelled =
           decades >= 3 ? digit == 1 && e % stride == 0 : digit == 1 || digit == 2 || digit == 5;
       if (!labelled && decades > 2 * most) continue;
-      const bool plain = std::abs(first) <= 3 && std::abs(last) <= 4;
       ticks.push_back({value, !labelled             ? ""
-                              : plain || digit != 1 ? tick_label(value)
+                              : plain || digit != 1 ? label_of(value, plain)
                                                     : fmt::format("10^{{{}}}", fixed(e, 0))});
     }
   }
   return ticks;
 }
 
-std::string tick_label(double value) {
-  if (value == 0) return "0";
-  const int exponent = exponent_of(value);
-  if (exponent >= -3 && exponent < 4)
-    return fixed(value, std::max(0, 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0)));
-  const std::string mantissa = fixed(value / std::pow(10.0, exponent), 2);
-  return fmt::format("{}×10^{{{}}}", mantissa, fixed(exponent, 0));
-}
+std::string tick_label(double value) { return label_of(value, is_plain(exponent_of(value))); }
 
 namespace {
 
 constexpr double room = 0.05;  // of the span, above and below the data
 constexpr double phase_room = 0.10;
+constexpr double beside_bars = 0.03;     // of the span: error bars do not stand on the frame
 constexpr double given_to_ticks = 0.25;  // of the span, given away at most to end at ticks
 constexpr double just_beyond = 0.01;     // of the span: an x axis goes on to a tick this near
 constexpr double near_zero = 0.6;  // data that begin this close to 0, against their span, are shown from 0
@@ -167,6 +178,12 @@ double AxisRange::px(double value) const {
   return from + (to - from) * ((value - low) / (high - low));
 }
 
+namespace {
+
+bool are_error_bars(const Curve& curve) { return curve.role == "measured" && curve.mark == Mark::line; }
+
+}  // namespace
+
 AxisRange x_range(const Panel& panel) {
   Extent e;
   for (const Curve& curve : panel.curves) {
@@ -174,6 +191,8 @@ AxisRange x_range(const Panel& panel) {
   }
   for (const Marker& marker : panel.markers) e.take(marker.x, panel.x.logarithmic);
   open_up(e, panel.x.logarithmic);
+  if (std::any_of(panel.curves.begin(), panel.curves.end(), are_error_bars))
+    widen(e, beside_bars, panel.x.logarithmic);
   if (!panel.phase_portrait && !panel.x.logarithmic) {
     const double span = e.high - e.low, step = panel.x.step > 0 ? panel.x.step : tick_step(e.low, e.high, 7);
     const double below = step * std::floor(e.low / step + 1e-6),

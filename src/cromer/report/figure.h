@@ -28,7 +28,8 @@ struct Curve {
   Mark mark = Mark::line;
   bool dashed = false;
   bool with_dots =
-      false;  ///< dots on the line: of points so few that each is to be seen. Points alone always are
+      false;          ///< dots on the line: of points so few that each is to be seen. Points alone always are
+  bool road = false;  ///< drawn as the exact solution always is: wide, under the others
   bool sets_axes = true;  ///< the range of the vertical axis includes it
   /// The point that the name's leader line points to, in data units. Without label_y it is the curve's own
   /// height at label_x. Without label_x the name stands outside at the right, or, with names inside, in a
@@ -71,7 +72,8 @@ struct HeatMap {
   std::string name;          ///< of z, with unit: "amplitude (cm)"
   std::vector<double>
       reach{};  ///< further values that the colours include, so that maps side by side share their colours
-  bool decades = false;  ///< logarithmic colours, if z is positive and spans two decades
+  bool decades =
+      false;  ///< logarithmic colours, if z is positive and its largest is more than 20 times its smallest
 };
 
 struct Panel {
@@ -100,9 +102,10 @@ struct Figure {
   std::string caption;  ///< what is seen, with its numbers
   FigureSize size = FigureSize::single;
   std::vector<Panel> panels;
-  int columns = 1;        ///< panels per row
-  std::string note;       ///< one line under the panels; "" none
-  bool shared_x = false;  ///< only the lowest row writes the numbers and the name of its x axis
+  int columns = 1;           ///< panels per row
+  std::vector<Curve> key{};  ///< without points: their looks and names stand in a row under the panels
+  std::string note;          ///< one line under the panels; "" none
+  bool shared_x = false;     ///< only the lowest row writes the numbers and the name of its x axis
 };
 
 /// The format is chosen by the ending.

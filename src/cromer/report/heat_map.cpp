@@ -1,6 +1,5 @@
 #include "cromer/report/heat_map.h"
 
-#include <fmt/format.h>
 #include <zlib.h>
 #include <algorithm>
 #include <cmath>
@@ -13,13 +12,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr double least_ratio = 100;  // of the largest to the smallest, for even ratios
-
-/// With a true minus sign.
-std::string exponent(double power) {
-  const long whole = std::lround(power);
-  return whole < 0 ? fmt::format("\u2212{}", -whole) : fmt::format("{}", whole);
-}
+constexpr double least_ratio = 20;  // of the largest to the smallest, for even ratios
 
 double on_axis(double value, bool logarithmic) { return logarithmic ? std::log(value) : value; }
 
@@ -71,12 +64,7 @@ MapScale map_scale(const HeatMap& map) {
   if (low == high) high = low + (low != 0 ? 0.01 * std::abs(low) : 1);
   if (map.decades && low > 0 && high > least_ratio * low) {
     scale.range = {low, high, true};
-    for (const Tick& tick : logarithmic_ticks(low, high, 6)) {
-      const double power = std::log10(tick.value);
-      const bool whole = std::abs(power - std::round(power)) < 1e-9;
-      scale.ticks.push_back(
-          {tick.value, whole && !tick.label.empty() ? fmt::format("10^{{{}}}", exponent(power)) : ""});
-    }
+    scale.ticks = logarithmic_ticks(low, high, 6);
     return scale;
   }
   // The bar begins at 0 if the data come near it.

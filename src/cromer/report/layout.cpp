@@ -244,12 +244,14 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   placed.map = std::move(drawn);
 }
 
-// The drawing order: bands, the exact curve, a fitted law, the dots it was fitted to, then the rest as given.
+// The drawing order: bands and dots too dense to be told apart, roads, a fitted law, the rest as given, a
+// rejected law, the dots.
 int layer_of(const Curve& curve, const PlacedCurve& placed) {
-  if (placed.mark == Mark::band) return 0;
-  if (curve.role == "exact") return 1;
+  if (placed.mark == Mark::band || (curve.mark == Mark::dots && placed.mark == Mark::line)) return 0;
+  if (is_road(curve)) return 1;
   if (curve.role == "fitted") return 2;
-  return placed.mark == Mark::dots || curve.role == "measured" ? 3 : 4;
+  if (curve.role == "constant-rate") return 4;
+  return placed.mark == Mark::dots || curve.role == "measured" ? 5 : 3;
 }
 
 PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
@@ -276,7 +278,7 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
   std::vector<std::pair<int, PlacedCurve>> layered;
   for (const Curve& curve : panel.curves) {
     spots.push_back(spots_of(curve, cell.x, cell.y));
-    PlacedCurve drawn = place_curve(curve, spots.back(), panel.curves.size() == 1, panel.phase_portrait);
+    PlacedCurve drawn = place_curve(curve, spots.back(), panel);
     const int layer = layer_of(curve, drawn);
     layered.emplace_back(layer, std::move(drawn));
   }
@@ -319,7 +321,7 @@ Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_b
     *size = *size * canvas.text_scale - smaller_by;
   }
 
-  Layout layout{canvas.width, canvas.row_height * static_cast<double>(rows.size()), {}};
+  Layout layout{canvas.width, 0, {}};
   const double hidden = figure.shared_x && rows.size() > 1 ? fonts.sizes.axis + fonts.sizes.tick + 8
                                                            : 0;  // what upper rows save
   // A portrait alone in its row is as high as elsewhere, and has an axis of its own.
@@ -348,9 +350,6 @@ Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_b
     heights.push_back(height);
     y += height;
   }
-  layout.height = y;
-  const double note_height = figure.note.empty() ? 0 : 2 * fonts.sizes.remark;
-  layout.height += note_height;
 
   // Panels below each other share their left and right edges if the rows have equally many panels.
   for (auto& row : cells) {
@@ -372,9 +371,15 @@ Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_b
       layout.panels.push_back(place_panel(cells[r][c], fonts));
     }
   }
-  if (!figure.note.empty())
-    layout.panels.back().texts.push_back(text(figure.note, {edge, y + note_height / 2 - 2}, Align::left,
-                                              fonts.sizes.remark, light_surface.text_2, fonts));
+  PlacedPanel& last = layout.panels.back();
+  y += place_key(last, figure.key, {edge, y, canvas.width - 2 * edge, 0}, fonts.sizes, fonts.typeface);
+  if (!figure.note.empty()) {
+    const double height = 2 * fonts.sizes.remark;
+    last.texts.push_back(text(figure.note, {edge, y + height / 2 - 2}, Align::left, fonts.sizes.remark,
+                              light_surface.text_2, fonts));
+    y += height;
+  }
+  layout.height = std::ceil(y);  // whole px: a picture's last row is not half drawn
   return layout;
 }
 
@@ -383,6 +388,21 @@ std::size_t names_inside(const Panel& panel) {
       std::count_if(panel.curves.begin(), panel.curves.end(), [&](const Curve& curve) {
         return !curve.name.empty() && curve.mark != Mark::band && !stands_outside(curve, panel);
       }));
+}
+
+// Whether a word stands on a curve.
+bool hides(const PlacedPanel& panel) {
+  return std::any_of(panel.texts.begin(), panel.texts.end(),
+                     [](const PlacedText& text) { return text.ground; });
+}
+
+// Leaves free space above the curves.
+void raise(Panel& panel) {
+  constexpr double share = 0.2;  // of the height
+  const AxisRange y = y_range(panel, x_range(panel));
+  panel.y.low = y.low;
+  panel.y.high =
+      y.logarithmic ? y.high * std::pow(y.high / y.low, share) : std::lerp(y.low, y.high, 1 + share);
 }
 
 // Extends the remark of crosses if some lie beyond the frame and stand at its edge.
@@ -407,11 +427,14 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     if (!panel.phase_portrait && names_inside(panel) > most_names_inside) panel.names_listed = true;
   }
   Layout layout = lay_out_as_said(figure, typeface, smaller_by);
-  bool crowded = false;
-  for (std::size_t i = 0; i < figure.panels.size() && !small; ++i)  // a small plot has no room for a list
-    if (layout.panels[i].crowded && !figure.panels[i].phase_portrait)
-      figure.panels[i].names_listed = crowded = true;
-  return crowded ? lay_out_as_said(figure, typeface, smaller_by) : layout;
+  bool again = false;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    Panel& panel = figure.panels[i];
+    if (panel.phase_portrait || !(small ? hides(layout.panels[i]) : layout.panels[i].crowded)) continue;
+    again = true;
+    small ? raise(panel) : void(panel.names_listed = true);  // a small plot has no room for a list
+  }
+  return again ? lay_out_as_said(figure, typeface, smaller_by) : layout;
 }
 
 }  // namespace cromer::core

@@ -11,7 +11,7 @@ namespace cromer::core {
 namespace {
 
 constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
-    dash_dot{8, 3, 2, 3};
+    dash_dot{8, 3, 2, 3}, longer_dash{14, 4, 0, 0};
 
 // The hue is the family, the dash the member. Where a line's colour is too faint for a word,
 // the word's is that one darkened (lightened) to 4.5:1.
@@ -27,9 +27,9 @@ constexpr std::array<RoleStyle, 27> roles{{
     {"euler-cromer", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, solid},
     {"implicit-euler", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, solid},
 
-    {"verlet", "#2E8FBF", "#1F759F", "#8CCBF2", "#8CCBF2", 1.5, solid},
+    {"verlet", "#2E8FBF", "#1F759F", "#8CCBF2", "#8CCBF2", 1.5, longer_dash},
     {"yoshida4", "#2E8FBF", "#1F759F", "#8CCBF2", "#8CCBF2", 1.5, long_dash},
-    {"rk4", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, solid},
+    {"rk4", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, longer_dash},
     {"heun", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, short_dash},
     {"dormand-prince", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, dash_dot},
     {"implicit-midpoint", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, long_dash},
@@ -47,6 +47,9 @@ constexpr std::array<RoleStyle, 27> roles{{
     {"implicit-family:0", "#003D2C", "#003D2C", "#BFF0DF", "#BFF0DF", 1.5, solid},
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
+
+// One of many motions, under what they have in common.
+constexpr RoleStyle one_of_many{"one-of-many", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 0.8, solid};
 
 // Guide lines, to read by and not to look at: they need no contrast.
 constexpr RoleStyle grid_line{"grid", "#D5DAE1", "#626C7A", "#323B47", "#949FAE", 0.8, solid};
@@ -92,7 +95,8 @@ const RoleStyle& style_of(std::string_view role) {
   for (const RoleStyle& style : roles) {
     if (style.role == role) return style;
   }
-  if (role == grid_line.role) return grid_line;
+  for (const RoleStyle* thin : {&one_of_many, &grid_line})
+    if (role == thin->role) return *thin;
   constexpr std::string_view family = "family:";
   if (role.starts_with(family)) {
     const std::string member(role.substr(family.size()));

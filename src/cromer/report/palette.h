@@ -45,8 +45,8 @@ std::string mixed_colour(std::string_view from, std::string_view to, double shar
 /// method's name.
 std::span<const RoleStyle> palette();
 
-/// The style of `role`, or of "grid", thin lines under the curves; an unknown role is drawn in ink. Between
-/// "family:0" and "family:4" there are shades for more than five: "family:2.35".
+/// The style of `role`, or of "grid" or "one-of-many", thin lines under the curves; an unknown role is drawn
+/// in ink. Between "family:0" and "family:4" there are shades for more than five: "family:2.35".
 const RoleStyle& style_of(std::string_view role);
 
 /// The role of the i-th of n in an ordered family, from dark to light as far apart as can be; n > i.

@@ -12,7 +12,11 @@ namespace cromer::core {
 namespace {
 
 constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the page's
-constexpr double exact_width = 4.5, exact_width_phase = 3;
+constexpr double road_width = 4.5, narrow_road = 3;
+constexpr double measured_line = 1;   // [px] error bars, and samples too dense for dots
+constexpr std::size_t few_dots = 40;  // each is to be seen
+constexpr double few_dots_width = 5;  // [px]
+constexpr double dots_apart = 5;      // [px] on a line
 constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
 constexpr double band_columns = 6;    // columns per period from which on a band is filled
 constexpr double crosses_within = 4;  // [px] of the frame
@@ -62,7 +66,16 @@ std::vector<std::vector<Spot>> crosses(const std::vector<Spot>& spots) {
   return strokes;
 }
 
+/// Besides what was measured.
+bool has_line(const Panel& panel) {
+  return std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& each) {
+    return each.mark == Mark::line && each.role != "measured" && each.role != "grid";
+  });
+}
+
 }  // namespace
+
+bool is_road(const Curve& curve) { return curve.road || curve.role == "exact"; }
 
 std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y) {
   const std::size_t n = std::min(curve.x.size(), curve.y.size());
@@ -81,13 +94,17 @@ std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRan
   return spots;
 }
 
-PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool alone, bool phase) {
+PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, const Panel& panel) {
   const RoleStyle& style = style_of(curve.role);
+  const bool alone = panel.curves.size() == 1;
   PlacedCurve placed;
   placed.colour = style.line;
-  placed.dash = curve.dashed && style.dash[0] == 0 ? dashes : style.dash;
-  placed.width = curve.role == "exact" ? (phase ? exact_width_phase : exact_width)
-                                       : style.width * (alone ? 1 : figure_width);
+  if (!alone) placed.dash = style.dash;
+  if (curve.dashed && placed.dash[0] == 0) placed.dash = dashes;
+  // In a strong colour a narrow one is seen as well.
+  placed.width = is_road(curve)             ? (panel.phase_portrait || curve.road ? narrow_road : road_width)
+                 : curve.role == "measured" ? measured_line
+                                            : style.width * (alone ? 1 : figure_width);
   placed.mark = curve.mark;
   if (curve.mark == Mark::crosses) {
     placed.mark = Mark::line;
@@ -104,12 +121,12 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool
     }
     if (curve.mark == Mark::band || dense) {
       placed.mark = Mark::line;
-      placed.width = 1;
+      placed.width = measured_line;
     }
   }
   if (placed.mark == Mark::dots) {
-    placed.width = style_of("measured").width;
-    placed.pieces.push_back(thin_dots(spots));
+    placed.pieces.push_back(thin_dots(spots, has_line(panel) ? dots_apart : 0));
+    placed.width = placed.pieces.back().size() <= few_dots ? few_dots_width : style_of("measured").width;
     return placed;
   }
   for (const auto& piece : unbroken(spots)) {
@@ -127,6 +144,7 @@ double height_at_end(const std::vector<Spot>& spots, const Box& frame) {
       seen.push_back(p);
   }
   if (seen.empty()) return frame.y + frame.height / 2;
+  std::stable_sort(seen.begin(), seen.end(), [](const Spot& a, const Spot& b) { return a.x < b.x; });
   const double from = frame.x + frame.width * 2 / 3;
   const double end = seen.back().y;
   // Backwards in time. A turning point counts once the curve has come back by 2 px: noise is no swing.

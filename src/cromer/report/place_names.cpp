@@ -100,7 +100,7 @@ std::vector<Spot> targets_of(const PlacedCurve& curve, const Box& frame) {
 void draw_on(Occupancy& drawn, const PlacedCurve& curve) {
   for (const auto& piece : curve.pieces) {
     if (curve.mark == Mark::dots) {
-      for (const Spot& p : piece) drawn.add_line(std::span(&p, 1), 3);
+      for (const Spot& p : piece) drawn.add_line(std::span(&p, 1), curve.width);
     } else {
       drawn.add_line(piece, curve.width);
     }
@@ -156,6 +156,21 @@ double list_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface
   return widest > 0 ? list_off + sample + sample_gap + widest + 4 : 0;
 }
 
+/// A piece of the curve, before its name.
+void place_sample(PlacedPanel& placed, const Curve& curve, const PlacedCurve& drawn, Spot left) {
+  const Spot middle{left.x + sample / 2, left.y}, right{left.x + sample, left.y};
+  if (drawn.mark == Mark::dots) {
+    placed.dots.push_back(middle);
+    return;
+  }
+  if (curve.mark != Mark::crosses) {
+    placed.leaders.push_back({left, right, drawn.colour, drawn.width, drawn.dash});
+    return;
+  }
+  for (const auto& stroke : place_curve(curve, {middle}, {}).pieces)
+    placed.leaders.push_back({stroke.front(), stroke.back(), drawn.colour, drawn.width, {}});
+}
+
 /// Adds the list to `placed`. Remarks that do not fit are left out. If there are more names than fit, evenly
 /// chosen ones stand there.
 void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
@@ -195,11 +210,7 @@ void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::
     const std::size_t i = order[k];
     const NameBlock block = block_of(i, remarks);
     const double middle = y + line / 2;
-    if (drawn[i].mark == Mark::dots)
-      placed.dots.push_back({left + sample / 2, middle});
-    else
-      placed.leaders.push_back(
-          {{left, middle}, {left + sample, middle}, drawn[i].colour, drawn[i].width, drawn[i].dash});
+    place_sample(placed, panel.curves[i], drawn[i], {left, middle});
     for (PlacedText text : block.lines) {
       const double height = text.size * leading;
       text.at = {left + sample + sample_gap, y + height / 2};
@@ -293,6 +304,29 @@ double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typefac
   return widest > 0 ? widest + off + 4 : 0;
 }
 
+double place_key(PlacedPanel& placed, const std::vector<Curve>& key, const Box& room, const TextSizes& sizes,
+                 Typeface typeface) {
+  constexpr double between = 18;  // [px]
+  const double row = 2 * sizes.name;
+  double x = room.x, y = room.y + row / 2 - 2;
+  for (const Curve& curve : key) {
+    PlacedText text;
+    text.text = curve.name;
+    text.size = sizes.name;
+    text.bold = true;
+    text.colour = style_of(curve.role).word;
+    const double width = text_width(text.text, text.size, text.bold, typeface);
+    if (x > room.x && x + sample + sample_gap + width > room.right()) x = room.x, y += row;
+    const std::vector<Spot> ends{{x, y}, {x + sample, y}};
+    place_sample(placed, curve, place_curve(curve, ends, {}), ends.front());
+    text.at = {x + sample + sample_gap, y};
+    text.box = {text.at.x, y - text.size * leading / 2, width, text.size * leading};
+    placed.texts.push_back(text);
+    x = text.box.right() + between;
+  }
+  return key.empty() ? 0 : y + row / 2 + 2 - room.y;
+}
+
 void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface) {
@@ -300,8 +334,7 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
   Drawn drawn{Occupancy(frame), Occupancy(frame), {}};
   std::vector<PlacedCurve> in_order;  // of panel.curves, not of drawing
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    in_order.push_back(
-        place_curve(panel.curves[i], spots[i], panel.curves.size() == 1, panel.phase_portrait));
+    in_order.push_back(place_curve(panel.curves[i], spots[i], panel));
     draw_on(drawn.all, in_order.back());
     const bool to_read_by = panel.curves[i].role == "grid";
     if (!to_read_by) draw_on(drawn.inked, in_order.back());

@@ -59,7 +59,8 @@ class Svg {
                        std::string_view font_family) {
     const std::string width = number(layout.width), height = number(layout.height);
     add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-        "role=\"img\" aria-label=\"{2}\" font-family=\"{3}\" stroke-linejoin=\"round\" fill=\"none\">\n",
+        "role=\"img\" aria-label=\"{2}\" font-family=\"{3}\" stroke-linejoin=\"round\" fill=\"none\" "
+        "xml:space=\"preserve\">\n",  // else librsvg leaves out a blank after an exponent
         width, height, escaped(alternative_text), font_family);
     rectangle({0, 0, layout.width, layout.height});
     for (const PlacedPanel& each : layout.panels) panel(each);

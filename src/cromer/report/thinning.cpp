@@ -99,11 +99,12 @@ std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance) {
   return kept;
 }
 
-std::vector<Spot> thin_dots(std::span<const Spot> dots) {
+std::vector<Spot> thin_dots(std::span<const Spot> dots, double apart) {
   std::vector<Spot> kept;
   std::set<std::pair<long, long>> taken;
   for (const Spot& p : dots) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    if (!kept.empty() && std::hypot(p.x - kept.back().x, p.y - kept.back().y) < apart) continue;
     if (taken.emplace(std::lround(4 * p.x), std::lround(4 * p.y)).second) kept.push_back(p);
   }
   return kept;

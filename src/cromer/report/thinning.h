@@ -32,8 +32,9 @@ std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points);
 /// that the dense curve keeps every peak.
 std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance = 0.08);
 
-/// One dot per quarter pixel: dots under another are left out.
-std::vector<Spot> thin_dots(std::span<const Spot> dots);
+/// One dot per quarter pixel: dots under another are left out, and those less than `apart` [px] from the one
+/// before.
+std::vector<Spot> thin_dots(std::span<const Spot> dots, double apart = 0);
 
 /// Indices of the samples that a picture of so many columns needs: the first, lowest, highest and last of
 /// each column, in order; all of them if there are at most four a column. `x` does not go back. Samples that
