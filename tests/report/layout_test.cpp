@@ -223,6 +223,7 @@ TEST(Layers, AreBandRoadFitTheRestAndDots) {
     curve.y = {0, 1, 0};
   }
   panel.curves[1].mark = Mark::dots;
+  panel.curves[2].road = true;  // a narrower road
   Curve& dense = panel.curves.emplace_back();
   dense.role = "drive";
   dense.mark = Mark::band;

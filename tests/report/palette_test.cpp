@@ -70,7 +70,7 @@ TEST(Palette, AnOrderedFamilyOfAnySizeGoesFromDarkToLight) {
 
 TEST(Palette, HueIsTheFamilyAndDashTheMember) {
   const std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
-      dash_dot{8, 3, 2, 3}, longer_dash{14, 4, 0, 0};
+      dash_dot{8, 3, 2, 3}, longer_dash{11, 4, 0, 0};
   EXPECT_EQ(style_of("verlet").line, "#2E8FBF");
   // Told apart from euler-cromer and forward-euler without their hues.
   EXPECT_EQ(style_of("euler-cromer").dash, solid);

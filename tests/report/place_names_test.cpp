@@ -72,7 +72,7 @@ TEST(NamesMargin, HoldsTheWidestName) {
   const double width = text_width("long name", 12, true, Typeface::lato);
   EXPECT_DOUBLE_EQ(names_margin(panel, sizes, Typeface::lato, 500), width + 8 + 4);
   panel.names_listed = true;
-  EXPECT_DOUBLE_EQ(names_margin(panel, sizes, Typeface::lato, 500), 10 + 20 + 6 + width + 4);
+  EXPECT_DOUBLE_EQ(names_margin(panel, sizes, Typeface::lato, 500), 10 + 26 + 6 + width + 4);
   panel.curves = {named("")};
   EXPECT_EQ(names_margin(panel, sizes, Typeface::lato, 500), 0);
   panel.names_listed = false;
@@ -273,17 +273,17 @@ TEST(NameLists, StandBesideTheirLinesFromTheTop) {
   EXPECT_EQ(placed.texts[1].box.y, placed.texts[0].box.bottom());
   EXPECT_NEAR(placed.texts[2].box.y, placed.texts[1].box.bottom() + 6, 1e-9);
   for (const PlacedText& text : placed.texts) {
-    EXPECT_EQ(text.box.x, 450 + 10 + 20 + 6);
+    EXPECT_EQ(text.box.x, 450 + 10 + 26 + 6);
     EXPECT_EQ(text.at.x, text.box.x);
     EXPECT_NEAR(text.at.y, text.box.y + text.box.height / 2, 1e-9);
     EXPECT_NEAR(text.box.height, 1.28 * text.size, 1e-9);
   }
   ASSERT_EQ(placed.leaders.size(), 2u);
   EXPECT_EQ(placed.leaders[0].from, (Spot{460, placed.texts[0].at.y}));
-  EXPECT_EQ(placed.leaders[0].to, (Spot{480, placed.texts[0].at.y}));
+  EXPECT_EQ(placed.leaders[0].to, (Spot{486, placed.texts[0].at.y}));
   EXPECT_EQ(placed.leaders[1].from.y, placed.texts[3].at.y);
   ASSERT_EQ(placed.dots.size(), 1u);
-  EXPECT_EQ(placed.dots[0], (Spot{470, placed.texts[2].at.y}));
+  EXPECT_EQ(placed.dots[0], (Spot{473, placed.texts[2].at.y}));
 }
 
 TEST(NameLists, TakeTheOrderWhereTheCurvesAreFurthestApart) {

@@ -29,7 +29,7 @@ struct Curve {
   bool dashed = false;
   bool with_dots =
       false;          ///< dots on the line: of points so few that each is to be seen. Points alone always are
-  bool road = false;  ///< drawn as the exact solution always is: wide, under the others
+  bool road = false;  ///< wide, as the exact solution always is: others stay on it or leave it
   bool sets_axes = true;  ///< the range of the vertical axis includes it
   /// The point that the name's leader line points to, in data units. Without label_y it is the curve's own
   /// height at label_x. Without label_x the name stands outside at the right, or, with names inside, in a

@@ -244,11 +244,11 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   placed.map = std::move(drawn);
 }
 
-// The drawing order: bands and dots too dense to be told apart, roads, a fitted law, the rest as given, a
-// rejected law, the dots.
+// The drawing order: bands and dots too dense to be told apart, the exact curve, a fitted law, the rest as
+// given, a rejected law, the dots.
 int layer_of(const Curve& curve, const PlacedCurve& placed) {
   if (placed.mark == Mark::band || (curve.mark == Mark::dots && placed.mark == Mark::line)) return 0;
-  if (is_road(curve)) return 1;
+  if (curve.role == "exact") return 1;
   if (curve.role == "fitted") return 2;
   if (curve.role == "constant-rate") return 4;
   return placed.mark == Mark::dots || curve.role == "measured" ? 5 : 3;

@@ -11,7 +11,7 @@ namespace cromer::core {
 namespace {
 
 constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
-    dash_dot{8, 3, 2, 3}, longer_dash{14, 4, 0, 0};
+    dash_dot{8, 3, 2, 3}, longer_dash{11, 4, 0, 0};
 
 // The hue is the family, the dash the member. Where a line's colour is too faint for a word,
 // the word's is that one darkened (lightened) to 4.5:1.

@@ -66,6 +66,8 @@ std::vector<std::vector<Spot>> crosses(const std::vector<Spot>& spots) {
   return strokes;
 }
 
+bool is_road(const Curve& curve) { return curve.road || curve.role == "exact"; }
+
 /// Besides what was measured.
 bool has_line(const Panel& panel) {
   return std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve& each) {
@@ -74,8 +76,6 @@ bool has_line(const Panel& panel) {
 }
 
 }  // namespace
-
-bool is_road(const Curve& curve) { return curve.road || curve.role == "exact"; }
 
 std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y) {
   const std::size_t n = std::min(curve.x.size(), curve.y.size());

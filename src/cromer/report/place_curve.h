@@ -8,9 +8,6 @@
 
 namespace cromer::core {
 
-/// Wide, under the others: they stay on it or leave it.
-bool is_road(const Curve& curve);
-
 /// The curve's points in px, NaN where nothing can be drawn; points with x far outside the panel are left
 /// out.
 std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y);

@@ -18,7 +18,7 @@ constexpr std::size_t most_targets = 240;
 
 // Of the list beside the plot:
 constexpr double list_off = 10;                // the list from the plot [px]
-constexpr double sample = 20, sample_gap = 6;  // the piece of a line, and what follows it [px]
+constexpr double sample = 26, sample_gap = 6;  // the piece of a line, and what follows it [px]
 constexpr double between_names = 6;            // where there is room [px]
 constexpr int columns_read = 120;              // places looked at for the order
 constexpr double told_apart = 20;              // [px] further apart is not told apart better
