@@ -49,6 +49,27 @@ TEST(Portrait, OfManyPeriodsIsTheirFirstAndLast) {
   EXPECT_FALSE(ends.has(6.01) || ends.has(18.99));
 }
 
+TEST(Time, HasTheUnitThatSuits) {
+  EXPECT_EQ(time_unit(0).symbol, "s");
+  EXPECT_EQ(time_unit(0.5).symbol, "s");
+  EXPECT_EQ(time_unit(0.4).symbol, "ms");
+  EXPECT_EQ(time_unit(4e-4).symbol, "µs");
+  EXPECT_EQ(time_unit(4e-4).seconds, 1e-6);
+}
+
+TEST(Samples, AreCounted) {
+  EXPECT_EQ(samples_in_words(1), "1 sample");
+  EXPECT_EQ(samples_in_words(0), "0 samples");
+  EXPECT_EQ(samples_in_words(12), "12 samples");
+}
+
+TEST(EndOfLine, IsTwoPeriodsAfterTheFrameIsLeft) {
+  const std::vector<double> t{0, 1, 2, 3, 4, 5, 6}, x{0, 1, -3, 1, 1, 1, 1};
+  EXPECT_EQ(end_of_line(t, x, 2, 1), 5u);
+  EXPECT_EQ(end_of_line(t, x, 3, 1), 7u);
+  EXPECT_EQ(end_of_line(t, x, 2, 10), 7u);
+}
+
 TEST(Energy, HasTheUnitThatSuits) {
   EXPECT_EQ(energy_unit(2).symbol, "J");
   EXPECT_EQ(energy_unit(0.02).symbol, "mJ");
