@@ -17,8 +17,8 @@ INK, SOFT, AXIS, GRID, LAW, BAND = "#171C24", "#4A5361", "#7B8594", "#E4E8ED", "
 #: colour, dashes, width of each method's line
 LINES: Dict[str, Tuple[str, Any, float]] = {
     "exact": ("#8A93A0", "-", 4.5), "forward-euler": ("#D55E00", "-", 1.3), "euler-cromer": ("#0072B2", "-", 1.3),
-    "implicit-euler": ("#009E73", "-", 1.3), "verlet": ("#2E8FBF", "-", 1.3), "yoshida4": ("#2E8FBF", (0, (8, 3)), 1.3),
-    "rk4": ("#A06A00", "-", 1.3), "heun": ("#A06A00", (0, (3, 3)), 1.3),
+    "implicit-euler": ("#009E73", "-", 1.3), "verlet": ("#2E8FBF", (0, (11, 4)), 1.3), "yoshida4": ("#2E8FBF", (0, (8, 3)), 1.3),
+    "rk4": ("#A06A00", (0, (11, 4)), 1.3), "heun": ("#A06A00", (0, (3, 3)), 1.3),
     "dormand-prince": ("#A06A00", (0, (8, 3, 2, 3)), 1.3), "implicit-midpoint": ("#009E73", (0, (8, 3)), 1.3),
     "newmark": ("#009E73", (0, (3, 3)), 1.3), "generalized-alpha": ("#009E73", (0, (8, 3, 2, 3)), 1.3),
     "gauss-legendre4": ("#009E73", (0, (2, 2)), 1.3)}
@@ -95,12 +95,13 @@ def _curve(ax: Any, t: "Numbers", y: "Numbers", swings: float, **look: Any) -> N
 
 
 def _looks(methods: Sequence[str]) -> List[Dict[str, Any]]:
-    """Of curves drawn in this order: what lies below is wider, so that curves that coincide are all seen."""
+    """Of curves drawn in this order: what lies below is wider, so that curves that coincide are all seen.
+    One alone is solid."""
     looks = []
     for i, method in enumerate(methods):
         colour, dashes, width = LINES.get(method, (SOFT, "-", 1.3))
         below = 0 if method == "exact" else min(1.8, 4 / len(methods)) * len(set(methods[i:]) - {method})
-        looks.append({"color": colour, "linestyle": dashes, "linewidth": width + below})
+        looks.append({"color": colour, "linestyle": dashes if len(methods) > 1 else "-", "linewidth": width + below})
     return looks
 
 
