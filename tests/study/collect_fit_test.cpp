@@ -83,6 +83,20 @@ TEST(CollectFit, HasEachSegmentAndTheDampingOfTheirMean) {
   EXPECT_EQ(fact(massless, "lab.damping_mean"), "none");
 }
 
+TEST(CollectFit, SamplesThatAreSetAsideAreNoMotion) {
+  FittedRecording lab = fitted();
+  lab.series.outliers = {{1, 5, 3}, {1.5, 7, 4}};
+  Results results;
+  collect("lab", lab, results);
+  for (const char* name : {"lab.measured", "lab.displacement"}) {
+    const auto& values = column(results, name).values;
+    ASSERT_EQ(values.size(), 3u) << name;
+    EXPECT_TRUE(std::isnan(values[1])) << name;
+    EXPECT_FALSE(std::isnan(values[0]) || std::isnan(values[2])) << name;
+  }
+  EXPECT_FALSE(std::isnan(column(results, "lab.fitted_displacement").values[1]));
+}
+
 TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
   FittedRecording lab = fitted();
   lab.reynolds = {{0, 100}, {0.5, 200}, {1, 150}};
@@ -100,6 +114,9 @@ TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
   EXPECT_THAT(column(results, "lab.amplitude").values, ElementsAre(0.5, 0.25));
   EXPECT_THAT(column(results, "lab.rate").values, ElementsAre(2, 1));
   EXPECT_THAT(column(results, "lab.law_rate").values, ElementsAre(2.25, 1.5));
+  EXPECT_EQ(column(results, "lab.law_amplitude").values.front(), 0.25);
+  EXPECT_EQ(column(results, "lab.law_amplitude").values.back(), 0.5);
+  EXPECT_EQ(column(results, "lab.law_curve").values.size(), column(results, "lab.law_amplitude").values.size());
   EXPECT_THAT(column(results, "lab.bar_amplitude").values, ElementsAre(0.5, 0.5, 0.5, 0.25, 0.25, 0.25));
   EXPECT_THAT(column(results, "lab.bar_rate").values, ElementsAre(1.5, 2.5, NanSensitiveDoubleEq(nothing),
                                                                   0.75, 1.25, NanSensitiveDoubleEq(nothing)));

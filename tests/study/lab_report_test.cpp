@@ -121,6 +121,9 @@ TEST(LabReport, IsTheWholeSecondLab) {
   EXPECT_THAT(text, HasSubstr("One decay rate is not enough."));
   EXPECT_THAT(text, HasSubstr("Most of its variance, 100 %, comes from the mass."));
   EXPECT_THAT(text, HasSubstr("A drag in proportion to the velocity (Stokes) needs Re well below 1"));
+  EXPECT_THAT(text, HasSubstr("The spring's own mass, a third of which moves along, is not counted"));
+  EXPECT_THAT(text, HasSubstr("its kinematic viscosity *ν* is then 1.51"));
+  EXPECT_THAT(text, HasSubstr("Your disc's diameter has no ±"));
   EXPECT_THAT(text, Not(HasSubstr("could not be told")));
 }
 
@@ -225,13 +228,16 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   front.language = Language::german;
   front.author = "A. {Muster}";
   front.text = "Mein *eigener* Text.";
+  front.aim = "Die Federkonstante.";
+  front.conclusion = "Sie passt.";
   const Made lab = report({{"a_{1}.csv", recorded(decaying(0.1), 30)}}, {{"mass", "217.6 ± 0.3 g"}}, front);
   EXPECT_EQ(lab.page.language, "de");
   EXPECT_THAT(lab.page.byline, HasSubstr("A. {Muster}"));
   const std::string text = lab.text();
   EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ist die Federkonstante"));
   EXPECT_THAT(text, HasSubstr("Abbildung 1."));
-  EXPECT_THAT(text, HasSubstr("Mein *eigener* Text."));
+  EXPECT_THAT(text, HasSubstr("Mein *eigener* Text.\n# Ziel\nDie Federkonstante.\n# Was gemessen wurde"));
+  EXPECT_THAT(text, HasSubstr("# Schluss\nSie passt.\n"));
   for (const char* english : {" the ", "Figure", " rate", "swing "})
     EXPECT_THAT(text, Not(HasSubstr(english)));
   EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9]")));
@@ -242,6 +248,40 @@ TEST(LabReport, NamesAndValuesStandForThemselves) {
   bytes.replace(bytes.find("Position (m)"), 12, "\"a \"\"{x}\"\" \\ (m)\"");
   const Made lab = report({{"a {b} \"c\" \\d.csv", bytes}}, {{"column", "a \"{x}\" \\ (m)"}});
   EXPECT_EQ(lab.page.title, "The law of motion in a {b} \"c\" \\d.csv");
+}
+
+/// A pendulum whose bob meets still air: one rate, at swings that are slower where they are wide.
+double wide_pendulum(double t) {
+  static const std::vector<double> angles = [] {
+    std::vector<double> all;
+    double x = 1.2, v = 0;
+    for (int i = 0; i < 41000; ++i) {
+      all.push_back(x);
+      v -= 0.0005 * (24 * std::sin(x) + 0.1 * v);
+      x += 0.001 * v;
+      v -= 0.0005 * (24 * std::sin(x) + 0.1 * v);
+    }
+    return all;
+  }();
+  return angles[static_cast<std::size_t>(std::lround(1000 * t))];
+}
+
+TEST(LabReport, TheOneRateHasTheLawsFrequency) {
+  std::string bytes = recorded(wide_pendulum, 40);
+  bytes.replace(bytes.find("Position (m)"), 12, "Angle (rad)");
+  const Made lab = report({{"wide.csv", bytes}});
+  ASSERT_TRUE(lab.recordings[0].compared);
+  const auto& curves = lab.recordings[0].compared->curves;
+  EXPECT_LT(curves[0].rms, 2 * curves[1].rms);
+  EXPECT_THAT(lab.text(), HasSubstr("One decay rate is enough"));
+}
+
+TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
+  // A second swing that no law has.
+  const Made lab = report({{"two.csv", recorded([](double t) {
+    return decaying(0.05)(t) + 0.01 * std::exp(-0.02 * t) * std::cos(7.3 * t); }, 40)}}, {{"law", "viscous+drag"}});
+  EXPECT_THAT(lab.page.summary, HasSubstr("By this law the decay rate would be"));
+  EXPECT_THAT(lab.page.summary, Not(HasSubstr("falls")));
 }
 
 TEST(ReportFront, IsReadFromToml) {

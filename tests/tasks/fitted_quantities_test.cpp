@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "cromer/base/pi.h"
 #include "cromer/identify/motion/motion_model.h"
@@ -114,21 +116,39 @@ TEST(DerivedQuantities, IntervalsEndWhereTheQuantityEnds) {
   LawFit fit = released(0.002);
   fit.names = {"angular_frequency", "decay_rate", "position"};
   fit.covariance = {1e-6, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 1e-6};
-  int seen = 0;
+  const auto find = [&](std::string_view name) {
+    for (const Parameter& each : derived_quantities(fit, "m", 0))
+      if (each.name == name) return each.estimate;
+    return Estimate{};
+  };
+  // Damping that may be none leaves the quality factor without an upper end.
+  EXPECT_LT(find("damping_ratio").low, 0);
+  EXPECT_NEAR(find("quality_factor").low, 1 / (2 * find("damping_ratio").high), 1e-12);
+  EXPECT_TRUE(std::isinf(find("quality_factor").high));
+  EXPECT_GT(find("frequency").low, 0);
+  // Where the law's damping is not negative, neither is its ratio.
+  fit.estimates[1] = {0.002, 0.01, 0, 0.022};
+  EXPECT_EQ(find("damping_ratio").low, 0);
+  EXPECT_EQ(find("logarithmic_decrement").low, 0);
+}
+
+TEST(DerivedQuantities, IntervalsReachAsFarAsThoseOfTheParameters) {
+  LawFit fit = released(0.1);
+  fit.names = {"angular_frequency", "decay_rate", "position"};
+  fit.covariance = {1e-10, 0, 0, 0, 0.01 * 0.01, 0, 0, 0, 1e-6};
+  fit.estimates[1] = {0.1, 0.01, 0.07, 0.13};  // three standard errors
   for (const Parameter& each : derived_quantities(fit, "m", 0)) {
     if (each.name == "damping_ratio") {
-      EXPECT_LT(each.estimate.low, 0);
+      EXPECT_NEAR(each.estimate.high - each.estimate.value, 3 * each.estimate.standard_error, 1e-9);
     }
-    if (each.name != "quality_factor" && each.name != "frequency") continue;
-    ++seen;
-    EXPECT_GT(each.estimate.standard_error, 0);
     if (each.name == "quality_factor") {
-      EXPECT_EQ(each.estimate.low, 0);
-    } else {
-      EXPECT_GT(each.estimate.low, 0);
+      EXPECT_NEAR(each.estimate.low, w0 / (2 * 0.13), 1e-6);
+      EXPECT_NEAR(each.estimate.high, w0 / (2 * 0.07), 1e-6);
     }
   }
-  EXPECT_EQ(seen, 2);
+  const std::vector<Parameter> ends = decay_rate_ends(fit, 10);
+  EXPECT_NEAR(ends[0].estimate.low, 0.07, 1e-12);
+  EXPECT_NEAR(ends[0].estimate.high, 0.13, 1e-12);
 }
 
 TEST(CoefficientNames, AreThoseInSIWhereAMassGivesThem) {

@@ -13,6 +13,7 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "tests/support/simulated.h"
 
@@ -178,6 +179,36 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   EXPECT_EQ(in_words(effect_notice(driven.runs[0])).find("had "), 0u);
   EXPECT_THAT(in_words(effect_notice(driven.runs[0])),
               HasSubstr("with what the drive gave, of which damping took "));
+}
+
+// Euler-Cromer's energy comes and goes; where in its cycle the motion began is no loss.
+TEST(RunEffect, TheStartOfACycleIsNoLoss) {
+  for (const double velocity : {0.0, 0.7, -0.7}) {
+    const auto result = simulated({.damping = 0.02,
+                                   .law = {.drag = 0.2},
+                                   .position = 0.7,
+                                   .velocity = velocity,
+                                   .method = {"euler-cromer"},
+                                   .step = 0.03,
+                                   .until = 60});
+    const auto method = method_energy_of(result.runs[0]);
+    ASSERT_TRUE(method);
+    EXPECT_LT(std::abs(method->lasting), 0.001 * result.runs[0].energy_balance->start) << velocity;
+  }
+  // A loss in each step stays one.
+  const auto lossy = simulated({.law = {.drag = 0.02},
+                                .velocity = 0.7,
+                                .method = {"implicit-euler"},
+                                .step = 0.001,
+                                .until = 60});
+  const auto& balance = *lossy.runs[0].energy_balance;
+  EXPECT_NEAR(method_energy_of(lossy.runs[0])->lasting / balance.method(), 1, 0.02);
+}
+
+TEST(RunEffect, WhatAMethodAddsMayBeTakenToo) {
+  const auto result = simulated({.law = {.drag = 2}, .method = {"forward-euler"}, .step = 0.1, .until = 60});
+  EXPECT_THAT(in_words(effect_notice(result.runs[0])), HasSubstr("began with 0.5 J; drag took "));
+  EXPECT_THAT(in_words(effect_notice(result.runs[0])), HasSubstr("% of that, the method itself added "));
 }
 
 TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {

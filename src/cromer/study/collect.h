@@ -21,10 +21,11 @@ namespace cromer::core {
 /// of a driven one. Columns t, x, v, energy, phase (of a swing).
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
-/// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last, first_rate,
-/// last_rate, stretches; simulate.OPTION (the law as options of simulate). Columns t, since_start, measured;
-/// of a law displacement, fitted_displacement, residual, mean; window_t, reynolds; amplitude, rate,
-/// law_rate, and bar_amplitude, bar_rate (error bars).
+/// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last,
+/// air_temperature, air_viscosity (with reynolds), first_rate, last_rate, stretches; simulate.OPTION (the law
+/// as options of simulate). Columns t, since_start, measured; of a law displacement, fitted_displacement,
+/// residual, mean, in all of which samples that are set aside are NaN; window_t, reynolds; amplitude, rate,
+/// law_rate, bar_amplitude, bar_rate (error bars), and law_amplitude, law_curve (the law between them).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 
 /// "id": the same as for its fit, and explanation (a sentence). "id.N" for curve N: the entries of its

@@ -1,17 +1,26 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
+#include "cromer/analysis/air.h"
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/ascii.h"
+#include "cromer/base/extent.h"
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/facts.h"
+#include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 
 namespace cromer::core {
 namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// "of the column" becomes the unit of this recording.
 Facts facts_of(const FittedRecording& fitted, Results& results) {
@@ -51,7 +60,6 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
 void collect_decay(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (fitted.decay_by_amplitude.empty()) return;
   const std::string unit = motion_units(fitted).displacement;
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> amplitude, rate, law, bar_at, bar;
   for (const AmplitudeRate& each : fitted.decay_by_amplitude) {
     amplitude.push_back(each.amplitude);
@@ -59,8 +67,18 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
     law.push_back(each.law_rate);
     bar_at.insert(bar_at.end(), {each.amplitude, each.amplitude, each.amplitude});
     bar.insert(bar.end(),
-               {each.rate.value - each.rate.standard_error, each.rate.value + each.rate.standard_error, gap});
+               {each.rate.value - each.rate.standard_error, each.rate.value + each.rate.standard_error, none});
   }
+  const auto [least, most] = extent_of(amplitude);
+  const AmplitudeDecay decay = amplitude_decay(fitted.fit);
+  constexpr int points = 200;
+  std::vector<double> along, curve;
+  for (int i = 0; i <= points; ++i) {
+    along.push_back(least + (most - least) * i / points);
+    curve.push_back(decay.rate(along.back()));
+  }
+  results.set_column(id + ".law_amplitude", std::move(along), unit, "amplitude");
+  results.set_column(id + ".law_curve", std::move(curve), "1/s", "decay rate");
   results.set(id + ".first_rate", law.front(), "1/s");
   results.set(id + ".last_rate", law.back(), "1/s");
   results.set(id + ".stretches", static_cast<double>(rate.size()));
@@ -71,6 +89,16 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
   results.set_column(id + ".bar_rate", std::move(bar), "1/s", "decay rate");
 }
 
+/// The samples in use; those set aside are NaN.
+std::vector<double> used_samples(const Series& series) {
+  std::vector<double> y = series.y;
+  for (const Outlier& each : series.outliers) {
+    const auto at = std::lower_bound(series.t.begin(), series.t.end(), each.t);
+    if (at != series.t.end() && *at == each.t) y[at - series.t.begin()] = none;
+  }
+  return y;
+}
+
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
   const std::string_view unit = si_unit_of(fitted.series.quantity);
   const std::vector<double>& t = fitted.series.t;
@@ -78,19 +106,45 @@ void collect_columns(const std::string& id, const FittedRecording& fitted, Resul
   for (double& time : since_start) time -= t.front();
   results.set_column(id + ".t", t, "s", "time *t*");
   results.set_column(id + ".since_start", std::move(since_start), "s", "time since the first sample");
-  results.set_column(id + ".measured", fitted.series.y, unit, "measured " + fitted.series.quantity);
+  const std::vector<double> measured = used_samples(fitted.series);
+  results.set_column(id + ".measured", measured, unit, "measured " + fitted.series.quantity);
   if (!fitted.fit.has_values()) return;
   const double mean = fitted.fit.equilibrium().value;
   const std::string axis = fitted.series.quantity == "position" ? "position *x*" : fitted.series.quantity;
-  std::vector<double> displacement = fitted.series.y;
-  for (double& value : displacement) value -= mean;
+  std::vector<double> displacement = measured, by_law = fitted.series.y;
   FittedMotion motion = law_motion(fitted);
-  std::vector<double> by_law = displacement;
-  for (std::size_t i = 0; i < by_law.size(); ++i) by_law[i] -= motion.residual[i];
+  for (std::size_t i = 0; i < by_law.size(); ++i) {
+    displacement[i] -= mean;
+    by_law[i] -= mean;
+  }
+  for (std::size_t i = 0; i < motion.residual.size(); ++i) {
+    by_law[i] -= motion.residual[i];
+    if (std::isnan(displacement[i])) motion.residual[i] = none;
+  }
   results.set_column(id + ".displacement", std::move(displacement), unit, axis);
   results.set_column(id + ".fitted_displacement", std::move(by_law), unit, axis);
   results.set_column(id + ".residual", std::move(motion.residual), unit, "residual");
   results.set_column(id + ".mean", std::vector<double>(t.size(), mean), unit, "mean");
+}
+
+/// The envelope of the stretches between the gaps, `broken` with a NaN in each gap.
+Envelope envelope_of(const Trajectory& run, const std::vector<Gap>& gaps, bool broken) {
+  Envelope all;
+  const auto join = [&](std::vector<double>& to, const std::vector<double>& more, bool first) {
+    if (broken && !first) to.push_back(none);
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  auto gap = gaps.begin();
+  for (std::size_t from = 0, to = 0; from < run.t.size(); from = to) {
+    while (gap != gaps.end() && gap->t < run.t[from]) ++gap;
+    for (to = from + 1; to < run.t.size() && (gap == gaps.end() || run.t[to] <= gap->t);) ++to;
+    const Envelope part = envelope(std::span(run.t).subspan(from, to - from), std::span(run.x).subspan(from, to - from));
+    join(all.top_t, part.top_t, from == 0);
+    join(all.top, part.top, from == 0);
+    join(all.bottom_t, part.bottom_t, from == 0);
+    join(all.bottom, part.bottom, from == 0);
+  }
+  return all;
 }
 
 /// The largest excess of the simulated amplitude over the law's, relative, and when it is.
@@ -116,6 +170,11 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
     results.set(id + ".simulate." + with_underscores(option), value);
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
+  if (fitted.reynolds_max) {
+    const Quantity air = body_of(fitted.options).temperature;
+    results.set(id + ".air_temperature", air, "K");
+    results.set(id + ".air_viscosity", air_kinematic_viscosity(air.value), "m²/s");
+  }
   collect_mean_damping(id, fitted, results);
   collect_reynolds(id, fitted, results);
   collect_decay(id, fitted, results);
@@ -128,7 +187,7 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
   const std::string_view unit = si_unit_of(compared.recording.series.quantity);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)
-    envelopes.push_back(envelope(curve.trajectory.t, curve.trajectory.x));
+    envelopes.push_back(envelope_of(curve.trajectory, compared.recording.series.gaps, false));
   for (std::size_t i = 0; i < compared.curves.size(); ++i) {
     const ComparedCurve& curve = compared.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
@@ -136,12 +195,13 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
     results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
     // The second curve is the fitted law.
     collect_excess(name, envelopes[i], envelopes[1], results);
+    Envelope around = envelope_of(curve.trajectory, compared.recording.series.gaps, true);
     results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");
     results.set_column(name + ".x", curve.trajectory.x, unit, "position *x*");
-    results.set_column(name + ".top_t", envelopes[i].top_t, "s", "time *t*");
-    results.set_column(name + ".top", envelopes[i].top, unit, "position *x*");
-    results.set_column(name + ".bottom_t", envelopes[i].bottom_t, "s", "time *t*");
-    results.set_column(name + ".bottom", envelopes[i].bottom, unit, "position *x*");
+    results.set_column(name + ".top_t", std::move(around.top_t), "s", "time *t*");
+    results.set_column(name + ".top", std::move(around.top), unit, "position *x*");
+    results.set_column(name + ".bottom_t", std::move(around.bottom_t), "s", "time *t*");
+    results.set_column(name + ".bottom", std::move(around.bottom), unit, "position *x*");
   }
 }
 

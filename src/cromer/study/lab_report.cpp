@@ -10,6 +10,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/figures/panels.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -190,11 +191,12 @@ class Part : public LabTold {
             : words("report_law_asked", {{"law", in_braces("law")}});
     text += " `" + equation() + "`. ";
     const Residual& residual = fitted_.fit.residual;
-    text += residual.white ? words("report_white", {{"rms", rms()}})
-                           : words("report_not_white",
-                                   {{"rms", rms()}, {"correlation", in_braces("autocorrelation, 2")}});
+    text += words(residual.white ? "report_white" : "report_not_white", {{"rms", rms()}});
     paragraph(text);
+    paragraph(words("report_how"));
     table();
+    if (const Notice wide = widening(fitted_.fit, fitted_.used()); !wide.empty())
+      paragraph(verbatim(words("report_sentence", {{"what", wide}})));
     swings_figure();
     residual_figure();
   }
@@ -266,7 +268,7 @@ class Part : public LabTold {
     if (compared_ && !explanation(*compared_).empty())
       paragraph(in_braces("explanation"));
     else if (const std::string ends = decay_ends(); !ends.empty())
-      paragraph(ends);
+      paragraph(first_doubt().empty() ? ends : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
     if (!fitted_.segments.empty()) segments();
     if (fitted_.decay_by_amplitude.size() > 2) decay_figure();
     if (compared_ && compared_->curves.size() > 1) compare_figure();
@@ -301,7 +303,11 @@ class Part : public LabTold {
         .x_name = with_unit(words("report_amplitude"), unit.empty() ? units_.displacement : unit),
         .y_name = words("report_rate_axis"),
         .x_unit = unit};
-    figure.curves = {{.of = id_, .role = "fitted", .name = words("report_law_curve"), .y = "law_rate"},
+    figure.curves = {{.of = id_,
+                      .role = "fitted",
+                      .name = words("report_law_curve"),
+                      .x = "law_amplitude",
+                      .y = "law_curve"},
                      {.of = id_, .role = "measured", .x = "bar_amplitude", .y = "bar_rate"},
                      {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true}};
     toml_.figure(figure);
@@ -309,7 +315,7 @@ class Part : public LabTold {
 
   void compare_figure() {
     const std::string id = figure_id("compared"), one = id_ + ".1", law = id_ + ".2";
-    const bool other = !(fitted_.fit.law == law_of("viscous"));
+    const bool other = !(compared_->curves[0].law == compared_->curves[1].law);
     const std::string unit = readable_unit(si(), compared_->curves.front().rms);
     const std::string left = unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit);
     FigureLines figure{.id = id,
@@ -344,6 +350,7 @@ class Part : public LabTold {
                {"w", in_braces("angular_frequency")},
                {"mass", in_braces("mass, g")},
                {"interval", interval("stiffness", k)}});
+    if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
     double most = 0;
     std::string_view source;
     for (const Contribution& each : fitted_.stiffness_budget)
@@ -384,6 +391,10 @@ class Part : public LabTold {
                                                  {"last", in_braces("reynolds_last, 3")}});
     if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10)
       text += " " + words("report_not_stokes");
+    text += " " + words(fitted_.options.temperature ? "report_air" : "report_air_assumed",
+                        {{"temperature", in_braces("air_temperature")}, {"viscosity", in_braces("air_viscosity, 3")}});
+    if (fitted_.options.disc_diameter && !(fitted_.options.disc_diameter->uncertainty > 0))
+      text += " " + words("report_without_error", {{"quantity", name_of("disc_diameter")}});
     paragraph(text);
     const std::string id = figure_id("reynolds");
     FigureLines figure{.id = id,
@@ -556,10 +567,9 @@ class Part : public LabTold {
     const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "\n\n") + sentence; };
     for (const Notice& notice : worst_first(compared_ ? compared_->notices : fitted_.notices))
       if (severity(notice) != Severity::detail) add(words("report_sentence", {{"what", notice}}));
-    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && fitted_.options.mass.empty())
-      add(words("report_give_mass"));
-    if (fitted_.succeeded() && is_linear_quantity(fitted_.series.quantity) && !fitted_.options.disc_diameter)
-      add(words("report_give_disc"));
+    const bool of_length = !fitted_.series.quantity.empty() && is_linear_quantity(fitted_.series.quantity);
+    if (fitted_.succeeded() && of_length && fitted_.options.mass.empty()) add(words("report_give_mass"));
+    if (fitted_.succeeded() && of_length && !fitted_.options.disc_diameter) add(words("report_give_disc"));
     if (text.empty()) return;
     heading("report_not_told");
     paragraph(verbatim(text));
@@ -614,10 +624,18 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   if (front.language == Language::german) toml.text("language", "de");
 
   if (alone && recordings[0].fitted.succeeded()) parts[0].key_figures();
-  if (!front.text.empty()) {
+  const auto own = [&](const std::string& text, const char* heading) {
+    if (text.empty()) return;
+    if (*heading) {
+      page.table("block");
+      page.text("heading", in_words(Notice{heading}, voice));
+    }
     page.table("block");
-    page.text("text", verbatim(front.text));
-  }
+    page.text("text", verbatim(text));
+  };
+  own(front.text, "");
+  own(front.aim, "report_aim");
+  own(front.apparatus, "report_apparatus");
   if (!alone) {
     page.table("block");
     page.text("table", in_words(Notice{"report_recordings"}, voice));
@@ -634,6 +652,7 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
     page.bare("rows", "[\n" + rows + "]");
   }
   for (Part& part : parts) part.write(options);
+  own(front.conclusion, "report_conclusion");
   const std::string body =
       in_words(Notice{"report_file_head"}, voice) + "\n" + toml.written() + page.written();
   return std::string(mark_of_file) + sum_of(body) + "\n" + body;

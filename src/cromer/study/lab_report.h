@@ -30,7 +30,9 @@ struct ReportedRecording {
 struct ReportFront {
   std::string title;  ///< "" for one that names the recordings
   std::string author, course;
-  std::string text;  ///< the writer's own, under the summary; the markup of reports
+  // The writer's own, in the markup of reports: under the summary, in parts of their own before the results,
+  // and behind them.
+  std::string text, aim, apparatus, conclusion;
   Language language = Language::english;
 };
 

@@ -89,6 +89,8 @@ class LabTold {
 
   std::string interval(std::string_view name, const Estimate& e) const {
     const int digits = digits_of(e);
+    if (std::isinf(e.high))
+      return words("report_at_least", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))}});
     return words("report_interval", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))},
                                      {"high", in_braces(fmt::format("{}.high, {}, bare", name, digits))}});
   }
@@ -112,6 +114,16 @@ class LabTold {
     return start && end && is_one_rate(*start, *end);
   }
 
+  /// Whether the first and the last stretch, by themselves, show it.
+  bool stretches_fall() const { return stretches_differ(1); }
+  bool stretches_rise() const { return stretches_differ(-1); }
+  bool stretches_differ(double sign) const {
+    const auto& all = fitted_.decay_by_amplitude;
+    if (all.size() < 2) return false;
+    const Estimate &first = all.front().rate, &last = all.back().rate;
+    return sign * (first.value - last.value) > 3 * std::hypot(first.standard_error, last.standard_error);
+  }
+
   /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
   std::string decay_ends() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
@@ -120,8 +132,9 @@ class LabTold {
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
     if (has_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
-    const bool apart = a.low > b.high || b.low > a.high;
-    return words(!apart              ? "report_rate_at_both"
+    const bool apart = a.low > b.high || b.low > a.high || (b.value < a.value ? stretches_fall() : stretches_rise());
+    return words(!first_doubt().empty() ? "report_rate_by_the_law"
+                 : !apart               ? "report_rate_at_both"
                  : b.value < a.value ? "report_rate_falls"
                                      : "report_rate_rises",
                  {{"start", in_braces("decay_rate_start")}, {"end", in_braces("decay_rate_end")}});
@@ -155,7 +168,7 @@ class LabTold {
   /// Of a velocity or an acceleration the level is the sensor's own zero, no position.
   bool is_zero() const { return !of_position(); }
   std::string level(std::string_view unit) const {
-    return in_braces(unit.empty() ? std::string("equilibrium, 4") : fmt::format("equilibrium, {}, 4", unit));
+    return in_braces(unit.empty() ? std::string("equilibrium") : fmt::format("equilibrium, {}", unit));
   }
 
   std::string rms() const {
@@ -219,6 +232,9 @@ class LabTold {
                              : each.name == "decay_rate_end"             ? words("report_rate_at_end")
                              : each.name == "reynolds_max"               ? words("report_reynolds_max")
                              : each.name == "at_amplitude"               ? words("report_at_amplitude")
+                             : each.name == "angular_frequency"          ? words("report_small_swings")
+                             : each.name == "drag"                       ? words("report_drag_per_mass")
+                             : each.name == "damping"                    ? words("report_damping_constant")
                              : each.name == "position"                   ? words("report_position_at_start")
                              : each.name == "velocity"                   ? words("report_velocity_at_start")
                                                                          : name_of(each.name);

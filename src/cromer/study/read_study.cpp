@@ -469,6 +469,9 @@ Result<ReportFront> read_report_front(std::string_view bytes, const std::string&
     front.author = toml.text("author");
     front.course = toml.text("course");
     front.text = toml.text("text");
+    front.aim = toml.text("aim");
+    front.apparatus = toml.text("apparatus");
+    front.conclusion = toml.text("conclusion");
     front.language = read_language(toml);
     return front;
   });

@@ -26,7 +26,7 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'coefficients' | 'parameters' | 'd
   const rows = fit.coefficients.flatMap((key) => row(key, fit.parameters[key]))
   rows.push(...row('frequency', fit.derived.frequency))
   for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...row(key, fit.parameters[key]))
-  if (fit.law === 'viscous') rows.push(...qualityOf(fit, words, row('quality_factor', fit.derived.quality_factor)))
+  if (fit.law === 'viscous') rows.push(...qualityOf(fit.derived.quality_factor, words, row('quality_factor', fit.derived.quality_factor)))
   if (fit.reynolds) {
     const { max, standard_error, t } = fit.reynolds
     const [name, symbol] = words.quantities.reynolds!
@@ -36,14 +36,11 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'coefficients' | 'parameters' | 'd
   return rows
 }
 
-/// Where the rate may be 0 the quality factor has a lower end alone.
-function qualityOf({ parameters, derived }: Pick<Fit, 'parameters' | 'derived'>, words: Words, rows: Row[]): Row[] {
-  const [rate, quality] = [parameters.decay_rate, derived.quality_factor]
-  if (!rate || !quality || (rate.confidence_95[0] ?? 0) > 0) return rows
-  const most = rate.confidence_95[1]
-  const w = parameters.angular_frequency?.value ?? 2 * Math.PI * (derived.frequency?.value ?? NaN)
-  const least = most === null || !(most > 0) ? NaN : w / (2 * most)
-  return Number.isFinite(least) ? rows.map((each) => ({ ...each, value: words.law.above(significant(least, 2)), interval: '–' })) : []
+/// Where the damping may be none the quality factor has a lower end alone.
+function qualityOf(quality: Estimate | undefined, words: Words, rows: Row[]): Row[] {
+  const [least, most] = quality?.confidence_95 ?? [null, null]
+  if (least === null || most !== null) return rows
+  return rows.map((each) => ({ ...each, value: words.law.above(significant(least, 2)), interval: '–' }))
 }
 
 function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[] {

@@ -152,9 +152,8 @@ describe('the table of the law', () => {
     const change = {
       law: 'viscous',
       parameters: { decay_rate: { ...estimate(0.00005, 0.0001, '1/s'), confidence_95: [0, 0.000246] }, angular_frequency: estimate(8.85, 1e-5, 'rad/s') },
-      derived: { quality_factor: estimate(88500, 177000, '1') }
+      derived: { quality_factor: { ...estimate(88500, 177000, '1'), confidence_95: [17988, null] } }
     } as unknown as Partial<Fit>
-    // 8.85 / (2 · 0.000246)
     expect(rowsOf(fit(change), en).find((row) => row.key === 'quality_factor')).toMatchObject({ value: 'above 17988', interval: '–' })
   })
 })

@@ -38,8 +38,10 @@ bool is_viscous_part(const Law& law, std::string_view parameter) {
 }
 
 bool is_one_rate(const Parameter& start, const Parameter& end) {
-  const double rate = start.estimate.value;
-  return std::abs(end.estimate.value - rate) <= 1e-9 * std::abs(rate);
+  const Estimate &a = start.estimate, &b = end.estimate;
+  const bool apart = a.low > b.high || b.low > a.high;
+  const double change = std::abs(b.value - a.value), rate = std::abs(a.value);
+  return change <= 1e-9 * rate || (!apart && change < alike_rates * rate);
 }
 
 std::string in_words(const Estimate& estimate, std::string_view unit) {

@@ -44,10 +44,14 @@ constexpr Entry entries[] = {
      "The decay rate is {start} at the start and {end} at the end; the two cannot be told apart for sure.",
      "Die Abklingrate ist {start} am Anfang und {end} am Ende; sicher unterscheiden lassen sich beide "
      "nicht."},
+    {"report_rate_by_the_law", clause,
+     "By this law the decay rate would be {start} at the start and {end} at the end.",
+     "Nach diesem Gesetz wäre die Abklingrate {start} am Anfang und {end} am Ende."},
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
      "Die Reynolds-Zahl erreicht {largest}."},
     {"report_period_is", clause, "period {period}", "Periode {period}"},
     {"report_interval", clause, "{low} to {high}", "{low} bis {high}"},
+    {"report_at_least", clause, "at least {low}", "mindestens {low}"},
     {"report_rate_at_start", clause, "decay rate at the start", "Abklingrate am Anfang"},
     {"report_rate_at_end", clause, "decay rate at the end", "Abklingrate am Ende"},
     {"report_at_end", clause, "at the end {rate}", "am Ende {rate}"},
@@ -56,6 +60,11 @@ constexpr Entry entries[] = {
     {"report_recordings", clause, "What the recordings say. ± is one standard uncertainty.",
      "Was die Aufnahmen sagen. ± ist eine Standardunsicherheit."},
     {"report_recording", clause, "recording", "Aufnahme"},
+
+    // What its writer adds.
+    {"report_aim", clause, "Aim", "Ziel"},
+    {"report_apparatus", clause, "Apparatus and procedure", "Aufbau und Durchführung"},
+    {"report_conclusion", clause, "Conclusion", "Schluss"},
 
     // The recording and its law.
     {"report_measured", clause, "What was measured", "Was gemessen wurde"},
@@ -99,14 +108,17 @@ constexpr Entry entries[] = {
      "nicht "
      "zu finden."},
     {"report_not_white", clause,
-     "What it leaves of the measured values is {rms} (root mean square). Neighbouring residuals are alike "
-     "(correlation {correlation}): either the noise is not independent from sample to sample, or the law "
-     "does not "
-     "tell all.",
-     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert). Benachbarte Reste ähneln sich "
-     "(Korrelation {correlation}): entweder ist das Rauschen nicht von Wert zu Wert unabhängig, oder das "
-     "Gesetz "
-     "sagt nicht alles."},
+     "What it leaves of the measured values is {rms} (root mean square), and there is a pattern in it: either "
+     "the noise is not independent from sample to sample, or the law does not tell all.",
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder ist "
+     "das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
+    {"report_how", clause,
+     "The law was integrated and fitted to all samples in use by least squares, its start included; of several "
+     "laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one where the "
+     "difference is small.",
+     "Das Gesetz wurde integriert und mit seinem Anfang durch kleinste Quadrate an alle benutzten Messwerte "
+     "angepasst; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), bei "
+     "kleinem Abstand ein einfacheres."},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
      "recordings, if the law is right.",
@@ -115,6 +127,11 @@ constexpr Entry entries[] = {
      "Aufnahmen, falls das Gesetz stimmt."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
+    {"disc_diameter", clause, "disc's diameter", "Durchmesser der Scheibe"},
+    {"report_small_swings", clause, "angular frequency of small swings *ω*_{{0}}",
+     "Kreisfrequenz kleiner Schwingungen *ω*_{{0}}"},
+    {"report_drag_per_mass", clause, "drag per mass *d*/*m*", "Luftwiderstand je Masse *d*/*m*"},
+    {"report_damping_constant", clause, "damping constant *c*", "Dämpfungskonstante *c*"},
     {"report_viscous_part", clause, "viscous part of the decay rate", "viskoser Anteil der Abklingrate"},
     {"report_swings_title", clause, "The first swings, measured and by the law",
      "Die ersten Schwingungen, gemessen und nach dem Gesetz"},
@@ -172,6 +189,11 @@ constexpr Entry entries[] = {
      "folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
      "95 %: "
      "{interval}."},
+    {"report_without_spring_mass", clause,
+     "The spring's own mass, a third of which moves along, is not counted ({--spring-mass}): with it the spring "
+     "constant is larger.",
+     "Die eigene Masse der Feder, von der ein Drittel mitschwingt, ist nicht gezählt ({--spring-mass}): mit ihr "
+     "ist die Federkonstante größer."},
     {"report_stiffness_with_spring", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
      "third of the spring's own mass, *k* = "
@@ -204,6 +226,12 @@ constexpr Entry entries[] = {
      "Ein Widerstand proportional zur Geschwindigkeit (Stokes) braucht ein Re weit unter 1: an der "
      "schnellsten Stelle "
      "ist es bei keiner Schwingung dieser Aufnahme so klein."},
+    {"report_air", clause, "The air has {temperature}, its kinematic viscosity *ν* is {viscosity}.",
+     "Die Luft hat {temperature}, ihre kinematische Viskosität *ν* ist {viscosity}."},
+    {"report_air_assumed", clause,
+     "The air is taken to have {temperature}, its kinematic viscosity *ν* is then {viscosity} ({--temperature}).",
+     "Für die Luft sind {temperature} angenommen, ihre kinematische Viskosität *ν* ist dann {viscosity} "
+     "({--temperature})."},
     {"report_reynolds_title", clause, "Reynolds number in windows of half a second",
      "Reynolds-Zahl in Fenstern von einer halben Sekunde"},
     {"report_reynolds_caption", clause,

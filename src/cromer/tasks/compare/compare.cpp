@@ -343,26 +343,26 @@ Result<FittedRecording> with_law(const FittedRecording& recording, const Law& la
   return fit_series(recording.series, recording.file, options, watch);
 }
 
-// The viscous law as fitted, or with the mean of the segments' rates.
+// The law's springs with viscous damping alone, as fitted, or with the mean of the segments' rates: what it
+// misses is the damping's part, not the frequency's.
 Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
-  Motion constant = recording.fit.motion;
-  if (!(recording.fit.law == law_of("viscous"))) {
-    const Result<FittedRecording> fitted = with_law(recording, law_of("viscous"), watch);
+  const Motion& begun = recording.fit.motion;
+  const Law law = recording.fit.law.without(dissipative_terms).with(law_with<Viscous>);
+  Motion constant = begun;
+  if (!(recording.fit.law == law)) {
+    const Result<FittedRecording> fitted = with_law(recording, law, watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
+    constant = fitted->fit.motion;
     if (recording.decay_rate_mean || fitted->fit.status != FitStatus::converged) {
       // The segments' mean rate starts where the chosen law does.
-      const Motion& begun = recording.fit.motion;
-      constant =
-          Motion{.equilibrium = begun.equilibrium, .position = begun.position, .velocity = begun.velocity};
-      constant.set_angular_frequency(fitted->fit.angular_frequency().value);
-      constant.set_decay_rate(fitted->fit.decay_rate().value);
-    } else {
-      constant = fitted->fit.motion;
+      constant.equilibrium = begun.equilibrium;
+      constant.position = begun.position;
+      constant.velocity = begun.velocity;
     }
   }
   if (recording.decay_rate_mean) constant.set_decay_rate(recording.decay_rate_mean->value);
-  return NamedLaw{Notice{"one_constant_decay_rate"}, law_of("viscous"), constant};
+  return NamedLaw{Notice{"one_constant_decay_rate"}, law, constant};
 }
 
 }  // namespace

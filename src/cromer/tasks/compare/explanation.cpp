@@ -56,7 +56,7 @@ Notice explanation(const CompareResult& comparison) {
   const ComparedCurve& one = curves[0];
   const ComparedCurve& law = curves[1];
   const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
-  const bool viscous = law.law == law_of("viscous");
+  const bool viscous = law.law == one.law;
   const Notice left{comparison.recording.decay_rate_mean ? "mean_rate_leaves" : "one_rate_leaves",
                     {{"left", with_unit(one.rms, unit)}}};
   const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.rms, unit)}}};
@@ -67,7 +67,7 @@ Notice explanation(const CompareResult& comparison) {
   const auto& rates = comparison.recording.decay_by_amplitude;
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
-  const bool constant = std::abs(first - last) < 0.02 * std::max(std::abs(first), std::abs(last));
+  const bool constant = std::abs(first - last) < alike_rates * std::max(std::abs(first), std::abs(last));
   const Notice end = amplitude_at_the_end(one);
   Notice method;
   for (std::size_t i = curves.size(); i-- > 2;)

@@ -39,6 +39,9 @@ struct AmplitudeRate {
 /// What the law's damping does to the amplitude.
 AmplitudeDecay amplitude_decay(const LawFit& fit);
 
+/// Rates that differ by less, relative, are one for whoever reads them.
+inline constexpr double alike_rates = 0.02;
+
 /// The law's springs alone, without what damps or drives.
 Swing<double> swing_of(const LawFit& fit);
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/swing.h"
@@ -93,12 +95,29 @@ LawAtAmplitude law_at_amplitude(const LawFit& fit) {
   return law;
 }
 
+// How many standard errors the interval of a parameter reaches; one side may be cut at 0.
+double reach_of(const Estimate& estimate, double otherwise) {
+  const double s = estimate.standard_error;
+  if (!(s > 0)) return otherwise;
+  const bool cut = estimate.low == 0;
+  return (cut ? estimate.high - estimate.value : 0.5 * (estimate.high - estimate.low)) / s;
+}
+
+// The interval reaches as far as those of the parameters that it follows from: each has degrees of freedom of
+// its own.
 Estimate estimate_of(double value, std::span<const double> slope, const LawFit& fit) {
   const std::size_t n = fit.names.size();
-  double variance = 0;
+  std::vector<double> reach(n);
+  for (std::size_t i = 0; i < n; ++i) reach[i] = reach_of(fit.estimates[i], fit.student);
+  double variance = 0, square = 0;
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) variance += slope[i] * fit.covariance[i * n + j] * slope[j];
-  return make_estimate(value, std::sqrt(std::max(0.0, variance)), fit.student);
+    for (std::size_t j = 0; j < n; ++j) {
+      const double part = slope[i] * fit.covariance[i * n + j] * slope[j];
+      variance += part;
+      square += reach[i] * part * reach[j];
+    }
+  const double error = std::sqrt(std::max(0.0, variance));
+  return make_estimate(value, error, error > 0 ? std::sqrt(std::max(0.0, square)) / error : fit.student);
 }
 
 Estimate estimate_of(const Real& number, const LawFit& fit) {
@@ -109,6 +128,13 @@ Estimate estimate_of(const Real& number, const LawFit& fit) {
 Estimate cut_at_zero(Estimate estimate) {
   estimate.low = std::max(estimate.low, 0.0);
   return estimate;
+}
+
+// Where the law's damping is cut at 0, so is what follows from it.
+Estimate of_damping(const Real& number, const LawFit& fit) {
+  const Estimate* rate = fit.find(Viscous::coefficients[0].parameter);
+  const Estimate found = estimate_of(number, fit);
+  return rate && rate->low == 0 ? cut_at_zero(found) : found;
 }
 
 // If something surely feeds the swing, and something surely bounds it. The slopes are differences: the cycle
@@ -139,14 +165,20 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.equivalent_rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = two_pi / w;
+  const Estimate ratio = of_damping(equivalent / undamped, fit);
   std::vector<Parameter> list{{"frequency", cut_at_zero(estimate_of(1 / period, fit)), "Hz"},
                               {"period", cut_at_zero(estimate_of(period, fit)), "s"},
-                              {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
+                              {"damping_ratio", ratio, "1"}};
   // A motion that is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
-  if (!fed && !(value_of(equivalent) < 0))
-    list.push_back({"quality_factor", cut_at_zero(estimate_of(undamped / (2 * equivalent), fit)), "1"});
-  list.push_back({"logarithmic_decrement", estimate_of(law.decay.rate(A) * period, fit), "1"});
+  if (!fed && !(value_of(equivalent) < 0)) {
+    // The interval is the damping ratio's, turned over; damping that may be none leaves Q without an upper end.
+    Estimate quality = estimate_of(undamped / (2 * equivalent), fit);
+    quality.low = 1 / (2 * ratio.high);
+    quality.high = ratio.low > 0 ? 1 / (2 * ratio.low) : std::numeric_limits<double>::infinity();
+    list.push_back({"quality_factor", quality, "1"});
+  }
+  list.push_back({"logarithmic_decrement", of_damping(law.decay.rate(A) * period, fit), "1"});
   list.push_back({"at_amplitude", cut_at_zero(estimate_of(A, fit)), unit});
   if (const auto limit = limit_cycle(fit, value_of(A), value_of(period)))
     list.push_back({"limit_cycle_amplitude", *limit, unit});
@@ -257,7 +289,7 @@ std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
   law.decay.angular_frequency = law.swing.angular_frequency(A);
   const Real first = law.decay.rate(A);
   if (!std::isfinite(value_of(first))) return {};
-  std::vector<Parameter> ends{{"decay_rate_start", estimate_of(first, fit), "1/s"}};
+  std::vector<Parameter> ends{{"decay_rate_start", of_damping(first, fit), "1/s"}};
   const double other = value_of(law.decay.rate(0.5 * A));
   if (std::abs(other - value_of(first)) <= 1e-12 * std::abs(other)) {  // the same at every amplitude
     ends.push_back({"decay_rate_end", ends[0].estimate, "1/s"});
@@ -277,7 +309,7 @@ std::vector<Parameter> decay_rate_ends(const LawFit& fit, double duration) {
     if (!falls && fit.law.has<Friction>()) return ends;
     A = A * exp(-fall);
   }
-  ends.push_back({"decay_rate_end", estimate_of(law.decay.rate(A), fit), "1/s"});
+  ends.push_back({"decay_rate_end", of_damping(law.decay.rate(A), fit), "1/s"});
   return ends;
 }
 

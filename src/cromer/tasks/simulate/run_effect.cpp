@@ -86,8 +86,10 @@ Notice energy_notice(const EnergyBalance& balance, const MethodEnergy& method, b
   for_each_resistance([&]<class T>() { add(name_of_resistance<T>(), balance.taken_by<T>()); });
   if (takers.empty()) return balance.drive == 0 ? kept_energy_notice(balance, symplectic) : Notice{};
   if (!givers.empty()) givers = Notice{"with_what_gave", {{"givers", givers}}};
+  // What the method adds may be taken as well.
+  const double taken = balance.taken.sum();
   return Notice{
-      "energy_went_to",
+      taken > there ? "energy_turned_over" : "energy_went_to",
       {{"energy", there}, {"givers", givers}, {"takers", takers}, {"method", method_notice(method, there)}}};
 }
 

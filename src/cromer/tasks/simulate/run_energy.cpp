@@ -182,12 +182,18 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
     const auto no_force = [](double) { return 0.0; };
     return from_states(run, no_force, 0, static_cast<std::size_t>(last)).method();
   };
-  const double ends = made + made_until(run.outcome.t - 2 * quarter);
-  const double between = 2 * made_until(run.outcome.t - quarter);
+  const double end = run.outcome.t;
+  const auto mean_about = [&](double middle) {
+    return (made_until(middle - quarter) + 2 * made_until(middle) + made_until(middle + quarter)) / 4;
+  };
+  const double ends = made + made_until(end - 2 * quarter), between = 2 * made_until(end - quarter);
   const double comes = std::abs(ends - between) / 4;
+  // Where in its cycle the motion began is no loss: a line through the first two half cycles shows it.
+  const double begins =
+      end > 8 * quarter ? 1.5 * mean_about(quarter) - 0.5 * mean_about(3 * quarter) : 0;
   // Of a growth without end nothing comes and goes.
-  if (comes < 0.05 * std::abs(made)) return MethodEnergy{made, comes};
-  return MethodEnergy{(ends + between) / 4, comes};
+  const bool only_lasts = comes < 0.05 * std::abs(made - begins);
+  return MethodEnergy{(only_lasts ? made : (ends + between) / 4) - begins, comes};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
