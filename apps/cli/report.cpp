@@ -53,7 +53,8 @@ std::vector<Option> front_options_of(ReportOptions& o) {
       {"course", &o.course, "", Range::any, "what it is written for", "none", group},
       {"text", &o.text, "", Range::any, "a text of one's own, under the summary", "none", group},
       {"language", &o.language, "", Range::any, "en or de", "en", group},
-      {"front", &o.front, "", Range::any, "a TOML file with title, author, course, text, aim, apparatus, conclusion and language", "none",
+      {"front", &o.front, "", Range::any,
+       "a TOML file with title, author, course, text, aim, apparatus, conclusion and language", "none",
        group},
   };
 }

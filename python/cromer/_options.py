@@ -209,6 +209,7 @@ class SpectrumOptions(TypedDict, total=False):
     peaks: str
     between_samples: str
     shock: bool
+    shock_response: str
     baseline: str
     band_pass: str
     band_pass_order: int
@@ -420,7 +421,8 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "loss_factor": ("Union[Grid, Sequence[Value]]", "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states"),
         "peaks": ("str", "where the largest values are looked for: continuous (everywhere, after the recording's end too), samples (at the samples alone) or peer (at ten points a period at least, straight lines between samples) [continuous]"),
         "between_samples": ("str", "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear) [linear]"),
-        "shock": ("bool", "shock response spectrum (ISO 18431-4): absolute acceleration, primary, residual, maximax, positive, negative [relative displacement]"),
+        "shock": ("bool", "shock response spectrum (ISO 18431-4): primary, residual, maximax, positive, negative [relative displacement]"),
+        "shock_response": ("str", "of which response: absolute-acceleration, relative-velocity, relative-displacement, pseudo-velocity or equivalent-static-acceleration [absolute-acceleration]"),
         "baseline": ("str", "take off the polynomial of least squares: constant, linear, quadratic or cubic [none]"),
         "band_pass": ("str", "Butterworth filter, after the baseline: \"0.1:25 Hz\", or one corner, \"0.1 Hz:\", \":25 Hz\" [none]"),
         "band_pass_order": ("int", "its order, to 12; must be positive [4]"),

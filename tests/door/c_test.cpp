@@ -247,7 +247,8 @@ TEST(CallC, BadInputIsSaid) {
   expect_refused(call("spectrum", R"({"spacing": "10 m"})", {{"acceleration", made.y.data(), 99}}), "spacing",
                  "expected a time");
   expect_refused(call("simulate", R"({"until": [1, 2]})"), "until", "one value, not a list of 2");
-  expect_refused(call("fit", R"({"mass": [1, 2, 3]})", made.arrays()), "mass", "one value, not a list of 3");
+  expect_refused(call("fit", R"({"mass": [1, 2, 3]})", made.arrays()), "mass",
+                 "3 masses are given for 1 run");
   expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "neither is given");
   expect_refused(call("simulate", "{}", {{"force", made.y.data(), 9}}), "spacing", "in seconds");
   expect_refused(call("simulate", "{}", {{"speed", made.y.data(), 9}}), "speed",

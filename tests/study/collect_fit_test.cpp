@@ -116,7 +116,8 @@ TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
   EXPECT_THAT(column(results, "lab.law_rate").values, ElementsAre(2.25, 1.5));
   EXPECT_EQ(column(results, "lab.law_amplitude").values.front(), 0.25);
   EXPECT_EQ(column(results, "lab.law_amplitude").values.back(), 0.5);
-  EXPECT_EQ(column(results, "lab.law_curve").values.size(), column(results, "lab.law_amplitude").values.size());
+  EXPECT_EQ(column(results, "lab.law_curve").values.size(),
+            column(results, "lab.law_amplitude").values.size());
   EXPECT_THAT(column(results, "lab.bar_amplitude").values, ElementsAre(0.5, 0.5, 0.5, 0.25, 0.25, 0.25));
   EXPECT_THAT(column(results, "lab.bar_rate").values, ElementsAre(1.5, 2.5, NanSensitiveDoubleEq(nothing),
                                                                   0.75, 1.25, NanSensitiveDoubleEq(nothing)));

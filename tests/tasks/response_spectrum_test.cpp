@@ -84,6 +84,66 @@ TEST(ShockSpectrum, OfAHalfSineIsTheAnalyticOne) {
   }
 }
 
+// The same oscillators by a fine Runge-Kutta integration of z'' + 2 zeta w z' + w^2 z = -a, the pulse cut
+// short so that a swing remains; extremes by parabolas through the steps.
+TEST(ShockSpectrum, OfEachResponseIsThatOfAFineIntegration) {
+  constexpr int samples = 41;
+  const double spacing = 0.01, zeta = 0.08;
+  const auto a = [](double t) { return 5 * std::sin(9 * t) + 3 * t; };
+  const SpectrumFile file = recording(samples, spacing, a);
+  const double periods[] = {0.05, 0.3, 1.1, 6};
+  for (std::size_t which = 0; which < shock_responses.size(); ++which) {
+    SpectrumOptions options;
+    options.shock = true;
+    options.shock_response = shock_responses[which];
+    options.damping_ratio = {"0.08"};
+    options.periods = "0.05,0.3,1.1,6";
+    const auto result = spectrum_of(file, options);
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
+    for (std::size_t p = 0; p < 4; ++p) {
+      const double w = 2 * pi / periods[p], end = spacing * (samples - 1);
+      constexpr int per_interval = 400;
+      const double h = spacing / per_interval;
+      const auto ground = [&](double t) {
+        const double place = std::min(t, end) / spacing;
+        const int i = std::min(static_cast<int>(place), samples - 2);
+        return std::lerp(a(i * spacing), a((i + 1) * spacing), place - i);
+      };
+      double z = 0, v = 0, high[2] = {}, low[2] = {};
+      const auto slope = [&](double at, double x, double u, double force) {
+        (void)at;
+        return -force - 2 * zeta * w * u - w * w * x;
+      };
+      const int steps = (samples - 1) * per_interval + static_cast<int>(2 * periods[p] / h);
+      for (int n = 0; n <= steps; ++n) {
+        const double t = n * h;
+        const bool after = n > (samples - 1) * per_interval;
+        const double q[] = {-2 * zeta * w * v - w * w * z, v, z, w * z, -w * w * z};
+        high[after] = std::max(high[after], q[which]);
+        low[after] = std::min(low[after], q[which]);
+        const double f0 = after ? 0 : ground(t), f1 = after ? 0 : ground(t + h / 2),
+                     f2 = n + 1 > (samples - 1) * per_interval ? 0 : ground(t + h);
+        const double k1 = slope(t, z, v, f0), k2 = slope(t, z + h / 2 * v, v + h / 2 * k1, f1),
+                     k3 = slope(t, z + h / 2 * v + h * h / 4 * k1, v + h / 2 * k2, f1),
+                     k4 = slope(t, z + h * v + h * h / 2 * k2, v + h * k3, f2);
+        z += h * v + h * h / 6 * (k1 + k2 + k3);
+        v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }
+      const Shock& shock = result->spectra[0].shock[p];
+      const double most = std::max({high[0], high[1], -low[0], -low[1]});
+      const double within = 2e-5 * most;
+      EXPECT_NEAR(shock.maximax(), most, within) << shock_responses[which] << " " << p;
+      EXPECT_NEAR(shock.positive, std::max(high[0], high[1]), within) << shock_responses[which] << " " << p;
+      EXPECT_NEAR(shock.negative, -std::min(low[0], low[1]), within) << shock_responses[which] << " " << p;
+      EXPECT_NEAR(shock.primary, std::max(high[0], -low[0]), within) << shock_responses[which] << " " << p;
+    }
+  }
+  EXPECT_THAT(message(file, {.shock_response = "pseudo-velocity"}),
+              HasSubstr("--shock-response says of what"));
+  EXPECT_THAT(message(file, {.shock = true, .shock_response = "velocity"}),
+              HasSubstr("--shock-response: \"velocity\""));
+}
+
 // A held constant force on an undamped oscillator swings to twice its static displacement, ever.
 TEST(ResponseSpectrum, OfAStepIsTwiceTheStaticOne) {
   const SpectrumFile file = recording(400, 0.01, [](double) { return 2.0; });

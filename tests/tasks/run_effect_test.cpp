@@ -196,11 +196,8 @@ TEST(RunEffect, TheStartOfACycleIsNoLoss) {
     EXPECT_LT(std::abs(method->lasting), 0.001 * result.runs[0].energy_balance->start) << velocity;
   }
   // A loss in each step stays one.
-  const auto lossy = simulated({.law = {.drag = 0.02},
-                                .velocity = 0.7,
-                                .method = {"implicit-euler"},
-                                .step = 0.001,
-                                .until = 60});
+  const auto lossy = simulated(
+      {.law = {.drag = 0.02}, .velocity = 0.7, .method = {"implicit-euler"}, .step = 0.001, .until = 60});
   const auto& balance = *lossy.runs[0].energy_balance;
   EXPECT_NEAR(method_energy_of(lossy.runs[0])->lasting / balance.method(), 1, 0.02);
 }

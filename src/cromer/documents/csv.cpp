@@ -264,7 +264,9 @@ std::string compare_csv(std::span<const CompareResult> comparisons) {
 
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const auto unit_of = [&](std::string_view unit) {
-    return unit == unit_as_written ? written_unit(result) : unit;
+    return unit == unit_as_written         ? written_unit(result)
+           : unit == shock_unit_as_written ? shock_unit(result)
+                                           : unit;
   };
   const SpectrumOf described{result, spectrum};
   NamedColumns columns;

@@ -34,6 +34,9 @@ std::string failure_text(const FittedRecording& fitted);
 /// A table for each damping ratio, of at most 24 periods, and where the spectrum is highest.
 std::string spectrum_text(const SpectrumResult& result);
 
+/// "relative displacement"
+std::string readable_response(ShockOf of);
+
 /// What was taken off the recordings; "" for nothing: "corrected: linear baseline taken off; ...". `brief`
 /// leaves out how the filter was run.
 std::string correction_text(const Correction& correction, bool brief = false);

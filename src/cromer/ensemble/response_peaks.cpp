@@ -264,8 +264,14 @@ double period_of(const LinearLaw<double>& law) { return 2 * std::numbers::pi / s
 
 ResponseQuantity<double> quantity_of(const LinearLaw<double>& law, ResponseOf of) {
   // On the mirrored motion, driven by +a: the absolute acceleration is what spring and damper give it.
-  return of == ResponseOf::displacement ? ResponseQuantity<double>{1, 0}
-                                        : ResponseQuantity<double>{law.stiffness, 2 * law.decay_rate};
+  switch (of) {
+    case ResponseOf::displacement:
+      return {1, 0};
+    case ResponseOf::velocity:
+      return {0, 1};
+    default:
+      return {law.stiffness, 2 * law.decay_rate};
+  }
 }
 
 /// Blocks of about 32 steps, and not too many of them.
@@ -325,6 +331,45 @@ ResponsePeaks peaks_of(const LawGroup& group, std::size_t lane_of, const cromer_
   return found;
 }
 
+/// The extremes of a quantity without the position, which has no filter: step by step.
+ResponsePeaks peaks_by_steps(const std::vector<double>& samples, const GroundMotion& ground,
+                             const LinearLaw<double>& law, const PeakSearch& search) {
+  const bool hold = ground.between == BetweenSamples::hold;
+  const std::size_t parts = substeps(ground.spacing, period_of(law));
+  const double step = ground.spacing / static_cast<double>(parts);
+  const ResponseQuantity<double> quantity = quantity_of(law, search.quantity);
+  const IntervalMap<double> map = interval_map(law, step, hold);
+  const ResponseFilter<double> filter = response_filter(map, ResponseQuantity<double>{1, 0});
+  const FilterToMotion<double> to_motion = filter_to_motion(map);
+  FilterState<double> state = at_rest(map, samples.front());
+  State<double> y{0, 0};
+  ResponsePeaks found{{0, 0}, {0, 0}};
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const double slope = hold ? 0 : (samples[i + 1] - samples[i]) / ground.spacing;
+    for (std::size_t part = 1; part <= parts; ++part) {
+      const double before = samples[i] + slope * step * static_cast<double>(part - 1);
+      const bool whole = part == parts;
+      const double force = whole ? samples[i + 1] : samples[i] + slope * step * static_cast<double>(part);
+      const State<double> start = y;
+      y = to_motion.next(state, map, force);
+      filter.step(state, force);
+      const double from = value(quantity, start), to = value(quantity, y);
+      if (search.peaks != Peaks::samples || (whole && (i + 1) % ground.refinement == 0))
+        found.during.include(to);
+      if (search.peaks != Peaks::continuous) continue;
+      const IntervalMotion motion(law, start, before, slope);
+      const double over = overshoot_bound(law, quantity, motion, step);
+      if (std::max(from, to) + over > found.during.high || std::min(from, to) - over < found.during.low)
+        include_inside(law, quantity, motion, y, step, found.during);
+    }
+  }
+  if (!search.after_the_end) return found;
+  const double last = value(quantity, y);
+  found.after = {last, last};
+  include_free(law, quantity, y, found.after);
+  return found;
+}
+
 }  // namespace
 
 std::size_t substeps(double spacing, double period) {
@@ -337,6 +382,12 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
   const cromer_walk::Function walk_filters = search.walk ? search.walk : units_here().back().walk;
   const bool hold = ground.between == BetweenSamples::hold;
   if (hold) samples.push_back(samples.back());
+
+  if (search.quantity == ResponseOf::velocity) {
+    std::vector<ResponsePeaks> found;
+    for (const LinearLaw<double>& law : laws) found.push_back(peaks_by_steps(samples, ground, law, search));
+    return found;
+  }
 
   std::vector<std::size_t> steps(laws.size()), order(laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) steps[i] = substeps(ground.spacing, period_of(laws[i]));

@@ -21,8 +21,9 @@ struct GroundMotion {
 };
 
 enum class ResponseOf {
-  displacement,          // [m] relative to the ground, its sign turned
-  absolute_acceleration  // [m/s^2]
+  displacement,           // [m] relative to the ground, its sign turned
+  velocity,               // [m/s] likewise; step by step, some hundred times slower
+  absolute_acceleration,  // [m/s^2]
 };
 
 /// What is looked for, and by which unit.

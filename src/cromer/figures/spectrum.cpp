@@ -159,12 +159,12 @@ Panel response_panel(const SpectrumResult& result) {
 }
 
 Panel shock_panel(const SpectrumResult& result) {
-  const double unit = written_acceleration(result);
+  const double unit = written_shock(result);
   const Abscissa along = abscissa_of(result);
   Panel panel;
   panel.x.name = along.name;
   panel.x.logarithmic = wide(along.values);
-  panel.y.name = fmt::format("largest acceleration ({})", written_unit(result));
+  panel.y.name = fmt::format("largest {} ({})", readable_response(result.shock_of), shock_unit(result));
   panel.y.logarithmic = true;
   panel.names_inside = true;
   const auto add = [&](const ResponseSpectrum& spectrum, const std::string& name, const std::string& role,
@@ -178,11 +178,12 @@ Panel shock_panel(const SpectrumResult& result) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i) {
       add(result.spectra[i], damping_name(result, result.spectra[i]), family(result, i),
           [](const Shock& s) { return s.maximax(); });
-      say_summit(panel.curves.back(), written_unit(result), along.unit);
+      say_summit(panel.curves.back(), shock_unit(result), along.unit);
     }
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
-    panel.y.name = at_one_damping("largest acceleration", result, written_unit(result));
+    panel.y.name =
+        at_one_damping("largest " + readable_response(result.shock_of), result, shock_unit(result));
     // The maximax curve is drawn first, so that the curves it consists of show on top of it.
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
     add(spectrum, "positive", "positive", [](const Shock& s) { return s.positive; });
@@ -190,7 +191,7 @@ Panel shock_panel(const SpectrumResult& result) {
     panel.curves.back().dashed = true;
     add(spectrum, "residual", "family:4", [](const Shock& s) { return s.residual; });
     add(spectrum, "negative", "negative", [](const Shock& s) { return s.negative; });
-    for (Curve& curve : panel.curves) say_summit(curve, written_unit(result), along.unit);
+    for (Curve& curve : panel.curves) say_summit(curve, shock_unit(result), along.unit);
   }
   // Values more than three decades below the largest do not matter.
   double top = 0, least = std::numeric_limits<double>::infinity();
@@ -373,7 +374,7 @@ std::vector<double> heights_of(const SpectrumResult& result, const ResponseSpect
     const double displacement = !spectrum.rotd50.empty() ? spectrum.rotd50[i]
                                 : spectrum.shock.empty() ? spectrum.displacement[0][i]
                                                          : 0;
-    heights.push_back(!spectrum.shock.empty() ? spectrum.shock[i].maximax() / written_acceleration(result)
+    heights.push_back(!spectrum.shock.empty() ? spectrum.shock[i].maximax() / written_shock(result)
                       : tripartite            ? pseudo_velocity(displacement, result.periods[i])
                                               : pseudo_acceleration(displacement, result.periods[i]) /
                                          written_acceleration(result));
@@ -422,11 +423,13 @@ void add_statistics(Panel& panel) {
 
 /// "pseudo-acceleration (g)", or what else the panels of many motions show.
 std::string height_name(const SpectrumResult& result, bool tripartite) {
-  const char* quantity = result.options.shock ? "largest acceleration"
-                         : tripartite         ? "pseudo-velocity"
-                                              : "pseudo-acceleration";
+  const std::string quantity = result.options.shock ? "largest " + readable_response(result.shock_of)
+                               : tripartite         ? "pseudo-velocity"
+                                                    : "pseudo-acceleration";
   return fmt::format("{}{} ({})", quantity, result.components.size() > 1 ? ", RotD50" : "",
-                     tripartite ? "m/s" : written_unit(result));
+                     tripartite             ? "m/s"
+                     : result.options.shock ? shock_unit(result)
+                                            : written_unit(result));
 }
 
 Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span<const std::string> names,
@@ -446,7 +449,8 @@ Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span
                            named ? family_role(m / 2, (results.size() + 1) / 2) : "one-of-many",
                            [&](std::size_t i) { return heights[i]; });
     curve.dashed = named && m % 2 == 1;
-    if (named && !tripartite) say_summit(curve, written_unit(result), along.unit);
+    if (named && !tripartite)
+      say_summit(curve, result.options.shock ? shock_unit(result) : written_unit(result), along.unit);
     panel.curves.push_back(std::move(curve));
   }
   if (!tripartite) {

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/documents/described/spectrum.h"
+#include "cromer/documents/text.h"
 #include "cromer/study/collect.h"
 
 namespace cromer::core {
@@ -131,12 +133,19 @@ std::vector<double> set_spectral(const std::string& name, const std::string& whi
   return acceleration;
 }
 
+/// Results are in SI, whatever unit the spectrum is written in.
+std::string shock_unit_of(const SpectrumResult& all) {
+  return shock_is_acceleration(all) ? "m/s²" : std::string(shock_unit(all));
+}
+
 /// Sets the columns of a shock spectrum. Returns the maximax.
-std::vector<double> set_shock(const std::string& name, const ResponseSpectrum& spectrum, Results& results) {
+std::vector<double> set_shock(const std::string& name, const SpectrumResult& all,
+                              const ResponseSpectrum& spectrum, Results& results) {
   const auto set = [&](const char* which, auto value) {
     std::vector<double> column;
     for (const Shock& shock : spectrum.shock) column.push_back(value(shock));
-    results.set_column(name + "." + which, column, "m/s²", "largest acceleration");
+    results.set_column(name + "." + which, column, shock_unit_of(all),
+                       "largest " + readable_response(all.shock_of));
     return column;
   };
   set("primary", [](const Shock& s) { return s.primary; });
@@ -168,7 +177,7 @@ void collect(const std::string& id, const SpectrumResult& all, Results& results)
     results.set_column(name + ".frequency", frequencies, "Hz", "natural frequency");
     std::vector<double> values;
     if (!spectrum.shock.empty()) {
-      values = set_shock(name, spectrum, results);
+      values = set_shock(name, all, spectrum, results);
     } else if (spectrum.displacement.size() == 1) {
       values = set_spectral(name, "", all, spectrum.displacement[0], results);
     } else {
@@ -179,7 +188,7 @@ void collect(const std::string& id, const SpectrumResult& all, Results& results)
       values = set_spectral(name, "", all, spectrum.rotd50, results);
     }
     const auto top = std::max_element(values.begin(), values.end());
-    results.set(name + ".peak", *top, "m/s²");
+    results.set(name + ".peak", *top, spectrum.shock.empty() ? "m/s²" : shock_unit_of(all));
     results.set(name + ".peak_period", all.periods[static_cast<std::size_t>(top - values.begin())], "s");
   }
 }

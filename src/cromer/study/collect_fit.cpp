@@ -66,8 +66,8 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
     rate.push_back(each.rate.value);
     law.push_back(each.law_rate);
     bar_at.insert(bar_at.end(), {each.amplitude, each.amplitude, each.amplitude});
-    bar.insert(bar.end(),
-               {each.rate.value - each.rate.standard_error, each.rate.value + each.rate.standard_error, none});
+    bar.insert(bar.end(), {each.rate.value - each.rate.standard_error,
+                           each.rate.value + each.rate.standard_error, none});
   }
   const auto [least, most] = extent_of(amplitude);
   const AmplitudeDecay decay = amplitude_decay(fitted.fit);
@@ -138,7 +138,8 @@ Envelope envelope_of(const Trajectory& run, const std::vector<Gap>& gaps, bool b
   for (std::size_t from = 0, to = 0; from < run.t.size(); from = to) {
     while (gap != gaps.end() && gap->t < run.t[from]) ++gap;
     for (to = from + 1; to < run.t.size() && (gap == gaps.end() || run.t[to] <= gap->t);) ++to;
-    const Envelope part = envelope(std::span(run.t).subspan(from, to - from), std::span(run.x).subspan(from, to - from));
+    const Envelope part =
+        envelope(std::span(run.t).subspan(from, to - from), std::span(run.x).subspan(from, to - from));
     join(all.top_t, part.top_t, from == 0);
     join(all.top, part.top, from == 0);
     join(all.bottom_t, part.bottom_t, from == 0);

@@ -64,11 +64,14 @@ class Part : public LabTold {
       lines.push_back(words(code, std::move(values)));
     };
     const bool depends = !fitted_.driven && named(fitted_.derived, "at_amplitude");
-    add(fitted_.driven ? "report_driven_at"
-        : depends      ? "report_swings_at_amplitude"
-                       : "report_swings_at",
+    const bool harmonic = fitted_.find("drive_frequency") != nullptr;
+    add(harmonic         ? "report_driven_by"
+        : fitted_.driven ? "report_driven_at"
+        : depends        ? "report_swings_at_amplitude"
+                         : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
+         {"drive", in_braces("drive_frequency")},
          {"amplitude", in_braces(shown().empty() ? "at_amplitude, 3" : "at_amplitude, " + shown() + ", 3")}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
@@ -89,6 +92,9 @@ class Part : public LabTold {
     key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
     if (const Estimate* k = fitted_.find("stiffness"))
       key("stiffness", "stiffness", interval("stiffness", *k));
+    if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency", "");
+    if (fitted_.driven && fitted_.find("decay_rate"))
+      key("decay_rate", "decay_rate", interval("decay_rate", *fitted_.find("decay_rate")));
     if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
       key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
           named(fitted_.headline, "decay_rate_end") && !has_one_rate()
@@ -268,7 +274,9 @@ class Part : public LabTold {
     if (compared_ && !explanation(*compared_).empty())
       paragraph(in_braces("explanation"));
     else if (const std::string ends = decay_ends(); !ends.empty())
-      paragraph(first_doubt().empty() ? ends : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
+      paragraph(first_doubt().empty()
+                    ? ends
+                    : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
     if (!fitted_.segments.empty()) segments();
     if (fitted_.decay_by_amplitude.size() > 2) decay_figure();
     if (compared_ && compared_->curves.size() > 1) compare_figure();
@@ -392,7 +400,8 @@ class Part : public LabTold {
     if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10)
       text += " " + words("report_not_stokes");
     text += " " + words(fitted_.options.temperature ? "report_air" : "report_air_assumed",
-                        {{"temperature", in_braces("air_temperature")}, {"viscosity", in_braces("air_viscosity, 3")}});
+                        {{"temperature", in_braces("air_temperature")},
+                         {"viscosity", in_braces("air_viscosity, 3")}});
     if (fitted_.options.disc_diameter && !(fitted_.options.disc_diameter->uncertainty > 0))
       text += " " + words("report_without_error", {{"quantity", name_of("disc_diameter")}});
     paragraph(text);
@@ -639,17 +648,22 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   if (!alone) {
     page.table("block");
     page.text("table", in_words(Notice{"report_recordings"}, voice));
-    std::string header, rows;
-    for (const char* code : {"report_recording", "frequency", "stiffness", "report_rate_at_start",
-                             "report_rate_at_end", "report_reynolds_max"})
-      header += (header.empty() ? "" : ", ") + toml_text(in_words(Notice{std::string(code)}, voice));
-    for (const Part& part : parts) {
-      std::string cells;
-      for (const std::string& cell : part.row()) cells += (cells.empty() ? "" : ", ") + toml_text(cell);
-      rows += "  [" + cells + "],\n";
+    constexpr const char* codes[] = {"report_recording",     "frequency",          "stiffness",
+                                     "report_rate_at_start", "report_rate_at_end", "report_reynolds_max"};
+    std::string header;
+    std::vector<std::string> rows(parts.size());
+    for (std::size_t column = 0; column < std::size(codes); ++column) {
+      // A column that no recording has a value for is left out.
+      const auto known = [&](const Part& part) { return part.row()[column] != "–"; };
+      if (std::none_of(parts.begin(), parts.end(), known)) continue;
+      const char* between = header.empty() ? "" : ", ";
+      header += between + toml_text(in_words(Notice{codes[column]}, voice));
+      for (std::size_t i = 0; i < parts.size(); ++i) rows[i] += between + toml_text(parts[i].row()[column]);
     }
+    std::string table;
+    for (const std::string& row : rows) table += "  [" + row + "],\n";
     page.bare("header", "[" + header + "]");
-    page.bare("rows", "[\n" + rows + "]");
+    page.bare("rows", "[\n" + table + "]");
   }
   for (Part& part : parts) part.write(options);
   own(front.conclusion, "report_conclusion");

@@ -29,6 +29,21 @@ inline double written_acceleration(const SpectrumResult& result) {
   return result.options.in_g ? standard_gravity : 1;
 }
 
+/// The unit of a shock spectrum as it is written, and its size in SI.
+inline constexpr std::string_view shock_unit_as_written = "m/s², g, m/s or m";
+inline bool shock_is_acceleration(const SpectrumResult& result) {
+  return result.shock_of == ShockOf::absolute_acceleration ||
+         result.shock_of == ShockOf::equivalent_static_acceleration;
+}
+inline std::string_view shock_unit(const SpectrumResult& result) {
+  return shock_is_acceleration(result)                       ? written_unit(result)
+         : result.shock_of == ShockOf::relative_displacement ? "m"
+                                                             : "m/s";
+}
+inline double written_shock(const SpectrumResult& result) {
+  return shock_is_acceleration(result) ? written_acceleration(result) : 1;
+}
+
 template <>
 struct Described<SpectralValues> {
   using V = SpectralValues;
@@ -64,8 +79,7 @@ struct SpectrumOf {
   std::optional<std::vector<double>> shocks(Value value) const {
     if (spectrum.shock.empty()) return std::nullopt;
     std::vector<double> all;
-    for (const Shock& shock : spectrum.shock)
-      all.push_back(std::invoke(value, shock) / written_acceleration(of));
+    for (const Shock& shock : spectrum.shock) all.push_back(std::invoke(value, shock) / written_shock(of));
     return all;
   }
 };
@@ -74,7 +88,7 @@ struct SpectrumOf {
 template <class Value>
 constexpr auto shock_entry(std::string_view name, Value value, std::string_view meaning) {
   return field(
-             name, [value](const SpectrumOf& s) { return s.shocks(value); }, unit_as_written, meaning)
+             name, [value](const SpectrumOf& s) { return s.shocks(value); }, shock_unit_as_written, meaning)
       .left_out();
 }
 
@@ -115,11 +129,11 @@ struct Described<SpectrumOf> {
           [](const S& s) { return s.one() && !s.with_curves ? std::nullopt : std::optional(s.of.periods); },
           "s", "natural periods of the oscillators")
           .left_out(),
-      shock_entry("primary", &Shock::primary, "largest acceleration during the shock"),
-      shock_entry("residual", &Shock::residual, "largest acceleration after the shock"),
-      shock_entry("maximax", &Shock::maximax, "largest acceleration at any time"),
-      shock_entry("positive", &Shock::positive, "largest positive acceleration at any time"),
-      shock_entry("negative", &Shock::negative, "largest negative acceleration at any time, as a magnitude"),
+      shock_entry("primary", &Shock::primary, "largest response during the shock"),
+      shock_entry("residual", &Shock::residual, "largest response after the shock"),
+      shock_entry("maximax", &Shock::maximax, "largest response at any time"),
+      shock_entry("positive", &Shock::positive, "largest positive response at any time"),
+      shock_entry("negative", &Shock::negative, "largest negative response at any time, as a magnitude"),
       std::apply([](const auto&... value) { return members(entry_of_one(value)...); },
                  Described<SpectralValues>::entries),
       field(
@@ -308,6 +322,14 @@ struct Described<SpectrumDocument> {
           },
           "", "what was taken off the recordings first; only then")
           .left_out(),
+      field(
+          "shock_response",
+          [](const S& s) {
+            return s.result.options.shock ? std::optional(cromer::core::name(s.result.shock_of))
+                                          : std::nullopt;
+          },
+          "", "of which response a shock spectrum is: absolute-acceleration, ...")
+          .left_out(),
       group(
           "units", "units of the columns",
           members(field(
@@ -315,9 +337,20 @@ struct Described<SpectrumDocument> {
                   field(
                       "acceleration",
                       [](const S& s) {
-                        return s.result.options.shock ? std::optional(written_unit(s.result)) : std::nullopt;
+                        return s.result.options.shock && shock_is_acceleration(s.result)
+                                   ? std::optional(written_unit(s.result))
+                                   : std::nullopt;
                       },
-                      "", "unit of shock spectra")
+                      "", "unit of shock spectra of an acceleration")
+                      .left_out(),
+                  field(
+                      "shock",
+                      [](const S& s) {
+                        return s.result.options.shock && !shock_is_acceleration(s.result)
+                                   ? std::optional(shock_unit(s.result))
+                                   : std::nullopt;
+                      },
+                      "", "unit of other shock spectra")
                       .left_out(),
                   field(
                       "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "unit of the displacements")

@@ -113,9 +113,9 @@ std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum&
   return text_table(rows, 0, 6);
 }
 
-/// The largest acceleration, and where it is: of a shock the maximax, of two components RotD50.
+/// The largest value, and where it is: PSA, of a shock the maximax, of two components RotD50.
 struct Summit {
-  double acceleration = -1;  // [m/s^2]
+  double height = -1;  // [m/s^2], of a shock its SI unit
   std::size_t oscillator = 0;
 };
 
@@ -126,17 +126,23 @@ Summit summit_of(const SpectrumResult& result, const ResponseSpectrum& spectrum)
     const double value = shock ? spectrum.shock[i].maximax()
                                : pseudo_acceleration(two ? spectrum.rotd50[i] : spectrum.displacement[0][i],
                                                      result.periods[i]);
-    if (value > summit.acceleration) summit = {value, i};
+    if (value > summit.height) summit = {value, i};
   }
   return summit;
+}
+
+double written_height(const SpectrumResult& result) {
+  return result.options.shock ? written_shock(result) : written_acceleration(result);
+}
+std::string_view height_unit(const SpectrumResult& result) {
+  return result.options.shock ? shock_unit(result) : written_unit(result);
 }
 
 std::string summit_text(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const Summit summit = summit_of(result, spectrum);
   const std::string at = oscillator(result, summit.oscillator) + (result.by_frequency() ? " Hz" : " s");
   return fmt::format("highest{}: {} {} at {}\n", spectrum.rotd50.empty() ? "" : " RotD50",
-                     rounded(summit.acceleration / written_acceleration(result), 4), written_unit(result),
-                     at);
+                     rounded(summit.height / written_height(result), 4), height_unit(result), at);
 }
 
 std::string damping_text(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
@@ -172,6 +178,12 @@ std::string correction_text(const Correction& correction, bool brief) {
                      : " (forwards and backwards, -6 dB at a corner, zeros added at both ends)");
 }
 
+std::string readable_response(ShockOf of) {
+  std::string words(name(of));
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
 std::string spectrum_text(const SpectrumResult& result) {
   std::vector<std::string> files;
   for (const Component& component : result.components) files.push_back(component.file);
@@ -181,7 +193,9 @@ std::string spectrum_text(const SpectrumResult& result) {
   if (result.correction.any()) text += correction_text(result.correction) + '\n';
   const std::size_t all = result.periods.size();
   for (const auto& spectrum : result.spectra) {
-    text += fmt::format("\n{}: {}\n", damping_text(result, spectrum), conventions(result));
+    text += fmt::format("\n{}: {}{}\n", damping_text(result, spectrum),
+                        result.options.shock ? readable_response(result.shock_of) + ", " : "",
+                        conventions(result));
     text += spectrum_table(result, spectrum);
     if (all > most_rows) text += fmt::format("{} of {} rows; a file (-o) has them all\n", most_rows, all);
     text += summit_text(result, spectrum);
@@ -236,7 +250,7 @@ std::string spectra_text(std::span<const MotionSpectra> motions) {
     for (const auto& spectrum : result.spectra) {
       const Summit summit = summit_of(result, spectrum);
       summits.push_back({names[m], shortest(spectrum.damping_ratio),
-                         rounded(summit.acceleration / written_acceleration(result), 4),
+                         rounded(summit.height / written_height(result), 4),
                          oscillator(result, summit.oscillator)});
     }
   }

@@ -31,6 +31,9 @@ constexpr Entry entries[] = {
     {"report_driven_at", clause,
      "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
      "{file}: die angetriebene Bewegung eines Schwingers mit der eigenen Frequenz {frequency}."},
+    {"report_driven_by", clause,
+     "{file}: a motion driven with {drive}, of an oscillator whose own frequency is {frequency}.",
+     "{file}: eine mit {drive} angetriebene Bewegung eines Schwingers mit der eigenen Frequenz {frequency}."},
     {"report_spring_constant", clause, "With a mass of {mass} the spring constant is {stiffness}.",
      "Mit einer Masse von {mass} ist die Federkonstante {stiffness}."},
     {"report_rate_is", clause, "The decay rate is {rate}.", "Die Abklingrate ist {rate}."},
@@ -108,16 +111,20 @@ constexpr Entry entries[] = {
      "nicht "
      "zu finden."},
     {"report_not_white", clause,
-     "What it leaves of the measured values is {rms} (root mean square), and there is a pattern in it: either "
+     "What it leaves of the measured values is {rms} (root mean square), and there is a pattern in it: "
+     "either "
      "the noise is not independent from sample to sample, or the law does not tell all.",
-     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder ist "
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder "
+     "ist "
      "das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
     {"report_how", clause,
-     "The law was integrated and fitted to all samples in use by least squares, its start included; of several "
+     "The law was integrated and fitted to all samples in use by least squares, its start included; of "
+     "several "
      "laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one where the "
      "difference is small.",
      "Das Gesetz wurde integriert und mit seinem Anfang durch kleinste Quadrate an alle benutzten Messwerte "
-     "angepasst; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), bei "
+     "angepasst; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), "
+     "bei "
      "kleinem Abstand ein einfacheres."},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
@@ -190,9 +197,11 @@ constexpr Entry entries[] = {
      "95 %: "
      "{interval}."},
     {"report_without_spring_mass", clause,
-     "The spring's own mass, a third of which moves along, is not counted ({--spring-mass}): with it the spring "
+     "The spring's own mass, a third of which moves along, is not counted ({--spring-mass}): with it the "
+     "spring "
      "constant is larger.",
-     "Die eigene Masse der Feder, von der ein Drittel mitschwingt, ist nicht gezählt ({--spring-mass}): mit ihr "
+     "Die eigene Masse der Feder, von der ein Drittel mitschwingt, ist nicht gezählt ({--spring-mass}): mit "
+     "ihr "
      "ist die Federkonstante größer."},
     {"report_stiffness_with_spring", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
@@ -229,7 +238,8 @@ constexpr Entry entries[] = {
     {"report_air", clause, "The air has {temperature}, its kinematic viscosity *ν* is {viscosity}.",
      "Die Luft hat {temperature}, ihre kinematische Viskosität *ν* ist {viscosity}."},
     {"report_air_assumed", clause,
-     "The air is taken to have {temperature}, its kinematic viscosity *ν* is then {viscosity} ({--temperature}).",
+     "The air is taken to have {temperature}, its kinematic viscosity *ν* is then {viscosity} "
+     "({--temperature}).",
      "Für die Luft sind {temperature} angenommen, ihre kinematische Viskosität *ν* ist dann {viscosity} "
      "({--temperature})."},
     {"report_reynolds_title", clause, "Reynolds number in windows of half a second",

@@ -373,11 +373,15 @@ constexpr Entry entries[] = {
     {"swung_evenly", clause, "swung at {frequency:.6g} rad/s on average, {amplitude:.4g} m to each side",
      "schwang im Mittel mit {frequency:.6g} rad/s, {amplitude:.4g} m nach jeder Seite"},
     {"swung_less_and_less", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing down to {last:.4g} m",
-     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung herunter auf {last:.4g} m"},
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing down to "
+     "{last:.4g} m",
+     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung "
+     "herunter auf {last:.4g} m"},
     {"swung_more_and_more", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing up to {last:.4g} m",
-     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung hinauf auf {last:.4g} m"},
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing up to {last:.4g} "
+     "m",
+     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung hinauf "
+     "auf {last:.4g} m"},
     {"kept_its_energy", clause, "kept its {energy:.4g} J", "behielt seine {energy:.4g} J"},
     {"energy_comes_back", clause,
      "had {energy:.4g} J and at the end {percent:.2g} % less, which comes and goes",

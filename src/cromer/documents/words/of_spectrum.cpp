@@ -43,6 +43,9 @@ constexpr Entry entries[] = {
     {"loss_factor_takes_long", error,
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},
+    {"response_without_shock", error,
+     "{--shock-response} says of what {--shock} is a spectrum; give that too",
+     "{--shock-response} sagt, wovon {--shock} ein Spektrum ist; bitte auch das angeben"},
     // Corrections.
     {"no_band", error, "{--band-pass}: \"{typed}\": {what}", "{--band-pass}: „{typed}“: {what}"},
     {"band_has_two_corners", clause,

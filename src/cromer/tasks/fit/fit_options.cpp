@@ -87,9 +87,9 @@ Result<void> check_fit_options(const FitOptions& given) {
 }
 
 Error unlike_runs(std::string_view option, std::string_view file, std::size_t masses, std::size_t runs) {
-  return Error{Notice{"masses_unlike_runs",
-                      {{"option", option}, {"file", file}, {"masses", masses}, {"runs", runs}}},
-               std::string(option)};
+  return Error{
+      Notice{"masses_unlike_runs", {{"option", option}, {"file", file}, {"masses", masses}, {"runs", runs}}},
+      std::string(option)};
 }
 
 }  // namespace cromer::core

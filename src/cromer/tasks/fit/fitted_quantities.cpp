@@ -172,7 +172,8 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   // A motion that is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0)) {
-    // The interval is the damping ratio's, turned over; damping that may be none leaves Q without an upper end.
+    // The interval is the damping ratio's, turned over; damping that may be none leaves Q without an upper
+    // end.
     Estimate quality = estimate_of(undamped / (2 * equivalent), fit);
     quality.low = 1 / (2 * ratio.high);
     quality.high = ratio.low > 0 ? 1 / (2 * ratio.low) : std::numeric_limits<double>::infinity();

@@ -189,8 +189,7 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   const double ends = made + made_until(end - 2 * quarter), between = 2 * made_until(end - quarter);
   const double comes = std::abs(ends - between) / 4;
   // Where in its cycle the motion began is no loss: a line through the first two half cycles shows it.
-  const double begins =
-      end > 8 * quarter ? 1.5 * mean_about(quarter) - 0.5 * mean_about(3 * quarter) : 0;
+  const double begins = end > 8 * quarter ? 1.5 * mean_about(quarter) - 0.5 * mean_about(3 * quarter) : 0;
   // Of a growth without end nothing comes and goes.
   const bool only_lasts = comes < 0.05 * std::abs(made - begins);
   return MethodEnergy{(only_lasts ? made : (ends + between) / 4) - begins, comes};

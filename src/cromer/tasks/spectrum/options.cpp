@@ -26,9 +26,13 @@ std::vector<Option> options_of(SpectrumOptions& o) {
       {"between-samples", &o.between_samples, "", Range::any,
        "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear)", "linear", what},
       {"shock", &o.shock, "", Range::any,
-       "shock response spectrum (ISO 18431-4): absolute acceleration, primary, residual, maximax, positive, "
-       "negative",
+       "shock response spectrum (ISO 18431-4): primary, residual, maximax, positive, negative",
        "relative displacement", what},
+      {"shock-response", &o.shock_response, "", Range::any,
+       "of which response: absolute-acceleration, relative-velocity, relative-displacement, pseudo-velocity "
+       "or "
+       "equivalent-static-acceleration",
+       "absolute-acceleration", what},
       {"baseline", &o.baseline, "", Range::any,
        "take off the polynomial of least squares: constant, linear, quadratic or cubic", "none", what},
       {"band-pass", &o.band_pass, "", Range::any,

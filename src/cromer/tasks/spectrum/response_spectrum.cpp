@@ -11,6 +11,7 @@
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
 #include "cromer/model/between_samples.h"
+#include "cromer/tasks/option/choice.h"
 #include "cromer/tasks/spectrum/spectrum_setup.h"
 
 namespace cromer::core {
@@ -48,11 +49,40 @@ std::vector<LinearLaw<double>> laws_of(std::span<const double> periods, double d
   return laws;
 }
 
-Shock shock_of(const ResponsePeaks& peaks) {
-  return {.primary = peaks.during.magnitude(),
-          .residual = peaks.after.magnitude(),
-          .positive = std::max(peaks.during.high, peaks.after.high),
-          .negative = -std::min(peaks.during.low, peaks.after.low)};
+ResponseOf searched_for(ShockOf of) {
+  switch (of) {
+    case ShockOf::absolute_acceleration:
+      return ResponseOf::absolute_acceleration;
+    case ShockOf::relative_velocity:
+      return ResponseOf::velocity;
+    default:
+      return ResponseOf::displacement;
+  }
+}
+
+/// The response over what is searched for, whose sign is turned unless it is the acceleration.
+double scale_of(ShockOf of, double w) {
+  switch (of) {
+    case ShockOf::absolute_acceleration:
+      return 1;
+    case ShockOf::relative_velocity:
+    case ShockOf::relative_displacement:
+      return -1;
+    case ShockOf::pseudo_velocity:
+      return -w;
+    case ShockOf::equivalent_static_acceleration:
+      return w * w;
+  }
+  return 1;
+}
+
+Shock shock_of(const ResponsePeaks& peaks, double scale) {
+  const double low = std::min(peaks.during.low, peaks.after.low),
+               high = std::max(peaks.during.high, peaks.after.high);
+  return {.primary = std::abs(scale) * peaks.during.magnitude(),
+          .residual = std::abs(scale) * peaks.after.magnitude(),
+          .positive = std::max(scale * low, scale * high),
+          .negative = -std::min(scale * low, scale * high)};
 }
 
 void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
@@ -65,12 +95,13 @@ void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
 
 /// Adds a slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
-            std::span<const LinearLaw<double>> laws, PeakSearch search, bool shock) {
+            std::span<const LinearLaw<double>> laws, PeakSearch search, std::optional<ShockOf> shock) {
   if (shock) {
-    search.quantity = ResponseOf::absolute_acceleration;
+    search.quantity = searched_for(*shock);
     search.largest_alone = false;
-    for (const auto& found : response_peaks(shaking[0].ground, laws, search))
-      spectrum.shock.push_back(shock_of(found));
+    const auto found = response_peaks(shaking[0].ground, laws, search);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      spectrum.shock.push_back(shock_of(found[i], scale_of(*shock, std::sqrt(laws[i].stiffness))));
     return;
   }
   spectrum.displacement.resize(shaking.size());
@@ -179,6 +210,7 @@ struct Asked {
   std::vector<double> ratios;
   KernelUnit unit;
   Correction correction;
+  ShockOf shock;
 };
 
 Result<Asked> asked_of(const SpectrumOptions& options) {
@@ -192,7 +224,10 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   if (!unit) return unit.error();
   const auto correction = correction_of(options);
   if (!correction) return correction.error();
-  return Asked{*peaks, *between, *std::move(ratios), *unit, *correction};
+  const auto shock = choice("shock-response", options.shock_response, shock_responses);
+  if (!shock) return shock.error();
+  if (!options.shock && !options.shock_response.empty()) return Error{"response_without_shock"};
+  return Asked{*peaks, *between, *std::move(ratios), *unit, *correction, static_cast<ShockOf>(*shock)};
 }
 
 /// Makes the components once the options are checked; its notices come first.
@@ -202,12 +237,13 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
                                    const Watch& watch) {
   const auto asked = asked_of(options);
   if (!asked) return asked.error();
-  const auto& [peaks, between, ratios, unit, correction] = *asked;
+  const auto& [peaks, between, ratios, unit, correction, shock] = *asked;
   const PeakSearch search{
       .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .walk = unit.walk};
   SpectrumResult result;
   result.options = options;
   result.peaks = peaks;
+  result.shock_of = shock;
   result.correction = correction;
   if (options.peaks.empty()) result.options.peaks = name(Peaks::continuous);
   if (options.between_samples.empty())
@@ -260,7 +296,8 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
       if (result.hysteretic())
         extend_hysteretic(spectrum, result.components[0], std::span(result.periods).subspan(begin, count));
       else
-        extend(spectrum, shaking, std::span(laws).subspan(begin, count), search, options.shock);
+        extend(spectrum, shaking, std::span(laws).subspan(begin, count), search,
+               options.shock ? std::optional(shock) : std::nullopt);
       begin += count;
       if (watch.progress)
         watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /

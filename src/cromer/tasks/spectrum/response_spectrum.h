@@ -1,9 +1,11 @@
 // Task: response and shock spectra of a recorded acceleration.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/analysis/ground_motion.h"
@@ -23,6 +25,7 @@ struct SpectrumOptions {
   std::string peaks{};                       ///< continuous (by default), samples or peer
   std::string between_samples{};             ///< linear (by default), hold or band-limited
   bool shock = false;                        ///< shock response spectrum
+  std::string shock_response{};              ///< of which response; absolute-acceleration by default
   std::string baseline{};                    ///< constant, linear, quadratic or cubic: is taken off
   std::string band_pass{};                   ///< "0.1:25 Hz"
   std::optional<int> band_pass_order{};      ///< 1 to 12; 4 by default
@@ -58,7 +61,21 @@ struct Component {
   double duration() const { return spacing * static_cast<double>(samples - 1); }
 };
 
-/// Largest absolute acceleration of the mass (ISO 18431-4), all as magnitudes [m/s^2].
+/// Whose extremes a shock spectrum has (ISO 18431-4): of the mass on a base that moves as recorded. z is its
+/// displacement relative to the base.
+enum class ShockOf {
+  absolute_acceleration,
+  relative_velocity,              // dz/dt
+  relative_displacement,          // z
+  pseudo_velocity,                // w z
+  equivalent_static_acceleration  // -w^2 z, what the spring alone gives the mass
+};
+inline constexpr std::array<std::string_view, 5> shock_responses{"absolute-acceleration", "relative-velocity",
+                                                                 "relative-displacement", "pseudo-velocity",
+                                                                 "equivalent-static-acceleration"};
+constexpr std::string_view name(ShockOf of) { return shock_responses[static_cast<std::size_t>(of)]; }
+
+/// Extremes of that response, all as magnitudes, in SI.
 struct Shock {
   double primary;   ///< while the shock lasts
   double residual;  ///< after it
@@ -85,6 +102,7 @@ double pseudo_acceleration(double displacement, double period);
 struct SpectrumResult {
   SpectrumOptions options;  ///< as used, defaults filled in
   Peaks peaks = Peaks::continuous;
+  ShockOf shock_of = ShockOf::absolute_acceleration;
   Correction correction{};
   std::vector<double> periods{};  // [s] in the order asked for
   std::vector<Component> components{};
