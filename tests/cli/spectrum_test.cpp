@@ -430,7 +430,7 @@ TEST(Spectrum, FiguresSayEveryDampingRatio) {
   };
   EXPECT_THAT(figure({"h2.csv"}), HasSubstr("pseudo-acceleration at 5 % damping (m/s²)"));
   EXPECT_THAT(figure({"h2.csv", "--tripartite"}), HasSubstr("pseudo-velocity at 5 % damping (m/s)"));
-  EXPECT_THAT(figure({"--shock"}), HasSubstr("largest acceleration at 5 % damping (m/s²)"));
+  EXPECT_THAT(figure({"--shock"}), HasSubstr("largest absolute acceleration at 5 % damping (m/s²)"));
   for (const char* way : {"--in-g", "--tripartite"}) {
     const std::string both = figure({"h2.csv", "--damping-ratio", "2%,10%", way});
     EXPECT_THAT(both, HasSubstr("RotD50, 2 % damping")) << way;

@@ -101,31 +101,30 @@ TEST(ShockSpectrum, OfEachResponseIsThatOfAFineIntegration) {
     const auto result = spectrum_of(file, options);
     ASSERT_TRUE(result.ok()) << in_words(result.error());
     for (std::size_t p = 0; p < 4; ++p) {
-      const double w = 2 * pi / periods[p], end = spacing * (samples - 1);
-      constexpr int per_interval = 400;
+      const double w = 2 * pi / periods[p];
+      constexpr int per_interval = 400, end = (samples - 1) * per_interval;
       const double h = spacing / per_interval;
-      const auto ground = [&](double t) {
-        const double place = std::min(t, end) / spacing;
-        const int i = std::min(static_cast<int>(place), samples - 2);
-        return std::lerp(a(i * spacing), a((i + 1) * spacing), place - i);
+      // The base in half steps; at rest once the recording has ended.
+      const auto base = [&](int half_steps) {
+        const int i = std::min(half_steps / (2 * per_interval), samples - 2);
+        const double share = half_steps / (2.0 * per_interval) - i;
+        return std::lerp(a(i * spacing), a((i + 1) * spacing), share);
+      };
+      const auto pull = [&](double x, double u, double of_base) {
+        return -of_base - 2 * zeta * w * u - w * w * x;
       };
       double z = 0, v = 0, high[2] = {}, low[2] = {};
-      const auto slope = [&](double at, double x, double u, double force) {
-        (void)at;
-        return -force - 2 * zeta * w * u - w * w * x;
-      };
-      const int steps = (samples - 1) * per_interval + static_cast<int>(2 * periods[p] / h);
+      const int steps = end + static_cast<int>(2 * periods[p] / h);
       for (int n = 0; n <= steps; ++n) {
-        const double t = n * h;
-        const bool after = n > (samples - 1) * per_interval;
         const double q[] = {-2 * zeta * w * v - w * w * z, v, z, w * z, -w * w * z};
+        const bool after = n > end, rests = n >= end;
         high[after] = std::max(high[after], q[which]);
         low[after] = std::min(low[after], q[which]);
-        const double f0 = after ? 0 : ground(t), f1 = after ? 0 : ground(t + h / 2),
-                     f2 = n + 1 > (samples - 1) * per_interval ? 0 : ground(t + h);
-        const double k1 = slope(t, z, v, f0), k2 = slope(t, z + h / 2 * v, v + h / 2 * k1, f1),
-                     k3 = slope(t, z + h / 2 * v + h * h / 4 * k1, v + h / 2 * k2, f1),
-                     k4 = slope(t, z + h * v + h * h / 2 * k2, v + h * k3, f2);
+        const double f0 = rests ? 0 : base(2 * n), f1 = rests ? 0 : base(2 * n + 1),
+                     f2 = rests ? 0 : base(2 * n + 2);
+        const double k1 = pull(z, v, f0), k2 = pull(z + h / 2 * v, v + h / 2 * k1, f1),
+                     k3 = pull(z + h / 2 * v + h * h / 4 * k1, v + h / 2 * k2, f1),
+                     k4 = pull(z + h * v + h * h / 2 * k2, v + h * k3, f2);
         z += h * v + h * h / 6 * (k1 + k2 + k3);
         v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
       }
