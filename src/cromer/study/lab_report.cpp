@@ -10,7 +10,6 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/figures/panels.h"
-#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -201,8 +200,9 @@ class Part : public LabTold {
     paragraph(text);
     paragraph(words("report_how"));
     table();
-    if (const Notice wide = widening(fitted_.fit, fitted_.used()); !wide.empty())
-      paragraph(verbatim(words("report_sentence", {{"what", wide}})));
+    for (const Notice& notice : fitted_.notices)
+      if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
+        paragraph(verbatim(words("report_sentence", {{"what", notice}})));
     swings_figure();
     residual_figure();
   }
