@@ -39,8 +39,9 @@ TEST(FitFigure, OfManyRecordingsHasTheirNamesInItsKey) {
     const double t = 0.01 * i;
     file += std::to_string(t);
     for (int run = 0; run < 4; ++run)
-      file += "," + std::to_string(0.036 * std::exp(-0.02 * t) * std::cos(8.849 * t) +
-                                   std::normal_distribution(0.0, 1e-4)(noise) + (run == 2 && i == 200 ? 0.2 : 0));
+      file +=
+          "," + std::to_string(0.036 * std::exp(-0.02 * t) * std::cos(8.849 * t) +
+                               std::normal_distribution(0.0, 1e-4)(noise) + (run == 2 && i == 200 ? 0.2 : 0));
     file += "\n";
   }
   FitOptions options;

@@ -51,33 +51,39 @@ std::vector<double> sizes_at_first(const std::vector<SimulatedRun>& runs,
 /// Whether the law, as the method simulates it, lets every motion grow.
 bool is_unstable(const SimulatedRun& run) { return run.effect && !run.effect->stable; }
 
-/// All runs fit in, unless one grows far beyond the others or its own `early` size. `power` of the amplitude,
-/// by which the quantity grows: 1, of an energy 2.
+/// All runs fit in, unless one runs away far beyond the others or its own `early` size: a driven motion may
+/// grow into resonance. `power` of the amplitude, by which the quantity grows: 1, of an energy 2.
 Framed framed(const std::vector<SimulatedRun>& runs, std::vector<std::vector<double>> values,
               const std::vector<double>& early_sizes, double power) {
-  double smallest = std::numeric_limits<double>::infinity(), greatest = 0;
+  const auto times = [&](double amplitudes) { return std::pow(amplitudes, power); };
+  double smallest = std::numeric_limits<double>::infinity(), greatest = 0, greatest_steady = 0;
   std::vector<double> wholes;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SimulatedRun& run = runs[i];
     const double whole = largest(run.trajectory, values[i], 0, run.until);
     const double early = early_sizes[i];
-    const bool diverged = run.outcome.status == Status::not_finite || whole > std::pow(1e3, power) * early;
-    smallest = std::min(smallest, diverged && early > 0 ? std::pow(10, power) * early : whole);
+    const bool diverged = run.outcome.status == Status::not_finite || whole > times(1e3) * early;
+    const bool driven = run.drive.amplitude > 0 || run.general;
+    if (!diverged && !is_unstable(run) && (driven || whole <= times(20) * early))
+      greatest_steady = std::max(greatest_steady, whole);
+    smallest = std::min(smallest, diverged && early > 0 ? times(10) * early : whole);
     greatest = std::max(greatest, whole);
     wholes.push_back(whole);
   }
-  // A run whose method is unstable need not be seen for long.
-  bool cut = false;
+  bool cut = false;  // what is unstable need not be seen for long
   for (std::size_t i = 0; i < runs.size() && smallest > 0; ++i)
-    cut = cut || wholes[i] > std::pow(is_unstable(runs[i]) ? 8 : 20, power) * smallest;
+    cut = cut || wholes[i] > std::max(greatest_steady, times(is_unstable(runs[i]) ? 8 : 20) * smallest);
   Framed all{std::move(values)};
-  all.height = cut ? std::pow(4, power) * smallest : greatest;
+  all.height = cut ? std::max(greatest_steady, times(4) * smallest) : greatest;
   for (const double whole : wholes) all.leaves.push_back(whole > all.height);
   return all;
 }
 
 struct Ends {
   double low = std::numeric_limits<double>::infinity(), high = -low;
+  double first = 0, last = 0;
+
+  bool no_turn_between() const { return std::min(first, last) == low && std::max(first, last) == high; }
 };
 
 /// The extremes of the motion from a time on.
@@ -85,6 +91,8 @@ Ends ends_from(const Trajectory& motion, double from) {
   Ends ends;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (motion.t[i] < from) continue;
+    if (!(ends.low <= ends.high)) ends.first = motion.x[i];
+    ends.last = motion.x[i];
     ends.low = std::min(ends.low, motion.x[i]);
     ends.high = std::max(ends.high, motion.x[i]);
   }
@@ -123,8 +131,8 @@ std::string early_end(const SimulatedRun& run, bool leaves, const std::vector<do
   return "";
 }
 
-/// "±1.2 cm at the end" of a run that stays in the frame; "from −1.4 to 1.8 cm in the last 3 s" of one that
-/// does not swing evenly.
+/// "±1.2 cm at the end" of a run that stays in the frame, "0.1 cm at the end" of one that does not swing any
+/// more; "from −1.4 to 1.8 cm in the last 3 s" of one that does not swing evenly.
 std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const TimeUnit& time) {
   const auto in_unit = [&](double x) { return rounded(x / unit.metres, 3); };
   const auto amplitude = [&](double x) { return fmt::format("±{} {} at the end", in_unit(x), unit.symbol); };
@@ -142,7 +150,11 @@ std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const 
   const Ends ends = ends_from(run.trajectory, run.until - window);
   if (!(ends.high >= ends.low)) return "";
   const std::string low = in_unit(ends.low), high = in_unit(ends.high);
-  if (low == high) return fmt::format("{} {} at the end", high, unit.symbol);
+  if (low == high || ends.no_turn_between()) {
+    constexpr double nothing = 1e-6;  // of the largest
+    const bool seen = std::abs(ends.last) > nothing * largest(run.trajectory, run.trajectory.x, 0, run.until);
+    return fmt::format("{} {} at the end", in_unit(seen ? ends.last : 0), unit.symbol);
+  }
   if (std::abs(ends.high + ends.low) < 0.01 * (ends.high - ends.low))
     return amplitude((ends.high - ends.low) / 2);
   return fmt::format("from {} to {} {}\nin the last {} {}", low, high, unit.symbol,
