@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cromer/analysis/yielding.h"
 #include "cromer/documents/words/words.h"
 #include "tests/tasks/ground_motion.h"
 #include "tests/tasks/of_bytes.h"
@@ -36,6 +37,30 @@ TEST(PublishedSpectra, ChopraElCentro) {
     EXPECT_NEAR(found, row[2], 0.011) << row[0] << " " << row[1];
     options.peaks = "continuous";
     EXPECT_GE(response_spectrum({&file, 1}, options)->spectra[0].displacement[0][0] * g / inch, found);
+  }
+}
+
+// A. K. Chopra, Dynamics of Structures, section 7.4: the same motion, T = 0.5 s and 5 % damping, of springs with
+// a half, a quarter and an eighth of the strength that stays elastic.
+TEST(PublishedSpectra, ChopraYielding) {
+  const SpectrumFile file = ground_motion("elcentro_chopra.csv");
+  if (file.bytes.empty()) GTEST_SKIP() << "no ../shared/data";
+  const double strengths[] = {0.5, 0.25, 0.125}, ductilities[] = {1.44, 3.11, 7.36};
+  SpectrumOptions options;
+  options.periods = "0.5";
+  const auto elastic = response_spectrum({&file, 1}, options);
+  ASSERT_TRUE(elastic.ok()) << in_words(elastic.error());
+  const double unyielding = elastic->spectra[0].displacement[0][0];
+  const Component& ground = elastic->components[0];
+  const YieldingOscillator oscillator{ground.acceleration, ground.spacing, 4 * M_PI, 0.05};
+  for (const double ductility : {3.11, 7.36}) options.ductility.push_back(std::to_string(ductility));
+  const auto yielding = response_spectrum({&file, 1}, options);
+  ASSERT_TRUE(yielding.ok()) << in_words(yielding.error());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double yield = strengths[i] * unyielding;
+    EXPECT_NEAR(oscillator.peak(yield) / yield, ductilities[i], 0.005 * ductilities[i]);
+    if (i == 0) continue;  // a stronger spring reaches 1.44 as well
+    EXPECT_NEAR(yielding->spectra[i - 1].displacement[0][0] / yield, 1, 0.01) << strengths[i];
   }
 }
 

@@ -296,6 +296,7 @@ void append_rows(std::string& out, const SpectrumResult& result, const std::opti
     NamedColumns columns = spectrum_columns(result, spectrum);
     columns.insert(1, result.hysteretic() ? "loss_factor" : "damping_ratio")
         .assign(result.periods.size(), spectrum.damping_ratio);
+    if (result.inelastic()) columns.insert(2, "ductility").assign(result.periods.size(), spectrum.ductility);
     std::vector<CsvColumn> cells = csv_columns(columns);
     if (motion) cells.insert(cells.begin(), {"file", *motion});
     const bool first = with_header && &spectrum == &result.spectra.front();

@@ -45,22 +45,40 @@ std::string without_blanks(std::string header) {
   return header;
 }
 
+/// How many spectra have the first damping ratio: one of each ductility.
+std::size_t ductilities_of(const std::vector<ResponseSpectrum>& spectra) {
+  std::size_t count = 1;
+  while (count < spectra.size() && spectra[count].ductility != spectra[0].ductility) ++count;
+  return count;
+}
+
 /// Fills in the columns of a table.
 void add_spectra(Hdf5Table& table, const SpectrumResult& result) {
-  const std::string damping = result.hysteretic() ? "loss_factor" : "damping_ratio";
-  Hdf5Column ratios{.name = damping};
-  for (const auto& spectrum : result.spectra) ratios.values.push_back(spectrum.damping_ratio);
-  table.columns = {std::move(ratios), {.name = "period (s)", .values = result.periods}};
-  const std::vector<std::uint64_t> shape{result.spectra.size(), result.periods.size()};
-  for (const auto& spectrum : result.spectra) {
+  const auto& spectra = result.spectra;
+  Hdf5Column ratios{.name = result.hysteretic() ? "loss_factor" : "damping_ratio"}, ductilities{.name = "ductility"};
+  const std::size_t of_each = result.inelastic() ? ductilities_of(spectra) : 1;
+  for (std::size_t s = 0; s < spectra.size(); s += of_each) ratios.values.push_back(spectra[s].damping_ratio);
+  for (std::size_t s = 0; s < of_each; ++s) ductilities.values.push_back(spectra[s].ductility);
+  std::vector<std::uint64_t> shape{ratios.values.size()};
+  std::string axes = ratios.name;
+  table.columns = {std::move(ratios)};
+  if (result.inelastic()) {
+    shape.push_back(of_each);
+    axes += " ductility";
+    table.columns.push_back(std::move(ductilities));
+  }
+  shape.push_back(result.periods.size());
+  table.columns.push_back({.name = "period (s)", .values = result.periods});
+  const std::size_t behind = table.columns.size();
+  for (const auto& spectrum : spectra) {
     const NamedColumns columns = spectrum_columns(result, spectrum);
     for (std::size_t i = 1; i < columns.headers.size(); ++i) {  // behind the periods
-      if (table.columns.size() == i + 1)
+      if (table.columns.size() == behind + i - 1)
         table.columns.push_back({.name = without_blanks(columns.headers[i]),
                                  .values = {},
                                  .shape = shape,
-                                 .axes = damping + " period"});
-      auto& values = table.columns[i + 1].values;
+                                 .axes = axes + " period"});
+      auto& values = table.columns[behind + i - 1].values;
       values.insert(values.end(), columns.values[i].begin(), columns.values[i].end());
     }
   }

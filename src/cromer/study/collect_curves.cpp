@@ -173,6 +173,7 @@ void collect(const std::string& id, const SpectrumResult& all, Results& results)
     const ResponseSpectrum& spectrum = all.spectra[n];
     const std::string name = id + "." + std::to_string(n + 1);
     results.set(name + (all.hysteretic() ? ".loss_factor" : ".damping_ratio"), spectrum.damping_ratio);
+    if (all.inelastic()) results.set(name + ".ductility", spectrum.ductility);
     results.set_column(name + ".period", all.periods, "s", "period *T*");
     results.set_column(name + ".frequency", frequencies, "Hz", "natural frequency");
     std::vector<double> values;

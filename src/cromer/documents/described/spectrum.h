@@ -125,6 +125,11 @@ struct Described<SpectrumOf> {
           "", "damping ratio of viscous damping")
           .left_out(),
       field(
+          "ductility",
+          [](const S& s) { return s.of.inelastic() ? std::optional(s.spectrum.ductility) : std::nullopt; }, "",
+          "of springs that yield: the largest displacement over that of yielding, which SD, PSV and PSA are of")
+          .left_out(),
+      field(
           "period",
           [](const S& s) { return s.one() && !s.with_curves ? std::nullopt : std::optional(s.of.periods); },
           "s", "natural periods of the oscillators")

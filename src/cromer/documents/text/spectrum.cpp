@@ -69,6 +69,7 @@ std::vector<std::size_t> shown_rows(std::size_t all) {
 std::string conventions(const SpectrumResult& result) {
   if (result.hysteretic()) return "peaks of a sum of steady states; samples joined band-limited";
   const std::string joined = fmt::format("samples joined {}", result.options.between_samples);
+  if (result.inelastic()) return "elastoplastic springs, until the last sample; " + joined;
   switch (result.peaks) {
     case Peaks::continuous:
       return "peaks of the continuous motion, also after the recording's end; " + joined;
@@ -146,8 +147,9 @@ std::string summit_text(const SpectrumResult& result, const ResponseSpectrum& sp
 }
 
 std::string damping_text(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  return fmt::format("{} {}", result.hysteretic() ? "loss factor" : "damping ratio",
-                     shortest(spectrum.damping_ratio));
+  const std::string text = fmt::format("{} {}", result.hysteretic() ? "loss factor" : "damping ratio",
+                                       shortest(spectrum.damping_ratio));
+  return result.inelastic() ? fmt::format("{}, ductility {}", text, shortest(spectrum.ductility)) : text;
 }
 
 }  // namespace

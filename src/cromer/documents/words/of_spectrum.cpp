@@ -40,6 +40,20 @@ constexpr Entry entries[] = {
      "{--loss-factor} sums steady states of a band-limited ground; leave {option:option} out",
      "{--loss-factor} summiert eingeschwungene Zustände über einem bandbegrenzten Boden; bitte "
      "{option:option} weglassen"},
+    {"yielding_is_followed", error,
+     "{--ductility} follows one motion, straight between its samples, until its last sample; leave "
+     "{option:option} out",
+     "{--ductility} folgt einer Bewegung, gerade zwischen den Messwerten, bis zum letzten; bitte {option:option} "
+     "weglassen"},
+    {"yield_spectrum", worth_knowing,
+     "SD, PSV and PSA are those of yielding, of the strongest spring that reaches the ductility until the last "
+     "sample; its largest displacement is SD times the ductility",
+     "SD, PSV und PSA sind die beim Fließen, bei der stärksten Feder, die bis zum letzten Messwert die "
+     "Duktilität erreicht; ihre größte Auslenkung ist SD mal Duktilität"},
+    {"ductility_not_reached", worth_knowing,
+     "a ductility of {ductility} is not reached at {count:period|periods}, however weak the spring: NaN",
+     "eine Duktilität von {ductility} wird bei {count:Periode|Perioden} nicht erreicht, wie schwach die Feder "
+     "auch ist: NaN"},
     {"loss_factor_takes_long", error,
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},

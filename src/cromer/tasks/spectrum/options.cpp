@@ -18,6 +18,10 @@ std::vector<Option> options_of(SpectrumOptions& o) {
       {"loss-factor", &o.loss_factor, "1", Range::any,
        "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states", "",
        oscillators},
+      {"ductility", &o.ductility, "1", Range::any,
+       "inelastic spectrum of springs that yield, of this ductility: SD, PSV and PSA of yielding; may be given "
+       "several times",
+       "elastic springs", oscillators},
       {"peaks", &o.peaks, "", Range::any,
        "where the largest values are looked for: continuous (everywhere, after the recording's end too), "
        "samples (at the samples alone) or peer (at ten points a period at least, straight lines between "

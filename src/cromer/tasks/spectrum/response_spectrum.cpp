@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cromer/analysis/hysteretic_peaks.h"
+#include "cromer/analysis/yielding.h"
 #include "cromer/base/function_ref.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/pi.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr int band_limited_factor = 16;  // values for each interval
 constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
 // Periods computed between two checks for an interrupt: of one component, of two, of hysteretic damping.
-constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32;
+constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32, slice_of_yielding = 4;
 constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
 
 double angular_frequency(double period) { return two_pi / period; }
@@ -93,6 +94,18 @@ void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
     spectrum.displacement[0].push_back(peak);
 }
 
+void extend_yielding(ResponseSpectrum& spectrum, const GroundMotion& ground,
+                     std::span<const LinearLaw<double>> laws, PeakSearch search) {
+  search.after_the_end = false;
+  search.peaks = Peaks::continuous;
+  spectrum.displacement.resize(1);
+  const auto elastic = response_peaks(ground, laws, search);
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    spectrum.displacement[0].push_back(
+        YieldingOscillator{ground.acceleration, ground.spacing, std::sqrt(laws[i].stiffness), spectrum.damping_ratio}
+            .yield_displacement(spectrum.ductility, elastic[i].during.magnitude()));
+}
+
 /// Adds a slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
             std::span<const LinearLaw<double>> laws, PeakSearch search, std::optional<ShockOf> shock) {
@@ -151,6 +164,18 @@ Result<void> check_hysteretic(const SpectrumOptions& options, std::size_t compon
   return {};
 }
 
+Result<void> check_yielding(const SpectrumOptions& options, BetweenSamples between, std::size_t components) {
+  const auto without = [](std::string_view other) {
+    return Error{"yielding_is_followed", {{"option", other}}};
+  };
+  if (!options.loss_factor.empty()) return without("loss-factor");
+  if (options.shock) return without("shock");
+  if (!options.peaks.empty()) return without("peaks");
+  if (between == BetweenSamples::hold) return without("between-samples");
+  if (components > 1) return Error{"one_recording", {{"option", "ductility"}}};
+  return {};
+}
+
 Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<const double> loss_factors) {
   const Component& component = result.components[0];
   const double longest = *std::max_element(result.periods.begin(), result.periods.end());
@@ -172,6 +197,7 @@ Notice after_the_end_notice(const SpectrumResult& result) {
 Result<void> check_together(const SpectrumOptions& options, Peaks peaks, BetweenSamples between,
                             std::size_t components) {
   if (peaks == Peaks::peer && between != BetweenSamples::linear) return Error{"peer_joins_samples"};
+  if (!options.ductility.empty()) return check_yielding(options, between, components);
   if (!options.loss_factor.empty()) return check_hysteretic(options, components);
   if (options.shock && components > 1) return Error{"one_recording", {{"option", "shock"}}};
   return {};
@@ -207,7 +233,7 @@ void add_drifts(SpectrumResult& result) {
 struct Asked {
   Peaks peaks;
   BetweenSamples between;
-  std::vector<double> ratios;
+  std::vector<double> ratios, ductilities;
   KernelUnit unit;
   Correction correction;
   ShockOf shock;
@@ -220,6 +246,8 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   if (!between) return between.error();
   auto ratios = damping_ratios_of(options);
   if (!ratios) return ratios.error();
+  auto ductilities = ductilities_of(options);
+  if (!ductilities) return ductilities.error();
   const auto unit = choose_unit_by_environment();
   if (!unit) return unit.error();
   const auto correction = correction_of(options);
@@ -227,7 +255,8 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   const auto shock = choice("shock-response", options.shock_response, shock_responses);
   if (!shock) return shock.error();
   if (!options.shock && !options.shock_response.empty()) return Error{"response_without_shock"};
-  return Asked{*peaks, *between, *std::move(ratios), *unit, *correction, static_cast<ShockOf>(*shock)};
+  return Asked{*peaks,      *between, *std::move(ratios),           *std::move(ductilities), *unit,
+               *correction, static_cast<ShockOf>(*shock)};
 }
 
 /// Makes the components once the options are checked; its notices come first.
@@ -237,7 +266,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
                                    const Watch& watch) {
   const auto asked = asked_of(options);
   if (!asked) return asked.error();
-  const auto& [peaks, between, ratios, unit, correction, shock] = *asked;
+  const auto& [peaks, between, ratios, ductilities, unit, correction, shock] = *asked;
   const PeakSearch search{
       .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .walk = unit.walk};
   SpectrumResult result;
@@ -258,7 +287,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   }
   if (auto good = check_together(options, peaks, between, result.components.size()); !good)
     return good.error();
-  auto periods = periods_of(result.options, result.components[0], ratios.size());
+  auto periods = periods_of(result.options, result.components[0], ratios.size() * ductilities.size());
   if (!periods) return periods.error();
   result.periods = *std::move(periods);
   if (result.hysteretic())
@@ -280,11 +309,14 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
   const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);
   const std::size_t at_once = result.hysteretic()  ? slice_of_sums
+                              : result.inelastic() ? slice_of_yielding
                               : shaking.size() > 1 ? slice_of_two
                                                    : of_one;
-  for (std::size_t r = 0; r < ratios.size(); ++r) {
+  const std::size_t spectra = ratios.size() * ductilities.size();
+  for (std::size_t s = 0; s < spectra; ++s) {
     ResponseSpectrum& spectrum = result.spectra.emplace_back();
-    spectrum.damping_ratio = ratios[r];
+    spectrum.damping_ratio = ratios[s / ductilities.size()];
+    spectrum.ductility = ductilities[s % ductilities.size()];
     const auto laws = laws_of(result.periods, spectrum.damping_ratio);
     for (std::size_t begin = 0; begin < all;) {
       if (watch.interrupted()) {
@@ -295,15 +327,23 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
       const std::size_t count = std::min(at_once, all - begin);
       if (result.hysteretic())
         extend_hysteretic(spectrum, result.components[0], std::span(result.periods).subspan(begin, count));
+      else if (result.inelastic())
+        extend_yielding(spectrum, shaking[0].ground, std::span(laws).subspan(begin, count), search);
       else
         extend(spectrum, shaking, std::span(laws).subspan(begin, count), search,
                options.shock ? std::optional(shock) : std::nullopt);
       begin += count;
       if (watch.progress)
-        watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /
-                       static_cast<double>(ratios.size()));
+        watch.progress((static_cast<double>(s) + static_cast<double>(begin) / static_cast<double>(all)) /
+                       static_cast<double>(spectra));
     }
+    if (!result.inelastic()) continue;
+    const std::vector<double>& yields = spectrum.displacement[0];
+    const auto weak = std::count_if(yields.begin(), yields.end(), [](double each) { return std::isnan(each); });
+    if (weak > 0)
+      result.notices.push_back(Notice{"ductility_not_reached", {{"ductility", spectrum.ductility}, {"count", weak}}});
   }
+  if (result.inelastic()) result.notices.push_back(Notice{"yield_spectrum"});
   if (Notice notice = after_the_end_notice(result); !notice.empty())
     result.notices.push_back(std::move(notice));
   return result;

@@ -20,6 +20,7 @@ namespace cromer::core {
 struct SpectrumOptions {
   std::vector<std::string> damping_ratio{};  ///< grids, 0 to 20; 0.05 by default
   std::vector<std::string> loss_factor{};    ///< in place of it: grids, above 0 to 2
+  std::vector<std::string> ductility{};      ///< grids, above 1 to 100, of springs that yield
   std::string periods{};                     ///< grid [s], as parse_grid reads it
   std::string frequencies{};                 ///< in place of periods: grid of natural frequencies [rad/s]
   std::string peaks{};                       ///< continuous (by default), samples or peer
@@ -88,6 +89,7 @@ struct Shock {
 /// The spectrum of one damping ratio, at all periods.
 struct ResponseSpectrum {
   double damping_ratio = 0;
+  double ductility = 1;  ///< above 1 the spring yields, and displacement is that of yield
   std::vector<std::vector<double>> displacement{};            // [m] SD of each component
   std::vector<double> geometric_mean{}, rotd50{}, rotd100{};  // [m] SD, of two components
   std::vector<Shock> shock{};                                 ///< of a shock spectrum, which has nothing else
@@ -111,6 +113,8 @@ struct SpectrumResult {
   /// The springs have hysteretic damping, and damping_ratio is their loss factor.
   bool hysteretic() const { return !options.loss_factor.empty(); }
   bool by_frequency() const { return options.by_frequency(); }
+  /// The springs yield.
+  bool inelastic() const { return !options.ductility.empty(); }
 
   bool interrupted = false;  ///< then `spectra` is empty
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double most_damping = 20;
 constexpr double least_loss = 1e-3, most_loss = 2;
+constexpr double least_ductility = 1.001, most_ductility = 100;
 constexpr double most_acceleration = 1e100;  // [m/s^2] its square is summed up
 constexpr double shortest_period = 1e-3;     // of a spacing: below, the mass follows the ground
 constexpr double longest_period = 1e6;       // of the recording's duration: above, the ground moves past it
@@ -145,28 +146,44 @@ Result<BetweenSamples> between_of(const SpectrumOptions& options) {
   return all[*which];
 }
 
-Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
-  const bool hysteretic = !options.loss_factor.empty();
-  if (hysteretic && !options.damping_ratio.empty()) return Error{"damping_said_twice"};
-  const std::string_view option = hysteretic ? "loss-factor" : "damping-ratio";
-  const double least = hysteretic ? least_loss : 0, most = hysteretic ? most_loss : most_damping;
-  std::vector<double> ratios;
-  for (const auto& text : hysteretic ? options.loss_factor : options.damping_ratio) {
+namespace {
+
+/// The values of grids, all of which must lie in these bounds.
+Result<std::vector<double>> values_between(std::string_view option, const std::vector<std::string>& grids,
+                                           double least, double most, double memory) {
+  std::vector<double> all;
+  for (const auto& text : grids) {
     const auto grid = parse_grid(text, "");
     if (!grid) return wrong_grid(option, grid.error());
-    const auto values = values_of(*grid, 1e3, options.memory > 0 ? options.memory : 1e12);
+    const auto values = values_of(*grid, 1e3, memory > 0 ? memory : 1e12);
     if (!values) return wrong_grid(option, values.error());
-    for (const double ratio : *values)
-      if (!(ratio >= least && ratio <= most))
+    for (const double value : *values)
+      if (!(value >= least && value <= most))
         return Error{"damping_out_of_range",
                      {{"option", option},
                       {"least", shortest(least)},
                       {"most", shortest(most)},
-                      {"value", shortest(ratio)}}};
-    ratios.insert(ratios.end(), values->begin(), values->end());
+                      {"value", shortest(value)}}};
+    all.insert(all.end(), values->begin(), values->end());
   }
-  if (ratios.empty()) ratios = {0.05};
+  return all;
+}
+
+}  // namespace
+
+Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
+  const bool hysteretic = !options.loss_factor.empty();
+  if (hysteretic && !options.damping_ratio.empty()) return Error{"damping_said_twice"};
+  auto ratios = hysteretic ? values_between("loss-factor", options.loss_factor, least_loss, most_loss, options.memory)
+                           : values_between("damping-ratio", options.damping_ratio, 0, most_damping, options.memory);
+  if (ratios && ratios->empty()) ratios->push_back(0.05);
   return ratios;
+}
+
+Result<std::vector<double>> ductilities_of(const SpectrumOptions& options) {
+  auto all = values_between("ductility", options.ductility, least_ductility, most_ductility, options.memory);
+  if (all && all->empty()) all->push_back(1);
+  return all;
 }
 
 Result<void> check_components(const SpectrumOptions& options, std::size_t files) {

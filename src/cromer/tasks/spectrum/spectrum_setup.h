@@ -19,6 +19,9 @@ Result<BetweenSamples> between_of(const SpectrumOptions& options);
 /// Damping ratios, or loss factors if those are given.
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
 
+/// The ductilities asked for; 1 alone if there are none.
+Result<std::vector<double>> ductilities_of(const SpectrumOptions& options);
+
 /// Periods [s], or frequencies [rad/s], as asked for, all positive; empty where nothing is asked for.
 Result<std::optional<Grid>> grid_of(const SpectrumOptions& options);
 
