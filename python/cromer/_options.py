@@ -206,6 +206,7 @@ class SpectrumOptions(TypedDict, total=False):
     frequencies: Grid
     damping_ratio: Union[Grid, Sequence[Value]]
     loss_factor: Union[Grid, Sequence[Value]]
+    ductility: Union[Grid, Sequence[Value]]
     peaks: str
     between_samples: str
     shock: bool
@@ -419,6 +420,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "frequencies": ("Grid", "[rad/s] natural frequencies instead of periods, \"1:1000:200:log Hz\""),
         "damping_ratio": ("Union[Grid, Sequence[Value]]", "damping ratios; may be given several times [0.05]"),
         "loss_factor": ("Union[Grid, Sequence[Value]]", "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states"),
+        "ductility": ("Union[Grid, Sequence[Value]]", "inelastic spectrum of springs that yield, of this ductility: SD, PSV and PSA of yielding; may be given several times [elastic springs]"),
         "peaks": ("str", "where the largest values are looked for: continuous (everywhere, after the recording's end too), samples (at the samples alone) or peer (at ten points a period at least, straight lines between samples) [continuous]"),
         "between_samples": ("str", "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear) [linear]"),
         "shock": ("bool", "shock response spectrum (ISO 18431-4): primary, residual, maximax, positive, negative [relative displacement]"),
