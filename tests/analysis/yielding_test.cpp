@@ -44,7 +44,8 @@ TEST(Yielding, FollowsAPlainIntegration) {
       const double elastic = oscillator.peak(1e9);
       for (const double part : {0.7, 0.3, 0.1}) {
         const double plain = peak_in_short_steps(oscillator, part * elastic);
-        EXPECT_NEAR(oscillator.peak(part * elastic), plain, 2e-4 * plain) << w << " " << damping << " " << part;
+        EXPECT_NEAR(oscillator.peak(part * elastic), plain, 2e-4 * plain)
+            << w << " " << damping << " " << part;
       }
     }
 }

@@ -265,7 +265,9 @@ TEST(ProgramFile, IsAnsweredWithItsExportMenu) {
   EXPECT_THAT(refused(archive_of({{"[Content_Types].xml", "<x/>"}}), "swing.xlsx"),
               HasSubstr("File > Save As"));
   EXPECT_THAT(refused(zip, "swing.zip"), HasSubstr("holds no CSV file"));
-  // A table is a table, whatever its name.
+  // A table is a table, whatever its name, and says what is wrong with it.
+  EXPECT_THAT(refused("t (s),x (m)\n0,1\n1,oops\n2,4\n", "swing.xlsx"),
+              HasSubstr("\"oops\" is not a number"));
   EXPECT_TRUE(read_recording("t (s),x (m)\n0,1\n1,2\n2,4\n", "swing.ds", {}).ok());
 }
 

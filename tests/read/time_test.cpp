@@ -149,6 +149,13 @@ TEST(Steps, RatesAreRoundWhereTheTimesAre) {
   EXPECT_EQ(describe_steps(times(3000, 0.03)).rate, 33.3333333333);
 }
 
+// A camera's times with three decimals: the usual step, 0.033 s, is no thirtieth.
+TEST(Steps, ARateIsTheMeanOfTheSteps) {
+  std::vector<double> t;
+  for (int i = 0; i < 360; ++i) t.push_back(std::round(1000 * (0.2 + i / 30.0)) / 1000);
+  EXPECT_NEAR(describe_steps(t).rate, 30, 1e-3);
+}
+
 TEST(Steps, JitterIsNoGap) {
   for (unsigned seed = 1; seed <= 20; ++seed)
     for (const bool normal : {false, true}) {

@@ -273,7 +273,7 @@ TEST(LabReport, TheOneRateHasTheLawsFrequency) {
   ASSERT_TRUE(lab.recordings[0].compared);
   const auto& curves = lab.recordings[0].compared->curves;
   EXPECT_LT(curves[0].rms, 2 * curves[1].rms);
-  EXPECT_THAT(lab.text(), HasSubstr("One decay rate is enough"));
+  EXPECT_THAT(lab.text(), HasSubstr("Viscous damping alone is enough"));
 }
 
 TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {

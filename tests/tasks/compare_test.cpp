@@ -341,6 +341,18 @@ TEST(CompareTask, APendulumIsSimulatedAsOne) {
   EXPECT_NEAR(result.curves[0].rms, 0.005, 0.0003);  // one rate, and the law's own frequency
 }
 
+// The rates of segments are those of an amplitude, which a bent spring changes.
+TEST(CompareTask, SegmentsSayNothingOfTheRateOfABentSpring) {
+  const FreeSwing pendulum{.angular_frequency = 3, .decay_rate = 0.03, .position = 2, .pendulum = true};
+  CompareOptions options;
+  options.fit.segment = 10;
+  options.method = {"rk4"};
+  const CompareResult result = compared(recording_of(pendulum, 60, 0.005, "angle"), options);
+  ASSERT_EQ(result.curves.size(), 3u) << in_words(result.recording.fit.message);
+  EXPECT_NEAR(result.curves[0].rms, 0.005, 0.0005);
+  EXPECT_THAT(in_words(explanation(result)), HasSubstr("Viscous damping alone is enough"));
+}
+
 TEST(CompareTask, ProgressNeverGoesBack) {
   std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
   const Series series = disc_recording(4, 20);

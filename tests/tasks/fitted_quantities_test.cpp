@@ -132,6 +132,26 @@ TEST(DerivedQuantities, IntervalsEndWhereTheQuantityEnds) {
   EXPECT_EQ(find("logarithmic_decrement").low, 0);
 }
 
+TEST(DerivedQuantities, WhatFollowsFromABoundHasItsUncertainty) {
+  LawFit fit = released(0);
+  fit.names = {"angular_frequency", "decay_rate", "position"};
+  fit.covariance = {1e-10, 0, 0, 0, 0, 0, 0, 0, 1e-6};
+  fit.estimates[1] = {0, 0.0012, 0, 0.003};
+  for (const Parameter& each : derived_quantities(fit, "m", 0)) {
+    const Estimate& e = each.estimate;
+    if (each.name == "damping_ratio") {
+      EXPECT_NEAR(e.standard_error, 0.0012 / w0, 1e-9);
+      EXPECT_EQ(e.low, 0);
+      EXPECT_NEAR(e.high, 0.003 / w0, 1e-9);
+    }
+    if (each.name == "quality_factor") {
+      EXPECT_NEAR(e.low, w0 / (2 * 0.003), 1e-4);
+      EXPECT_TRUE(std::isinf(e.high));
+    }
+  }
+  EXPECT_NEAR(decay_rate_ends(fit, 10)[0].estimate.high, 0.003, 1e-9);
+}
+
 TEST(DerivedQuantities, IntervalsReachAsFarAsThoseOfTheParameters) {
   LawFit fit = released(0.1);
   fit.names = {"angular_frequency", "decay_rate", "position"};

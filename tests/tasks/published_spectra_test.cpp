@@ -40,8 +40,8 @@ TEST(PublishedSpectra, ChopraElCentro) {
   }
 }
 
-// A. K. Chopra, Dynamics of Structures, section 7.4: the same motion, T = 0.5 s and 5 % damping, of springs with
-// a half, a quarter and an eighth of the strength that stays elastic.
+// A. K. Chopra, Dynamics of Structures, section 7.4: the same motion, T = 0.5 s and 5 % damping, of springs
+// with a half, a quarter and an eighth of the strength that stays elastic.
 TEST(PublishedSpectra, ChopraYielding) {
   const SpectrumFile file = ground_motion("elcentro_chopra.csv");
   if (file.bytes.empty()) GTEST_SKIP() << "no ../shared/data";

@@ -45,7 +45,7 @@ TEST(Axis, TheLiveliestIsTakenAndSaid) {
   ASSERT_TRUE(series.ok()) << in_words(series.error());
   EXPECT_EQ(series->column, "Acceleration y (m/s^2)");
   EXPECT_THAT(in_words(series->notices).front(),
-              HasSubstr("\"Acceleration y (m/s^2)\" is taken: it swings most"));
+              HasSubstr("\"Acceleration y (m/s^2)\" is taken: it swings most clearly, by 2 m/s²"));
   EXPECT_THAT(in_words(series->notices).front(), HasSubstr("\"Acceleration z (m/s^2)\""));
   const auto named = take_motion(*recording, "Acceleration x", 1, {});
   EXPECT_EQ(named->column, "Acceleration x (m/s^2)");

@@ -223,7 +223,7 @@ struct CycleDecay {
     for_each_term([&]<class T>() {
       if constexpr (!HasInnerState<T>) {
         const Real& coefficient = per_mass.*T::template members<Real>[0];
-        if (T::info.acts_at_rest || value_of(coefficient) == 0) return;
+        if (T::info.acts_at_rest || vanishes(coefficient)) return;
         sum += coefficient * (cycle_average<T>(A, angular_frequency).fall / A);
       }
     });
@@ -254,7 +254,7 @@ struct CycleDecay {
     for_each_term([&]<class T>() {
       if constexpr (!HasInnerState<T>) {
         const Real& coefficient = per_mass.*T::template members<Real>[0];
-        if (!T::info.acts_at_rest && value_of(coefficient) != 0) sum += T::force(x, v, coefficient);
+        if (!T::info.acts_at_rest && !vanishes(coefficient)) sum += T::force(x, v, coefficient);
       }
     });
     return sum;

@@ -48,7 +48,8 @@ struct WholeStep {
 
 double YieldingOscillator::peak(double yield_displacement) const {
   // A hundred steps a period leave 1e-5; damping must not be stiff either.
-  const double longest = std::min(0.01 * two_pi / w, damping_ratio > 0 ? 0.1 / (2 * damping_ratio * w) : HUGE_VAL);
+  const double longest =
+      std::min(0.01 * two_pi / w, damping_ratio > 0 ? 0.1 / (2 * damping_ratio * w) : HUGE_VAL);
   const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(spacing / longest)));
   const double h = spacing / static_cast<double>(parts);
   const double yield = w * w * yield_displacement;
@@ -83,8 +84,8 @@ double YieldingOscillator::peak(double yield_displacement) const {
           y = end;
           break;
         }
-        const double at = find_root([&](double step) { return excess(branch.after(step, from, y)); }, 0, before,
-                                    left, over);
+        const double at = find_root([&](double step) { return excess(branch.after(step, from, y)); }, 0,
+                                    before, left, over);
         y = branch.after(at, from, y);
         from += at;
         largest = std::max(largest, std::abs(y.x));

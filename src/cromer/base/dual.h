@@ -94,6 +94,15 @@ constexpr double value_of(const Dual<Real, N>& x) {
   return value_of(x.value);
 }
 
+/// Whether a number is 0 and stays so, whatever it is a function of.
+constexpr bool vanishes(double x) { return x == 0; }
+template <class Real, std::size_t N>
+constexpr bool vanishes(const Dual<Real, N>& x) {
+  for (const Real& each : x.derivative)
+    if (!vanishes(each)) return false;
+  return vanishes(x.value);
+}
+
 /// -1, 0 or 1; its derivative is 0 everywhere, also at the jump.
 constexpr double sgn(double x) { return (x > 0) - (x < 0); }
 template <class Real, std::size_t N>

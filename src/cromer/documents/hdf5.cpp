@@ -55,7 +55,8 @@ std::size_t ductilities_of(const std::vector<ResponseSpectrum>& spectra) {
 /// Fills in the columns of a table.
 void add_spectra(Hdf5Table& table, const SpectrumResult& result) {
   const auto& spectra = result.spectra;
-  Hdf5Column ratios{.name = result.hysteretic() ? "loss_factor" : "damping_ratio"}, ductilities{.name = "ductility"};
+  Hdf5Column ratios{.name = result.hysteretic() ? "loss_factor" : "damping_ratio"},
+      ductilities{.name = "ductility"};
   const std::size_t of_each = result.inelastic() ? ductilities_of(spectra) : 1;
   for (std::size_t s = 0; s < spectra.size(); s += of_each) ratios.values.push_back(spectra[s].damping_ratio);
   for (std::size_t s = 0; s < of_each; ++s) ductilities.values.push_back(spectra[s].ductility);

@@ -22,8 +22,9 @@ namespace cromer::core {
 namespace {
 
 std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  const std::string name = result.hysteretic() ? fmt::format("loss factor {:.4g}", spectrum.damping_ratio)
-                                               : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
+  const std::string name = result.hysteretic()
+                               ? fmt::format("loss factor {:.4g}", spectrum.damping_ratio)
+                               : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
   return result.inelastic() ? fmt::format("{}, ductility {:.4g}", name, spectrum.ductility) : name;
 }
 

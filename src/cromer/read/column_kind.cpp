@@ -111,10 +111,12 @@ constexpr std::array time_units{
 /// Symbols that are the whole name, subscripts aside; capitals mean other things (V may be a voltage, T a
 /// temperature).
 constexpr std::array symbols{
-    Word{"t", "time"},          Word{"x", "position"},  Word{"y", "position"},     Word{"z", "position"},
-    Word{"X", "position"},      Word{"Y", "position"},  Word{"Z", "position"},     Word{"v", "velocity"},
-    Word{"vx", "velocity"},     Word{"vy", "velocity"}, Word{"a", "acceleration"}, Word{"ax", "acceleration"},
-    Word{"ay", "acceleration"}, Word{"F", "force"},
+    Word{"t", "time"},          Word{"x", "position"},      Word{"y", "position"},
+    Word{"z", "position"},      Word{"X", "position"},      Word{"Y", "position"},
+    Word{"Z", "position"},      Word{"v", "velocity"},      Word{"vx", "velocity"},
+    Word{"vy", "velocity"},     Word{"vz", "velocity"},     Word{"a", "acceleration"},
+    Word{"ax", "acceleration"}, Word{"ay", "acceleration"}, Word{"az", "acceleration"},
+    Word{"F", "force"},
 };
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }

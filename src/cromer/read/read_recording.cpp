@@ -17,7 +17,10 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
   if (options.rate < 0 || !std::isfinite(options.rate)) return Error{"rate_no_number"};
   auto recording = is_zip(bytes) ? read_archive(bytes, options) : read_text_file(bytes, file, options);
   if (!recording) {
-    Notice menu = export_menu(file);
+    // A table of that name may be a table all the same, and says what is wrong with it.
+    const bool is_table =
+        !is_zip(bytes) && !bytes.empty() && bytes.find('\0') == bytes.npos && !bytes.starts_with("<");
+    Notice menu = is_table ? Notice{} : export_menu(file);
     return in_file(file, menu.empty() ? recording.error() : Error{std::move(menu)});
   }
   recording->file = file;

@@ -387,10 +387,9 @@ Steps describe_steps(std::span<const double> t) {
   const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
   const std::optional<EvenClock> clock = even_clock(t, step);
   const std::span<const double> at = clock ? clock->t : t;
-  result.rate = clock ? round_within(1 / clock->spacing, rounding) : round_within(1 / step, rounding);
+  const double pace = clock ? clock->spacing : pace_of(t, step);
 
   // A gap is no jitter.
-  const double pace = clock ? clock->spacing : pace_of(t, step);
   const auto missing = [&](std::size_t i) {
     return at[i + 1] - at[i] > gap_of_steps * pace && (clock || lateness(t, i, pace) > lost_of_steps * pace);
   };
@@ -403,6 +402,9 @@ Steps describe_steps(std::span<const double> t) {
   double mean = 0, squares = 0;
   for (const double h : kept) mean += h / static_cast<double>(kept.size());
   for (const double h : kept) squares += (h - mean) * (h - mean);
+  result.rate = clock          ? round_within(1 / clock->spacing, rounding)
+                : kept.empty() ? round_within(1 / step, rounding)
+                               : round_within(1 / mean, rounding / static_cast<double>(kept.size()));
   const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
   result.jitter = jitter > rounding ? jitter : 0;
   result.clock = clock;

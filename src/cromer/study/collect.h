@@ -52,9 +52,9 @@ void collect(const std::string& id, const MethodMapResult& map, Results& results
 void collect(const std::string& id, const WorkPrecisionResult& work, Results& results);
 
 /// "id": peak_acceleration, arias_intensity, duration_5_95, all of the first component. "id.N" for damping
-/// ratio N: damping_ratio (or loss_factor), ductility, peak, peak_period. Columns period, frequency, and SD, PSV, PSA.
-/// Of two components these are RotD50; SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on stand beside them.
-/// Of a shock: primary, residual, maximax, positive, negative.
+/// ratio N: damping_ratio (or loss_factor), ductility, peak, peak_period. Columns period, frequency, and SD,
+/// PSV, PSA. Of two components these are RotD50; SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on stand
+/// beside them. Of a shock: primary, residual, maximax, positive, negative.
 void collect(const std::string& id, const SpectrumResult& spectrum, Results& results);
 
 /// "id": points, not_settled, not_finite, method, way, steps. "id.N" for curve N over the innermost option:

@@ -267,9 +267,9 @@ class Part : public LabTold {
   }
 
   void decay() {
-    const bool grows = !fitted_.decay_by_amplitude.empty() &&
-                       fitted_.decay_by_amplitude.front().rate.value < 0 &&
-                       fitted_.decay_by_amplitude.back().rate.value < 0;
+    const auto& stretches = fitted_.decay_by_amplitude;
+    const bool grows =
+        !stretches.empty() && stretches.front().rate.high < 0 && stretches.back().rate.high < 0;
     heading(grows ? "report_grows" : "report_dies_down");
     if (compared_ && !explanation(*compared_).empty())
       paragraph(in_braces("explanation"));

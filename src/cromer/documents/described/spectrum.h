@@ -126,8 +126,10 @@ struct Described<SpectrumOf> {
           .left_out(),
       field(
           "ductility",
-          [](const S& s) { return s.of.inelastic() ? std::optional(s.spectrum.ductility) : std::nullopt; }, "",
-          "of springs that yield: the largest displacement over that of yielding, which SD, PSV and PSA are of")
+          [](const S& s) { return s.of.inelastic() ? std::optional(s.spectrum.ductility) : std::nullopt; },
+          "",
+          "of springs that yield: the largest displacement over that of yielding, which SD, PSV and PSA are "
+          "of")
           .left_out(),
       field(
           "period",

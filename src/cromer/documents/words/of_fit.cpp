@@ -546,6 +546,13 @@ constexpr Entry entries[] = {
      "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}, {with_law}."},
     {"one_rate_is_enough", clause, "One decay rate is enough: {one_rate}, and {end}.{method}",
      "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
+    {"viscous_is_enough", clause,
+     "Viscous damping alone is enough: {one_rate}, and {end}. The amplitude's own rate goes from {first:n} "
+     "to "
+     "{last:n}\u00a01/s, as the spring is bent.{method}",
+     "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
+     "{first:n} auf "
+     "{last:n}\u00a01/s, da die Feder krumm ist.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",

@@ -139,11 +139,12 @@ constexpr Entry entries[] = {
      "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
      "{--column}|eine wählen, zum Beispiel} „{first}“"},
     {"liveliest_axis_taken", worth_knowing,
-     "of the sensor's axes \"{column}\" is taken: it swings most, by {amplitude:.3g} {unit}, \"{other}\" by "
-     "{less:.3g}; {|{--column} names another|another one can be chosen}",
-     "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am meisten, um {amplitude:.3g} "
-     "{unit}, "
-     "„{other}“ um {less:.3g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "of the sensor's axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} "
+     "(\"{other}\" by "
+     "{less:.2g}); {|{--column} names another|another one can be chosen}",
+     "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am deutlichsten, um "
+     "{amplitude:.2g}{unit} "
+     "(„{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",

@@ -43,16 +43,19 @@ constexpr Entry entries[] = {
     {"yielding_is_followed", error,
      "{--ductility} follows one motion, straight between its samples, until its last sample; leave "
      "{option:option} out",
-     "{--ductility} folgt einer Bewegung, gerade zwischen den Messwerten, bis zum letzten; bitte {option:option} "
+     "{--ductility} folgt einer Bewegung, gerade zwischen den Messwerten, bis zum letzten; bitte "
+     "{option:option} "
      "weglassen"},
     {"yield_spectrum", worth_knowing,
-     "SD, PSV and PSA are those of yielding, of the strongest spring that reaches the ductility until the last "
+     "SD, PSV and PSA are those of yielding, of the strongest spring that reaches the ductility until the "
+     "last "
      "sample; its largest displacement is SD times the ductility",
      "SD, PSV und PSA sind die beim Fließen, bei der stärksten Feder, die bis zum letzten Messwert die "
      "Duktilität erreicht; ihre größte Auslenkung ist SD mal Duktilität"},
     {"ductility_not_reached", worth_knowing,
      "a ductility of {ductility} is not reached at {count:period|periods}, however weak the spring: NaN",
-     "eine Duktilität von {ductility} wird bei {count:Periode|Perioden} nicht erreicht, wie schwach die Feder "
+     "eine Duktilität von {ductility} wird bei {count:Periode|Perioden} nicht erreicht, wie schwach die "
+     "Feder "
      "auch ist: NaN"},
     {"loss_factor_takes_long", error,
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",

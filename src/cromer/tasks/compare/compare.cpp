@@ -343,25 +343,28 @@ Result<FittedRecording> with_law(const FittedRecording& recording, const Law& la
   return fit_series(recording.series, recording.file, options, watch);
 }
 
-// The law's springs with viscous damping alone, as fitted, or with the mean of the segments' rates: what it
-// misses is the damping's part, not the frequency's.
+// What the law's springs with viscous damping alone miss is the damping's part, not the frequency's.
+Law one_rate_law(Law law) { return law.without(dissipative_terms).with(law_with<Viscous>); }
+
+// As fitted, or with the mean of the segments' rates.
 Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
   const Motion& begun = recording.fit.motion;
-  const Law law = recording.fit.law.without(dissipative_terms).with(law_with<Viscous>);
+  const Law law = one_rate_law(recording.fit.law);
+  const bool mean_of_segments = has_mean_rate(recording);
   Motion constant = begun;
   if (!(recording.fit.law == law)) {
     const Result<FittedRecording> fitted = with_law(recording, law, watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
     constant = fitted->fit.motion;
-    if (recording.decay_rate_mean || fitted->fit.status != FitStatus::converged) {
+    if (mean_of_segments || fitted->fit.status != FitStatus::converged) {
       // The segments' mean rate starts where the chosen law does.
       constant.equilibrium = begun.equilibrium;
       constant.position = begun.position;
       constant.velocity = begun.velocity;
     }
   }
-  if (recording.decay_rate_mean) constant.set_decay_rate(recording.decay_rate_mean->value);
+  if (mean_of_segments) constant.set_decay_rate(recording.decay_rate_mean->value);
   return NamedLaw{Notice{"one_constant_decay_rate"}, law, constant};
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/trajectory.h"
 
@@ -72,5 +73,11 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
 /// the chosen law does and decays at the mean of their rates.
 Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
                                            const Watch& watch = {});
+
+/// Whether the one constant rate is the mean of the segments' rates: those of an amplitude, which are the
+/// law's own where the springs are linear.
+inline bool has_mean_rate(const FittedRecording& recording) {
+  return recording.decay_rate_mean && is_linear(recording.fit.law.without(dissipative_terms));
+}
 
 }  // namespace cromer::core

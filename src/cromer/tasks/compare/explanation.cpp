@@ -23,9 +23,11 @@ std::string with_unit(double value, std::string_view unit) {
 Notice amplitude_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return Notice{curve.at_rest ? "both_have_died_down" : "it_still_swings"};
   const double off = 100 * std::abs(curve.amplitude_ratio_end - 1);
-  if (off < 0.05) return Notice{"end_is_right"};
+  constexpr double right = 0.05;  // [%]
   const double noise = 100 * 2 * curve.amplitude_ratio_error;
-  if (off < noise) return Notice{"end_is_right_within_noise", {{"noise", rounded(noise, 2)}}};
+  if (off < noise && noise > right)
+    return Notice{"end_is_right_within_noise", {{"noise", rounded(noise, 2)}}};
+  if (off < right) return Notice{"end_is_right"};
   return Notice{curve.amplitude_ratio_end > 1 ? "end_too_large" : "end_too_small",
                 {{"off", rounded(off, 2)}}};
 }
@@ -57,7 +59,7 @@ Notice explanation(const CompareResult& comparison) {
   const ComparedCurve& law = curves[1];
   const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
   const bool viscous = law.law == one.law;
-  const Notice left{comparison.recording.decay_rate_mean ? "mean_rate_leaves" : "one_rate_leaves",
+  const Notice left{has_mean_rate(comparison.recording) ? "mean_rate_leaves" : "one_rate_leaves",
                     {{"left", with_unit(one.rms, unit)}}};
   const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.rms, unit)}}};
   if (!comparison.doubts.empty())
@@ -73,6 +75,13 @@ Notice explanation(const CompareResult& comparison) {
   for (std::size_t i = curves.size(); i-- > 2;)
     if (Notice adds = method_adds(curves[i], unit); !adds.empty())
       method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
+  if (viscous && !rates.empty() && !constant && comparison.others_tried)
+    return Notice{"viscous_is_enough",
+                  {{"first", rounded(first, 3)},
+                   {"last", rounded(last, 3)},
+                   {"one_rate", left},
+                   {"end", end},
+                   {"method", method}}};
   if (viscous)
     return Notice{comparison.others_tried ? "one_rate_is_enough" : "no_other_law_tried",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};

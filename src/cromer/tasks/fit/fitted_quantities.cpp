@@ -109,15 +109,25 @@ Estimate estimate_of(double value, std::span<const double> slope, const LawFit& 
   const std::size_t n = fit.names.size();
   std::vector<double> reach(n);
   for (std::size_t i = 0; i < n; ++i) reach[i] = reach_of(fit.estimates[i], fit.student);
-  double variance = 0, square = 0;
-  for (std::size_t i = 0; i < n; ++i)
+  double variance = 0, square = 0, above = 0, below = 0;
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const double part = slope[i] * fit.covariance[i * n + j] * slope[j];
       variance += part;
       square += reach[i] * part * reach[j];
     }
-  const double error = std::sqrt(std::max(0.0, variance));
-  return make_estimate(value, error, error > 0 ? std::sqrt(std::max(0.0, square)) / error : fit.student);
+    // A parameter on its bound has no covariance, and goes to one side alone.
+    const Estimate& parameter = fit.estimates[i];
+    if (fit.covariance[i * n + i] > 0 || !(parameter.standard_error > 0)) continue;
+    variance += std::pow(slope[i] * parameter.standard_error, 2);
+    const double most = slope[i] * (parameter.high - parameter.value),
+                 least = slope[i] * (parameter.low - parameter.value);
+    above += std::pow(std::max(most, least), 2);
+    below += std::pow(std::min(most, least), 2);
+  }
+  square = std::max(0.0, square);
+  return {value, std::sqrt(std::max(0.0, variance)), value - std::sqrt(square + below),
+          value + std::sqrt(square + above)};
 }
 
 Estimate estimate_of(const Real& number, const LawFit& fit) {
@@ -176,6 +186,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
     // end.
     Estimate quality = estimate_of(undamped / (2 * equivalent), fit);
     quality.low = 1 / (2 * ratio.high);
+    if (!std::isfinite(quality.value)) quality.standard_error = std::numeric_limits<double>::quiet_NaN();
     quality.high = ratio.low > 0 ? 1 / (2 * ratio.low) : std::numeric_limits<double>::infinity();
     list.push_back({"quality_factor", quality, "1"});
   }

@@ -1,6 +1,7 @@
 #include "cromer/tasks/inspect/take_motion.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,15 +45,43 @@ std::vector<const Column*> axes_of(const Recording& recording, int run) {
   std::vector<const Column*> axes;
   for (const std::size_t j : alike)
     if (!is_magnitude(columns[j])) axes.push_back(&columns[j]);
+  std::sort(axes.begin(), axes.end(),
+            [](const Column* one, const Column* other) { return lower(one->name) < lower(other->name); });
   if (!are_axes(axes)) axes.clear();
   return axes;
 }
 
-double strength(const Series& series) {
-  const auto [low, high] = extent_of(series.y);
-  if (series.t.size() < 4 || !(series.rate > 0) || low == high) return 0;
-  const auto line = strongest_line(least_squares_spectrum(series.t, series.y, 1 / series.rate));
-  return line ? line->amplitude : 0;
+/// A swing that stands out from all else that its axis shows.
+struct AxisSwing {
+  double amplitude = 0;
+  double clearness = 0;  ///< the amplitude times the line's share of the variance
+};
+
+AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double rate) {
+  const auto line = strongest_line(least_squares_spectrum(t, y, 1 / rate));
+  if (!line) return {};
+  double mean = 0, variance = 0;
+  for (const double each : y) mean += each / static_cast<double>(y.size());
+  for (const double each : y) variance += (each - mean) * (each - mean) / static_cast<double>(y.size());
+  const double share = std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance);
+  return {line->amplitude, line->amplitude * share};
+}
+
+/// That of the quarter of the record where it is clearest: it may die down, and hands move a phone.
+AxisSwing clearest_swing(const Series& series) {
+  constexpr std::size_t fewest = 64;
+  const std::size_t n = series.t.size(), parts = n >= 4 * fewest ? 4 : 1;
+  AxisSwing clearest;
+  if (n < 4 || !(series.rate > 0)) return clearest;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t first = part * n / parts, count = (part + 1) * n / parts - first;
+    const auto y = std::span(series.y).subspan(first, count);
+    const auto [low, high] = extent_of(y);
+    if (low == high) continue;
+    const AxisSwing here = swing_in(std::span(series.t).subspan(first, count), y, series.rate);
+    if (here.clearness > clearest.clearness) clearest = here;
+  }
+  return clearest;
 }
 
 }  // namespace
@@ -63,25 +92,27 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
   if (series || !column.empty()) return series;
   struct Axis {
     Series series;
-    double strength;
+    AxisSwing swing;
   };
   std::vector<Axis> found;
   for (const Column* axis : axes_of(recording, run)) {
     auto taken = take_series(recording, column_title(*axis), run, options);
     if (!taken) return series;
-    const double strong = strength(*taken);
-    found.push_back({*std::move(taken), strong});
+    const AxisSwing swing = clearest_swing(*taken);
+    found.push_back({*std::move(taken), swing});
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Axis& one, const Axis& other) { return one.strength > other.strength; });
-  if (found.empty() || !(found.front().strength > 0)) return series;
+  std::stable_sort(found.begin(), found.end(), [](const Axis& one, const Axis& other) {
+    return one.swing.clearness > other.swing.clearness;
+  });
+  if (found.empty() || !(found.front().swing.clearness > 0)) return series;
   Series liveliest = std::move(found.front().series);
+  const std::string unit = unit_of(liveliest);
   liveliest.notices.insert(liveliest.notices.begin(), Notice{"liveliest_axis_taken",
                                                              {{"column", liveliest.column},
-                                                              {"amplitude", found[0].strength},
+                                                              {"amplitude", found[0].swing.amplitude},
                                                               {"other", found[1].series.column},
-                                                              {"less", found[1].strength},
-                                                              {"unit", unit_of(liveliest)}}});
+                                                              {"less", found[1].swing.amplitude},
+                                                              {"unit", unit.empty() ? unit : " " + unit}}});
   return liveliest;
 }
 

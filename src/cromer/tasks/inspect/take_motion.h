@@ -9,7 +9,7 @@
 namespace cromer::core {
 
 /// take_series(), which see. Where no column is named and the three axes of a sensor are alike, as in the
-/// files of a phone, the axis with the strongest spectral line is taken, and a notice says so.
+/// files of a phone, the one that swings most clearly is taken, and a notice says so.
 Result<Series> take_motion(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options);
 

@@ -11,7 +11,7 @@
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/exact_energy_balance.h"
 #include "cromer/base/pi.h"
-#include "cromer/methods/euler_cromer.h"
+#include "cromer/methods/all.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/linear_quantities.h"
@@ -182,17 +182,22 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
     const auto no_force = [](double) { return 0.0; };
     return from_states(run, no_force, 0, static_cast<std::size_t>(last)).method();
   };
-  const double end = run.outcome.t;
-  const auto mean_about = [&](double middle) {
-    return (made_until(middle - quarter) + 2 * made_until(middle) + made_until(middle + quarter)) / 4;
-  };
-  const double ends = made + made_until(end - 2 * quarter), between = 2 * made_until(end - quarter);
-  const double comes = std::abs(ends - between) / 4;
-  // Where in its cycle the motion began is no loss: a line through the first two half cycles shows it.
-  const double begins = end > 8 * quarter ? 1.5 * mean_about(quarter) - 0.5 * mean_about(3 * quarter) : 0;
+  const double ends = made + made_until(run.outcome.t - 2 * quarter),
+               between = 2 * made_until(run.outcome.t - quarter);
+  const double mean = (ends + between) / 4, comes = std::abs(ends - between) / 4;
+  // A symplectic method loses nothing: where in its cycle the motion began sets it off by less than it
+  // swings.
+  if (find_method(run.method)->symplectic) {
+    double least = 0, most = 0;
+    for (int eighth = 1; eighth <= 8; ++eighth) {
+      const double then = made_until(eighth * quarter / 4);
+      least = std::min(least, then);
+      most = std::max(most, then);
+    }
+    if (std::abs(mean) <= most - least) return MethodEnergy{0, std::max(comes, std::abs(made))};
+  }
   // Of a growth without end nothing comes and goes.
-  const bool only_lasts = comes < 0.05 * std::abs(made - begins);
-  return MethodEnergy{(only_lasts ? made : (ends + between) / 4) - begins, comes};
+  return MethodEnergy{comes < 0.05 * std::abs(made) ? made : mean, comes};
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {

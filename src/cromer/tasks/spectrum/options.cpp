@@ -19,7 +19,8 @@ std::vector<Option> options_of(SpectrumOptions& o) {
        "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states", "",
        oscillators},
       {"ductility", &o.ductility, "1", Range::any,
-       "inelastic spectrum of springs that yield, of this ductility: SD, PSV and PSA of yielding; may be given "
+       "inelastic spectrum of springs that yield, of this ductility: SD, PSV and PSA of yielding; may be "
+       "given "
        "several times",
        "elastic springs", oscillators},
       {"peaks", &o.peaks, "", Range::any,

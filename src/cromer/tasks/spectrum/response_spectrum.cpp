@@ -21,7 +21,8 @@ namespace {
 constexpr int band_limited_factor = 16;  // values for each interval
 constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
 // Periods computed between two checks for an interrupt: of one component, of two, of hysteretic damping.
-constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32, slice_of_yielding = 4;
+constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32,
+                      slice_of_yielding = 4;
 constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
 
 double angular_frequency(double period) { return two_pi / period; }
@@ -102,7 +103,8 @@ void extend_yielding(ResponseSpectrum& spectrum, const GroundMotion& ground,
   const auto elastic = response_peaks(ground, laws, search);
   for (std::size_t i = 0; i < laws.size(); ++i)
     spectrum.displacement[0].push_back(
-        YieldingOscillator{ground.acceleration, ground.spacing, std::sqrt(laws[i].stiffness), spectrum.damping_ratio}
+        YieldingOscillator{ground.acceleration, ground.spacing, std::sqrt(laws[i].stiffness),
+                           spectrum.damping_ratio}
             .yield_displacement(spectrum.ductility, elastic[i].during.magnitude()));
 }
 
@@ -255,8 +257,8 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   const auto shock = choice("shock-response", options.shock_response, shock_responses);
   if (!shock) return shock.error();
   if (!options.shock && !options.shock_response.empty()) return Error{"response_without_shock"};
-  return Asked{*peaks,      *between, *std::move(ratios),           *std::move(ductilities), *unit,
-               *correction, static_cast<ShockOf>(*shock)};
+  return Asked{*peaks, *between,    *std::move(ratios),          *std::move(ductilities),
+               *unit,  *correction, static_cast<ShockOf>(*shock)};
 }
 
 /// Makes the components once the options are checked; its notices come first.
@@ -339,9 +341,11 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
     }
     if (!result.inelastic()) continue;
     const std::vector<double>& yields = spectrum.displacement[0];
-    const auto weak = std::count_if(yields.begin(), yields.end(), [](double each) { return std::isnan(each); });
+    const auto weak =
+        std::count_if(yields.begin(), yields.end(), [](double each) { return std::isnan(each); });
     if (weak > 0)
-      result.notices.push_back(Notice{"ductility_not_reached", {{"ductility", spectrum.ductility}, {"count", weak}}});
+      result.notices.push_back(
+          Notice{"ductility_not_reached", {{"ductility", spectrum.ductility}, {"count", weak}}});
   }
   if (result.inelastic()) result.notices.push_back(Notice{"yield_spectrum"});
   if (Notice notice = after_the_end_notice(result); !notice.empty())

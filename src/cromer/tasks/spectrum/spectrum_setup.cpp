@@ -174,8 +174,9 @@ Result<std::vector<double>> values_between(std::string_view option, const std::v
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
   const bool hysteretic = !options.loss_factor.empty();
   if (hysteretic && !options.damping_ratio.empty()) return Error{"damping_said_twice"};
-  auto ratios = hysteretic ? values_between("loss-factor", options.loss_factor, least_loss, most_loss, options.memory)
-                           : values_between("damping-ratio", options.damping_ratio, 0, most_damping, options.memory);
+  auto ratios =
+      hysteretic ? values_between("loss-factor", options.loss_factor, least_loss, most_loss, options.memory)
+                 : values_between("damping-ratio", options.damping_ratio, 0, most_damping, options.memory);
   if (ratios && ratios->empty()) ratios->push_back(0.05);
   return ratios;
 }
