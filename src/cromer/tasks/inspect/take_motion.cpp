@@ -1,8 +1,10 @@
 #include "cromer/tasks/inspect/take_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
@@ -51,37 +53,62 @@ std::vector<const Column*> axes_of(const Recording& recording, int run) {
   return axes;
 }
 
-/// A swing that stands out from all else that its axis shows.
+/// The strongest line of a stretch of an axis.
 struct AxisSwing {
   double amplitude = 0;
-  double clearness = 0;  ///< the amplitude times the line's share of the variance
+  double share = 0;  ///< of the variance
+
+  double clearness() const { return amplitude * share; }
 };
 
 AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double rate) {
+  const auto [low, high] = extent_of(y);
+  if (y.size() < 4 || low == high || !(rate > 0)) return {};
   const auto line = strongest_line(least_squares_spectrum(t, y, 1 / rate));
   if (!line) return {};
   double mean = 0, variance = 0;
   for (const double each : y) mean += each / static_cast<double>(y.size());
   for (const double each : y) variance += (each - mean) * (each - mean) / static_cast<double>(y.size());
-  const double share = std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance);
-  return {line->amplitude, line->amplitude * share};
+  return {line->amplitude, std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance)};
 }
 
-/// That of the quarter of the record where it is clearest: it may die down, and hands move a phone.
-AxisSwing clearest_swing(const Series& series) {
-  constexpr std::size_t fewest = 64;
-  const std::size_t n = series.t.size(), parts = n >= 4 * fewest ? 4 : 1;
-  AxisSwing clearest;
-  if (n < 4 || !(series.rate > 0)) return clearest;
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t first = part * n / parts, count = (part + 1) * n / parts - first;
-    const auto y = std::span(series.y).subspan(first, count);
-    const auto [low, high] = extent_of(y);
-    if (low == high) continue;
-    const AxisSwing here = swing_in(std::span(series.t).subspan(first, count), y, series.rate);
-    if (here.clearness > clearest.clearness) clearest = here;
+constexpr std::size_t quarters = 4;
+
+struct Axis {
+  Series series;
+  std::array<AxisSwing, quarters> swings{};
+  double score = 0;
+
+  explicit Axis(Series taken) : series(std::move(taken)) {
+    const std::size_t n = series.t.size();
+    for (std::size_t q = 0; q < quarters; ++q) {
+      const std::size_t first = q * n / quarters, count = (q + 1) * n / quarters - first;
+      swings[q] = swing_in(std::span(series.t).subspan(first, count),
+                           std::span(series.y).subspan(first, count), series.rate);
+    }
   }
-  return clearest;
+  /// The quarter in which it swings most clearly.
+  std::size_t clearest() const {
+    const auto found = std::max_element(
+        swings.begin(), swings.end(),
+        [](const AxisSwing& a, const AxisSwing& b) { return a.clearness() < b.clearness(); });
+    return static_cast<std::size_t>(found - swings.begin());
+  }
+};
+
+/// Which axis swings is asked in each quarter, as a swing may die down, and hands move a phone: a quarter
+/// counts by how clearly anything swings in it.
+void rank(std::vector<Axis>& axes) {
+  for (std::size_t q = 0; q < quarters; ++q) {
+    double sum = 0, clear = 0;
+    for (const Axis& axis : axes) {
+      sum += axis.swings[q].clearness();
+      clear = std::max(clear, axis.swings[q].share);
+    }
+    if (sum > 0)
+      for (Axis& axis : axes) axis.score += clear * axis.swings[q].clearness() / sum;
+  }
+  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.score > b.score; });
 }
 
 }  // namespace
@@ -90,29 +117,24 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
                            const ReadOptions& options) {
   Result<Series> series = take_series(recording, column, run, options);
   if (series || !column.empty()) return series;
-  struct Axis {
-    Series series;
-    AxisSwing swing;
-  };
   std::vector<Axis> found;
   for (const Column* axis : axes_of(recording, run)) {
     auto taken = take_series(recording, column_title(*axis), run, options);
     if (!taken) return series;
-    const AxisSwing swing = clearest_swing(*taken);
-    found.push_back({*std::move(taken), swing});
+    found.emplace_back(*std::move(taken));
   }
-  std::stable_sort(found.begin(), found.end(), [](const Axis& one, const Axis& other) {
-    return one.swing.clearness > other.swing.clearness;
-  });
-  if (found.empty() || !(found.front().swing.clearness > 0)) return series;
+  rank(found);
+  if (found.empty() || !(found.front().score > 0)) return series;
+  const std::size_t quarter = found.front().clearest();
   Series liveliest = std::move(found.front().series);
   const std::string unit = unit_of(liveliest);
-  liveliest.notices.insert(liveliest.notices.begin(), Notice{"liveliest_axis_taken",
-                                                             {{"column", liveliest.column},
-                                                              {"amplitude", found[0].swing.amplitude},
-                                                              {"other", found[1].series.column},
-                                                              {"less", found[1].swing.amplitude},
-                                                              {"unit", unit.empty() ? unit : " " + unit}}});
+  liveliest.notices.insert(liveliest.notices.begin(),
+                           Notice{"liveliest_axis_taken",
+                                  {{"column", liveliest.column},
+                                   {"amplitude", found[0].swings[quarter].amplitude},
+                                   {"other", found[1].series.column},
+                                   {"less", found[1].swings[quarter].amplitude},
+                                   {"unit", unit.empty() ? unit : " " + unit}}});
   return liveliest;
 }
 
