@@ -91,6 +91,13 @@ TEST(CallC, ResultsAreWrittenAsTheProgramWritesThem) {
   }
 }
 
+TEST(CallC, WhatASensorWouldReadIsAnArray) {
+  const Answer run = call("simulate", R"({"stiffness": 9, "position": 1, "until": 2, "sensor_offset": 0.5})");
+  const std::vector<double> x = array(run, "1.x"), sensor = array(run, "1.sensor");
+  ASSERT_EQ(sensor.size(), x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(sensor[i], x[i] + 0.5, 1e-12);
+}
+
 TEST(CallC, AFormThatThereIsNotIsRefused) {
   const Answer methods = call("methods", "{}");
   for (const char* form : {"csv", "svg"})

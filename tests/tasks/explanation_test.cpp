@@ -168,11 +168,13 @@ TEST(RunInWords, SaysHowItSwung) {
         MeasuredOscillator{.angular_frequency = 3, .first_amplitude = first, .last_amplitude = last};
     return in_words(run_notice(run));
   };
-  EXPECT_EQ(swung(1, 0.5), "rk4 swung at 3 rad/s on average, from 1 m down to 0.5 m");
-  EXPECT_EQ(swung(0.5, 1), "rk4 swung at 3 rad/s on average, from 0.5 m up to 1 m");
+  EXPECT_EQ(swung(1, 0.5), "rk4 swung at 3 rad/s on average, from 1 m in its first half swing down to 0.5 m");
+  EXPECT_EQ(swung(0.5, 1), "rk4 swung at 3 rad/s on average, from 0.5 m in its first half swing up to 1 m");
   EXPECT_EQ(swung(1, 1.0009), "rk4 swung at 3 rad/s on average, 1.001 m to each side");
-  EXPECT_EQ(swung(1, 0.9989), "rk4 swung at 3 rad/s on average, from 1 m down to 0.9989 m");
-  EXPECT_EQ(swung(1, 1.0011), "rk4 swung at 3 rad/s on average, from 1 m up to 1.001 m");
+  EXPECT_EQ(swung(1, 0.9989),
+            "rk4 swung at 3 rad/s on average, from 1 m in its first half swing down to 0.9989 m");
+  EXPECT_EQ(swung(1, 1.0011),
+            "rk4 swung at 3 rad/s on average, from 1 m in its first half swing up to 1.001 m");
 }
 
 TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
@@ -216,9 +218,8 @@ TEST(RunInWords, TellsWhatLastsFromWhatComesAndGoes) {
   };
   // Its energy swings by w h/2 = 4.4 % of what is left.
   for (const double until : {29.7, 29.9, 30.1, 30.3})
-    EXPECT_THAT(
-        words("euler-cromer", until),
-        testing::ContainsRegex("the method itself added about 0.[12] %, beside 1.[0-9]* % that come and go$"))
+    EXPECT_THAT(words("euler-cromer", until),
+                testing::ContainsRegex("the method itself nothing, beside [12][.0-9]* % that come and go$"))
         << until;
   EXPECT_THAT(words("forward-euler", 30), testing::Not(testing::HasSubstr("come and go")));
   // Of what grows without end all is told, not the mean of its last half period.

@@ -11,9 +11,9 @@ export interface CurveLook {
 }
 
 const families: Record<string, [hue: string, dash: number[]]> = {
-  verlet: ['sky', []],
+  verlet: ['sky', [11, 4]],
   yoshida4: ['sky', [8, 3]],
-  rk4: ['amber', []],
+  rk4: ['amber', [11, 4]],
   heun: ['amber', [3, 3]],
   'dormand-prince': ['amber', [8, 3, 2, 3]],
   'implicit-midpoint': ['implicit-euler', [8, 3]],

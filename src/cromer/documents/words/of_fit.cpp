@@ -407,88 +407,16 @@ constexpr Entry entries[] = {
      " oder ein {times:.2g}-mal so großer Anfang"},
     {"or_a_larger_start", clause, " or a larger start", " oder ein größerer Anfang"},
 
-    // Lines through several masses
-    {"masses_unlike_recordings", error,
-     "{--masses}: {masses} masses are given for {recordings:recording|recordings}; each recording, and each "
-     "run in one, needs its own",
-     "{--masses}: {masses:Masse|Massen} für {recordings:Aufnahme|Aufnahmen}; jede Aufnahme und jeder Lauf "
-     "darin braucht eine eigene"},
-    {"run_left_out_of_line", worth_knowing, "{file}, run {run} is left out of the line: {why}",
-     "{file}, Lauf {run} bleibt aus der Geraden weg: {why}"},
-    {"mass_line_of_one_mass", error, "{--mass-line} needs at least two recordings of different masses",
-     "{--mass-line} braucht mindestens zwei Aufnahmen verschiedener Massen"},
-    {"period_does_not_grow", error,
-     "{--mass-line}: the period does not grow with the mass; are {--masses} in the order of the recordings?",
-     "{--mass-line}: die Periode wächst nicht mit der Masse; stehen {--masses} in der Reihenfolge der "
-     "Aufnahmen?"},
-    {"line_of_two", worth_knowing, "two masses always give a line: nothing shows whether it is one",
-     "zwei Massen geben immer eine Gerade: nichts zeigt, ob es eine ist"},
-    {"points_scatter", worth_knowing,
-     "the points scatter about the line by more than their errors give on average: {scatter:.2g} s² is added "
-     "to all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
-     "die Punkte streuen um die Gerade um mehr, als ihre Fehler im Mittel ergeben: {scatter:.2g} s² ist "
-     "allen "
-     "Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
-
-    // Masses at rest
-    {"no_meaning_with_static", error,
-     "{option:option} has no meaning with {--static}: a mass at rest has no motion; leave it out, or leave "
-     "out {--static}",
-     "{option:option} hat mit {--static} keinen Sinn: eine Masse in Ruhe bewegt sich nicht; bitte das eine "
-     "oder das andere weglassen"},
-    {"static_needs_positions", error,
-     "{file}: {--static} needs positions, and column \"{column}\" holds {kind}",
-     "{file}: {--static} braucht Orte, und die Spalte „{column}“ enthält {kind}"},
-    {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
-    {"plateaus_unlike_masses", error,
-     "{file}: {masses} masses are given, and {found:plateau is|plateaus are} found{where}; choose the part "
-     "with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
-     "{file}: {masses} Massen sind angegeben und {found:Ruhelage|Ruhelagen} gefunden{where}; bitte mit "
-     "{|{--from} und {--to}|den Griffen} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene "
-     "Datei geben"},
-    {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
-    {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
+    // Masses of runs
     {"masses_unlike_runs", error,
      "{file}: {masses} masses are given for {runs:run|runs}; {option:option} needs one for each",
      "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {option:option} braucht eine für jeden"},
-    {"masses_unlike_files", error,
-     "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
-     "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
     {"one_mass_for_unlike_runs", worth_knowing,
      "the runs' frequencies differ by {percent:.2g} %, and one mass is used for all; if the masses differ, "
      "give "
      "one for each: {--mass} \"0.1 kg, 0.2 kg\"",
      "die Frequenzen der Läufe unterscheiden sich um {percent:.2g} %, und für alle gilt eine Masse; sind es "
      "verschiedene, dann jede angeben: {--mass} \"0.1 kg, 0.2 kg\""},
-    {"more_holds_than_masses", error,
-     "{--masses}: {masses} masses are given, and there are more holds: {file} has {runs:run|runs}",
-     "{--masses}: {masses:Masse|Massen}, und es gibt mehr Ruhelagen: {file} hat {runs:Lauf|Läufe}"},
-    {"more_masses_than_holds", error, "{--masses}: {masses} masses are given for {holds:hold|holds}",
-     "{--masses}: {masses:Masse|Massen} für {holds:Ruhelage|Ruhelagen}"},
-    {"too_few_holds", error,
-     "{--masses}: a line needs at least two holds of different masses, and three where their errors are not "
-     "known",
-     "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
-     "Fehler nicht bekannt sind"},
-    {"holds_scatter", worth_knowing,
-     "the holds scatter about the line by more than their own errors give on average: {scatter:.2g} m is "
-     "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
-     "die Ruhelagen streuen um die Gerade um mehr, als ihre eigenen Fehler im Mittel ergeben: {scatter:.2g} "
-     "m "
-     "ist allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
-    {"hold_moves", wrong_if_ignored,
-     "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
-     "its mean is taken; choose a quiet part with {|{--from} and {--to}|the handles}, or fit its swing "
-     "without {--static}",
-     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:.2g} m "
-     "(Effektivwert), und der Mittelwert gilt; bitte mit {|{--from} und {--to}|den Griffen} einen ruhigen "
-     "Teil wählen oder "
-     "die Schwingung ohne {--static} anpassen"},
-    {"holds_out_of_order", wrong_if_ignored,
-     "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
-     "holds?",
-     "der Ort ändert sich mit wachsender Masse nicht immer in dieselbe Richtung: stehen {--masses} in der "
-     "Reihenfolge der Ruhelagen?"},
 
     // Simulations beside a recording
     {"compared_is_driven", error, "something drives this motion; compare lays free motions side by side",

@@ -75,7 +75,7 @@ Notice explanation(const CompareResult& comparison) {
   for (std::size_t i = curves.size(); i-- > 2;)
     if (Notice adds = method_adds(curves[i], unit); !adds.empty())
       method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
-  if (viscous && !rates.empty() && !constant && comparison.others_tried)
+  if (viscous && !is_linear(law.law) && !rates.empty() && !constant && comparison.others_tried)
     return Notice{"viscous_is_enough",
                   {{"first", rounded(first, 3)},
                    {"last", rounded(last, 3)},

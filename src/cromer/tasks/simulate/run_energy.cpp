@@ -1,7 +1,9 @@
 #include "cromer/tasks/simulate/run_energy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <variant>
@@ -175,26 +177,25 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   if (!run.measured || !run.energy_balance || run.trajectory.size() < 2) return std::nullopt;
   const double made = run.energy_balance->method();
   if (run.method == "exact") return MethodEnergy{made, 0};
+  // Eighths of the first half cycle, and the quarters of the last one.
   const std::vector<double>& t = run.trajectory.t;
-  const double quarter = two_pi / 4 / run.measured->angular_frequency;
-  const auto made_until = [&](double end) {
-    const auto last = std::lower_bound(t.begin(), t.end(), end) - t.begin();
+  const double quarter = two_pi / 4 / run.measured->angular_frequency, end = run.outcome.t;
+  std::array<double, 10> made_until{};
+  for (std::size_t i = 0; i < made_until.size(); ++i) {
+    const auto step = static_cast<double>(i + 1);
+    const double until = i < 8 ? step * quarter / 4 : end - (11 - step) * quarter;
+    const auto last = std::lower_bound(t.begin(), t.end(), until) - t.begin();
     const auto no_force = [](double) { return 0.0; };
-    return from_states(run, no_force, 0, static_cast<std::size_t>(last)).method();
-  };
-  const double ends = made + made_until(run.outcome.t - 2 * quarter),
-               between = 2 * made_until(run.outcome.t - quarter);
+    made_until[i] = from_states(run, no_force, 0, static_cast<std::size_t>(last)).method();
+  }
+  const double ends = made + made_until[8], between = 2 * made_until[9];
   const double mean = (ends + between) / 4, comes = std::abs(ends - between) / 4;
-  // A symplectic method loses nothing: where in its cycle the motion began sets it off by less than it
-  // swings.
+  // A symplectic method loses nothing: what its first cycle shows is where in it the motion began.
   if (find_method(run.method)->symplectic) {
-    double least = 0, most = 0;
-    for (int eighth = 1; eighth <= 8; ++eighth) {
-      const double then = made_until(eighth * quarter / 4);
-      least = std::min(least, then);
-      most = std::max(most, then);
-    }
-    if (std::abs(mean) <= most - least) return MethodEnergy{0, std::max(comes, std::abs(made))};
+    const double first =
+        std::accumulate(made_until.begin(), made_until.begin() + 8, -0.5 * made_until[7]) / 8;
+    const double lasting = mean - first, swings = std::max(comes, std::abs(made));
+    return MethodEnergy{std::abs(lasting) < 0.05 * swings ? 0 : lasting, swings};  // not known any better
   }
   // Of a growth without end nothing comes and goes.
   return MethodEnergy{comes < 0.05 * std::abs(made) ? made : mean, comes};
