@@ -132,8 +132,7 @@ class LabTold {
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
     if (has_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
-    const bool apart =
-        a.low > b.high || b.low > a.high || (b.value < a.value ? stretches_fall() : stretches_rise());
+    const bool apart = are_apart(a, b) || (b.value < a.value ? stretches_fall() : stretches_rise());
     return words(!first_doubt().empty() ? "report_rate_by_the_law"
                  : !apart               ? "report_rate_at_both"
                  : b.value < a.value    ? "report_rate_falls"

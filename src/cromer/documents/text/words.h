@@ -22,6 +22,9 @@ std::string_view term_of(const Law& law, std::string_view parameter);
 /// Of several terms that damp, the decay rate is the viscous one's alone.
 bool is_viscous_part(const Law& law, std::string_view parameter);
 
+/// Whether the 95 % intervals have nothing in common.
+bool are_apart(const Estimate& one, const Estimate& other);
+
 /// Whether the decay rates at both ends of a record are the same, by the law.
 bool is_one_rate(const Parameter& start, const Parameter& end);
 

@@ -6,6 +6,11 @@ namespace {
 using enum Use;
 
 constexpr Entry entries[] = {
+    // A mass for each file
+    {"masses_unlike_files", error,
+     "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
+     "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
+
     // Lines through several masses
     {"masses_unlike_recordings", error,
      "{--masses}: {masses} masses are given for {recordings:recording|recordings}; each recording, and each "
@@ -47,9 +52,6 @@ constexpr Entry entries[] = {
      "Datei geben"},
     {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
     {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
-    {"masses_unlike_files", error,
-     "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
-     "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
     {"more_holds_than_masses", error,
      "{--masses}: {masses} masses are given, and there are more holds: {file} has {runs:run|runs}",
      "{--masses}: {masses:Masse|Massen}, und es gibt mehr Ruhelagen: {file} hat {runs:Lauf|Läufe}"},
