@@ -470,6 +470,27 @@ TEST(DoorSpectrum, HalfSineHasItsClosedForm) {
       cromer::response_spectrum(acceleration, 5e-4, {.periods = periods, .second = acceleration});
   ASSERT_TRUE(two);
   EXPECT_NEAR(two->rotd100[0] / two->displacement[0], std::sqrt(2), 1e-9);
+  // Undamped, the mass's absolute acceleration is w^2 x, and w x its pseudo-velocity.
+  for (const auto& [of, scale] : {std::pair{cromer::ShockResponse::absolute_acceleration, w * w},
+                                  std::pair{cromer::ShockResponse::pseudo_velocity, w}}) {
+    const auto shock =
+        cromer::response_spectrum(acceleration, 5e-4, {.damping_ratio = 0, .shock = of, .periods = periods});
+    ASSERT_TRUE(shock) << shock.error().message();
+    ASSERT_EQ(shock->shock.size(), 1u);
+    EXPECT_NEAR(shock->shock[0].maximax() / (scale * largest), 1, 2e-6);
+    EXPECT_TRUE(shock->displacement.empty() && shock->pseudo_velocity.empty());
+  }
+}
+
+TEST(DoorSpectrum, ASpringYieldsAtItsDuctility) {
+  // A step of the ground's acceleration, undamped: the elastic spring reaches 2 a/w^2. One that yields at u_y
+  // does the step's work: a u = w^2 (u_y u - u_y^2/2), so u_y = a/w^2 2 mu/(2 mu - 1) for a ductility mu.
+  const std::vector<double> step(2001, 1.0), periods{1};
+  const double w = 2 * std::numbers::pi, ductility = 4;
+  const auto spectrum =
+      cromer::response_spectrum(step, 1e-3, {.damping_ratio = 0, .ductility = ductility, .periods = periods});
+  ASSERT_TRUE(spectrum) << spectrum.error().message();
+  EXPECT_NEAR(spectrum->displacement[0] * w * w, 2 * ductility / (2 * ductility - 1), 1e-6);
 }
 
 TEST(DoorSpectrum, ErrorsNameTheArgument) {
@@ -484,6 +505,10 @@ TEST(DoorSpectrum, ErrorsNameTheArgument) {
   refused(cromer::response_spectrum(a, 0.01, {.damping_ratio = -1}), "damping_ratio");
   refused(cromer::response_spectrum(a, 0.01, {.periods = negative}), "periods");
   refused(cromer::response_spectrum(a, 0.01, {.second = short_one}), "second");
+  refused(cromer::response_spectrum(a, 0.01, {.ductility = 0.5}), "ductility");
+  refused(cromer::response_spectrum(a, 0.01, {.ductility = 2, .second = a}), "ductility");
+  refused(cromer::response_spectrum(a, 0.01, {.shock = static_cast<cromer::ShockResponse>(5)}), "shock");
+  refused(cromer::response_spectrum(a, 0.01, {.shock = cromer::ShockResponse{}, .second = a}), "shock");
 }
 
 TEST(DoorSweep, TheResonanceCurveIsKnown) {

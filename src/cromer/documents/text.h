@@ -35,7 +35,7 @@ std::string failure_text(const FittedRecording& fitted);
 std::string spectrum_text(const SpectrumResult& result);
 
 /// "relative displacement"
-std::string readable_response(ShockOf of);
+std::string readable_response(ShockResponse of);
 
 /// What was taken off the recordings; "" for nothing: "corrected: linear baseline taken off; ...". `brief`
 /// leaves out how the filter was run.

@@ -30,10 +30,11 @@ ResponseSpectrum spectrum_of(std::shared_ptr<const core::SpectrumResult> result)
   if (!result->interrupted) {
     const core::ResponseSpectrum& found = result->spectra.front();
     spectrum.period = result->periods;
-    spectrum.displacement = found.displacement.front();
+    if (!found.displacement.empty()) spectrum.displacement = found.displacement.front();
     spectrum.rotd50 = found.rotd50;
     spectrum.rotd100 = found.rotd100;
-    for (std::size_t i = 0; i < spectrum.period.size(); ++i) {
+    spectrum.shock = found.shock;
+    for (std::size_t i = 0; i < spectrum.displacement.size(); ++i) {
       spectrum.pseudo_velocity.push_back(core::pseudo_velocity(spectrum.displacement[i], spectrum.period[i]));
       spectrum.pseudo_acceleration.push_back(
           core::pseudo_acceleration(spectrum.displacement[i], spectrum.period[i]));
@@ -50,6 +51,9 @@ Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration,
   if (auto good = core::check_enumerator(options.peaks, 3, "peaks"); !good) return good.error();
   if (auto good = core::check_enumerator(options.between, 3, "between"); !good) return good.error();
   if (auto good = core::check_samples(options.periods, "periods", 0); !good) return good.error();
+  if (options.shock)
+    if (auto good = core::check_enumerator(*options.shock, shock_responses.size(), "shock"); !good)
+      return good.error();
   auto components = core::components_of(acceleration, options.second, spacing);
   if (!components) return components.error();
   core::SpectrumOptions asked;
@@ -57,6 +61,9 @@ Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration,
     asked.loss_factor = {core::shortest(*options.loss_factor)};
   else
     asked.damping_ratio = {core::shortest(options.damping_ratio)};
+  if (options.ductility) asked.ductility = {core::shortest(*options.ductility)};
+  asked.shock = options.shock.has_value();
+  if (options.shock) asked.shock_response = name(*options.shock);
   asked.these_periods.assign(options.periods.begin(), options.periods.end());
   if (options.peaks != Peaks::continuous) asked.peaks = name(options.peaks);
   if (options.between != BetweenSamples::linear) asked.between_samples = name(options.between);

@@ -18,7 +18,7 @@ enum class MotionPanel { position, velocity, energy, phase };
 
 /// Their names, separated by commas, as --help has them.
 inline constexpr std::string_view panels_help =
-    "panels of --plot, one under the other, in this order: position, velocity, energy (kinetic plus "
+    "panels of the plot, one under the other, in this order: position, velocity, energy (kinetic plus "
     "potential), each against time, and phase (the phase portrait: velocity against position)";
 
 /// "position,velocity" in that order; empty: position alone. An Error names a panel that does not exist, with

@@ -32,13 +32,13 @@ inline double written_acceleration(const SpectrumResult& result) {
 /// The unit of a shock spectrum as it is written, and its size in SI.
 inline constexpr std::string_view shock_unit_as_written = "m/s², g, m/s or m";
 inline bool shock_is_acceleration(const SpectrumResult& result) {
-  return result.shock_of == ShockOf::absolute_acceleration ||
-         result.shock_of == ShockOf::equivalent_static_acceleration;
+  return result.shock_of == ShockResponse::absolute_acceleration ||
+         result.shock_of == ShockResponse::equivalent_static_acceleration;
 }
 inline std::string_view shock_unit(const SpectrumResult& result) {
-  return shock_is_acceleration(result)                       ? written_unit(result)
-         : result.shock_of == ShockOf::relative_displacement ? "m"
-                                                             : "m/s";
+  return shock_is_acceleration(result)                             ? written_unit(result)
+         : result.shock_of == ShockResponse::relative_displacement ? "m"
+                                                                   : "m/s";
 }
 inline double written_shock(const SpectrumResult& result) {
   return shock_is_acceleration(result) ? written_acceleration(result) : 1;
@@ -332,8 +332,7 @@ struct Described<SpectrumDocument> {
       field(
           "shock_response",
           [](const S& s) {
-            return s.result.options.shock ? std::optional(cromer::core::name(s.result.shock_of))
-                                          : std::nullopt;
+            return s.result.options.shock ? std::optional(cromer::name(s.result.shock_of)) : std::nullopt;
           },
           "", "of which response a shock spectrum is: absolute-acceleration, ...")
           .left_out(),

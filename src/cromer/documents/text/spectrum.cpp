@@ -180,7 +180,7 @@ std::string correction_text(const Correction& correction, bool brief) {
                      : " (forwards and backwards, -6 dB at a corner, zeros added at both ends)");
 }
 
-std::string readable_response(ShockOf of) {
+std::string readable_response(ShockResponse of) {
   std::string words(name(of));
   std::replace(words.begin(), words.end(), '-', ' ');
   return words;

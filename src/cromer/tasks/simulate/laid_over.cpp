@@ -14,7 +14,7 @@ std::vector<Option> options_of(OverOptions& o) {
   constexpr std::string_view group = "A recording under the runs";
   return {
       {"over", &o.file, "", Range::any,
-       "file with a recording that the runs are laid over: dots in --plot, and how far each run is from it",
+       "file with a recording that the runs are laid over: dots in the plot, and how far each run is from it",
        "none", group},
       {"over-column", &o.column, "", Range::any, "its column", "a position, else an angle", group},
       {"over-run", &o.run, "", Range::positive, "its run", "1", group},

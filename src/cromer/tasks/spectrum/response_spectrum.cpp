@@ -51,11 +51,11 @@ std::vector<LinearLaw<double>> laws_of(std::span<const double> periods, double d
   return laws;
 }
 
-ResponseOf searched_for(ShockOf of) {
+ResponseOf searched_for(ShockResponse of) {
   switch (of) {
-    case ShockOf::absolute_acceleration:
+    case ShockResponse::absolute_acceleration:
       return ResponseOf::absolute_acceleration;
-    case ShockOf::relative_velocity:
+    case ShockResponse::relative_velocity:
       return ResponseOf::velocity;
     default:
       return ResponseOf::displacement;
@@ -63,16 +63,16 @@ ResponseOf searched_for(ShockOf of) {
 }
 
 /// The response over what is searched for, whose sign is turned unless it is the acceleration.
-double scale_of(ShockOf of, double w) {
+double scale_of(ShockResponse of, double w) {
   switch (of) {
-    case ShockOf::absolute_acceleration:
+    case ShockResponse::absolute_acceleration:
       return 1;
-    case ShockOf::relative_velocity:
-    case ShockOf::relative_displacement:
+    case ShockResponse::relative_velocity:
+    case ShockResponse::relative_displacement:
       return -1;
-    case ShockOf::pseudo_velocity:
+    case ShockResponse::pseudo_velocity:
       return -w;
-    case ShockOf::equivalent_static_acceleration:
+    case ShockResponse::equivalent_static_acceleration:
       return w * w;
   }
   return 1;
@@ -110,7 +110,7 @@ void extend_yielding(ResponseSpectrum& spectrum, const GroundMotion& ground,
 
 /// Adds a slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
-            std::span<const LinearLaw<double>> laws, PeakSearch search, std::optional<ShockOf> shock) {
+            std::span<const LinearLaw<double>> laws, PeakSearch search, std::optional<ShockResponse> shock) {
   if (shock) {
     search.quantity = searched_for(*shock);
     search.largest_alone = false;
@@ -238,7 +238,7 @@ struct Asked {
   std::vector<double> ratios, ductilities;
   KernelUnit unit;
   Correction correction;
-  ShockOf shock;
+  ShockResponse shock;
 };
 
 Result<Asked> asked_of(const SpectrumOptions& options) {
@@ -257,8 +257,13 @@ Result<Asked> asked_of(const SpectrumOptions& options) {
   const auto shock = choice("shock-response", options.shock_response, shock_responses);
   if (!shock) return shock.error();
   if (!options.shock && !options.shock_response.empty()) return Error{"response_without_shock"};
-  return Asked{*peaks, *between,    *std::move(ratios),          *std::move(ductilities),
-               *unit,  *correction, static_cast<ShockOf>(*shock)};
+  return Asked{*peaks,
+               *between,
+               *std::move(ratios),
+               *std::move(ductilities),
+               *unit,
+               *correction,
+               static_cast<ShockResponse>(*shock)};
 }
 
 /// Makes the components once the options are checked; its notices come first.

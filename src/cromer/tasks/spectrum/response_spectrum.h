@@ -1,7 +1,6 @@
 // Task: response and shock spectra of a recorded acceleration.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include "cromer/ensemble/response_peaks.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
+#include "cromer/spectrum.h"
 #include "cromer/tasks/spectrum/correction.h"
 
 namespace cromer::core {
@@ -62,30 +62,6 @@ struct Component {
   double duration() const { return spacing * static_cast<double>(samples - 1); }
 };
 
-/// Whose extremes a shock spectrum has (ISO 18431-4): of the mass on a base that moves as recorded. z is its
-/// displacement relative to the base.
-enum class ShockOf {
-  absolute_acceleration,
-  relative_velocity,              // dz/dt
-  relative_displacement,          // z
-  pseudo_velocity,                // w z
-  equivalent_static_acceleration  // -w^2 z, what the spring alone gives the mass
-};
-inline constexpr std::array<std::string_view, 5> shock_responses{"absolute-acceleration", "relative-velocity",
-                                                                 "relative-displacement", "pseudo-velocity",
-                                                                 "equivalent-static-acceleration"};
-constexpr std::string_view name(ShockOf of) { return shock_responses[static_cast<std::size_t>(of)]; }
-
-/// Extremes of that response, all as magnitudes, in SI.
-struct Shock {
-  double primary;   ///< while the shock lasts
-  double residual;  ///< after it
-  double positive;  ///< towards positive values, during or after
-  double negative;  ///< towards negative values, during or after
-
-  double maximax() const { return std::max(positive, negative); }
-};
-
 /// The spectrum of one damping ratio, at all periods.
 struct ResponseSpectrum {
   double damping_ratio = 0;
@@ -104,7 +80,7 @@ double pseudo_acceleration(double displacement, double period);
 struct SpectrumResult {
   SpectrumOptions options;  ///< as used, defaults filled in
   Peaks peaks = Peaks::continuous;
-  ShockOf shock_of = ShockOf::absolute_acceleration;
+  ShockResponse shock_of = ShockResponse::absolute_acceleration;
   Correction correction{};
   std::vector<double> periods{};  // [s] in the order asked for
   std::vector<Component> components{};
