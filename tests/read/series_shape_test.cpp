@@ -83,6 +83,10 @@ TEST(Rounding, WildValuesTellNothing) {
   EXPECT_EQ(rounding_step(Values{0.1, 0.2, 1e30}), 0);
 }
 
+TEST(Rounding, IsSeenFarFromZeroToo) {
+  EXPECT_NEAR(rounding_step(made(400, [](int i) { return 1e8 + i * 7 % 5 * 0.01; })), 0.01, 1e-7);
+}
+
 TEST(Rounding, ValuesAsFarApartAsNumbersCanBeDoNoHarm) {
   const double step =
       rounding_step(made(400, [](int i) { return i % 2 == 0 ? 1.7e308 / (1 + i) : -1.7e308 + i * 1e300; }));

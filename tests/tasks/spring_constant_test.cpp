@@ -55,6 +55,27 @@ TEST(StaticStiffness, IsFoundFromThePlateausOfOneRun) {
   EXPECT_LT(result->stiffness.standard_error, 2e-3 * k);
 }
 
+// Lowered by hand within a second: between two samples it moves less than the noise.
+TEST(StaticStiffness, AMassLoweredSlowlyIsNotHeldOnItsWay) {
+  const auto masses = grams({40, 60, 80});
+  const std::vector<double> levels{0.40, 0.35, 0.30};
+  Series series;
+  series.quantity = "position";
+  series.rate = 1000;
+  NormalDeviates normal(3);
+  for (int i = 0; i < 30'000; ++i) {
+    const double t = i / 1000.0, since = std::fmod(t, 10), down = std::min(since, 1.0);
+    const auto which = static_cast<std::size_t>(t / 10);
+    const double from = which == 0 ? levels[0] : levels[which - 1];
+    series.t.push_back(t);
+    series.y.push_back(from + (levels[which] - from) * down + 1e-4 * normal.next());
+  }
+  const auto holds = find_holds({series}, "hold.csv", masses);
+  ASSERT_TRUE(holds.ok()) << in_words(holds.error());
+  ASSERT_EQ(holds->size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*holds)[i].position, levels[i], 1e-4);
+}
+
 TEST(StaticStiffness, ItsIntervalHoldsTheTruthAsOftenAsItSays) {
   const double k = 3.2, g = 9.81;
   const auto masses = grams({40, 60, 80, 100});
