@@ -1,0 +1,30 @@
+// The modes in a recording of several channels, whether random forces keep it moving or it was let go.
+#pragma once
+
+#include <vector>
+
+#include "cromer/identify/modal/modal_record.h"
+#include "cromer/identify/modal/spectral_matrix.h"
+
+namespace cromer::core {
+
+enum class ModalMotion { ambient, free_decay };
+
+struct ModalAnalysis {
+  ModalMotion motion = ModalMotion::ambient;
+  std::vector<MeasuredMode> modes;  ///< by rising frequency
+  double decaying_share =
+      0;  ///< of the power about the modes: what a decay from the first sample accounts for
+  SpectralMatrix spectrum;
+  std::vector<SpectralPeak> peaks;
+  std::vector<StabilityPole> poles;  ///< the stabilisation diagram
+  int highest_order = 0;             ///< 0 where the record is too short to look for modes
+  int lags = 0;
+  double lag_step = 0;  // [s]
+};
+
+/// A free decay is what nine tenths of the power about the modes follow; all else is ambient vibration. No
+/// channel may be constant.
+ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings = {});
+
+}  // namespace cromer::core

@@ -1,0 +1,59 @@
+// A motion that several sensors recorded at once, and the modes of the structure that made it.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "cromer/quantity.h"
+
+namespace cromer::core {
+
+/// Channels of one kind (accelerations, say) at even times.
+struct ModalRecord {
+  std::vector<std::span<const double>> channels;  ///< at least one; all of one length, no NaN
+  double step = 1;                                // [s] > 0 from sample to sample
+  std::vector<std::size_t> starts{0};  ///< the first sample of each stretch without a gap, from 0 on
+  std::vector<double> times{};         // [s] of the samples; empty if there is no gap
+
+  std::size_t samples() const { return channels.front().size(); }
+  double time(std::size_t i) const { return times.empty() ? static_cast<double>(i) * step : times[i]; }
+};
+
+struct MeasuredMode {
+  Estimate frequency;  // [Hz] size of the eigenvalue over 2 pi
+  Estimate damping_ratio;
+  std::vector<std::complex<double>> shape;        ///< by channel; the largest component is 1
+  std::vector<std::complex<double>> shape_error;  ///< standard errors of its real and imaginary parts
+  std::complex<double> eigenvalue{};              // [1/s]
+  int order = 0;                                  ///< of the model that it is taken from; 0 of a free decay
+  int seen = 0;                                   ///< at so many orders; 0 of a free decay
+  double lifetimes = 0;  ///< decay times 1/(damping ratio times angular frequency) that the record holds
+};
+
+struct ModalSettings {
+  double from = 0;                                      // [Hz] only modes between
+  double to = std::numeric_limits<double>::infinity();  // [Hz]
+  int modes = 0;  ///< so many at most, those seen at most orders; 0: all
+};
+
+/// A pole of one order, as the stabilisation diagram shows it.
+struct StabilityPole {
+  int order = 0;
+  double frequency = 0;  // [Hz]
+  double damping_ratio = 0;
+  bool stable =
+      false;  ///< frequency within 1 %, damping within a half, shape within MAC 0.95 of the order before
+  bool first = false;        ///< not stable itself, but the next order has it still
+  int mode = -1;             ///< which group of poles it belongs to; -1: none
+  std::ptrdiff_t index = 0;  ///< among its order's eigenvalues
+  std::vector<std::complex<double>> shape;
+};
+
+/// Modal assurance criterion: 1 for the same shape, 0 for orthogonal ones (R. J. Allemang & D. L. Brown,
+/// Proc. 1st Int. Modal Analysis Conf., 110 (1982)). Of one length, neither all zero.
+double modal_assurance(std::span<const std::complex<double>> a, std::span<const std::complex<double>> b);
+
+}  // namespace cromer::core

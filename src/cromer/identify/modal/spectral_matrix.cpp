@@ -1,0 +1,106 @@
+#include "cromer/identify/modal/spectral_matrix.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+namespace cromer::core {
+namespace {
+
+std::size_t segment_length(const ModalRecord& record) {
+  std::size_t longest = 0;
+  for (std::size_t p = 0; p < record.starts.size(); ++p) {
+    const std::size_t end = p + 1 < record.starts.size() ? record.starts[p + 1] : record.samples();
+    longest = std::max(longest, end - record.starts[p]);
+  }
+  constexpr std::size_t segments = 16, shortest = 16, most = 4096;
+  std::size_t length = shortest;
+  while (2 * length <= most && 2 * length * segments <= record.samples() && 2 * length <= longest)
+    length *= 2;
+  return length;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+SpectralMatrix spectral_matrix(const ModalRecord& record) {
+  const std::size_t length = segment_length(record), half = length / 2, channels = record.channels.size();
+  std::vector<double> window(length);
+  double power = 0;
+  for (std::size_t i = 0; i < length; ++i) {
+    window[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) /
+                                     static_cast<double>(length));
+    power += window[i] * window[i];
+  }
+  std::vector<double> mean(channels);
+  for (std::size_t c = 0; c < channels; ++c) {
+    for (const double each : record.channels[c]) mean[c] += each;
+    mean[c] /= static_cast<double>(record.samples());
+  }
+  const auto r = static_cast<Eigen::Index>(channels);
+  std::vector<Eigen::MatrixXcd> spectra(half + 1, Eigen::MatrixXcd::Zero(r, r));
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<double> segment(length);
+  std::vector<std::complex<double>> transform;
+  Eigen::MatrixXcd lines(r, static_cast<Eigen::Index>(half + 1));
+  SpectralMatrix result;
+  for (std::size_t p = 0; p < record.starts.size(); ++p) {
+    const std::size_t end = p + 1 < record.starts.size() ? record.starts[p + 1] : record.samples();
+    for (std::size_t from = record.starts[p]; from + length <= end; from += half) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        for (std::size_t i = 0; i < length; ++i)
+          segment[i] = window[i] * (record.channels[c][from + i] - mean[c]);
+        fft.fwd(transform, segment);
+        for (std::size_t k = 0; k <= half; ++k)
+          lines(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) = transform[k];
+      }
+      for (std::size_t k = 0; k <= half; ++k) {
+        const auto line = lines.col(static_cast<Eigen::Index>(k));
+        spectra[k].noalias() += line * line.adjoint();
+      }
+      ++result.averages;
+    }
+  }
+  result.step = 1 / (static_cast<double>(length) * record.step);
+  const double scale = 2 * record.step / (power * std::max(1, result.averages));
+  for (const Eigen::MatrixXcd& each : spectra) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(each, Eigen::EigenvaluesOnly);
+    std::vector<double> values(channels);
+    for (std::size_t c = 0; c < channels; ++c)
+      values[c] = scale * std::max(0.0, solver.eigenvalues()(r - 1 - static_cast<Eigen::Index>(c)));
+    result.singular.push_back(std::move(values));
+  }
+  return result;
+}
+
+std::vector<SpectralPeak> spectral_peaks(const SpectralMatrix& matrix) {
+  const std::size_t n = matrix.singular.size(), reach = std::max<std::size_t>(8, n / 12);
+  // Averages of squares scatter as chi-squared; half-overlapping ones as if they were fewer by a sixth.
+  const double least = 1 + 8 / std::sqrt(std::max(1.0, matrix.averages * 5 / 6.0));
+  std::vector<SpectralPeak> peaks;
+  const auto first = [&](std::size_t k) { return matrix.singular[k].front(); };
+  for (std::size_t k = 2; k + 1 < n; ++k) {
+    if (!(first(k) > first(k - 1) && first(k) >= first(k + 1) && first(k + 1) > 0)) continue;
+    std::vector<double> around;
+    for (std::size_t i = k > reach ? k - reach : 1; i < std::min(n, k + reach + 1); ++i)
+      around.push_back(first(i));
+    const double prominence = first(k) / median_of(std::move(around));
+    if (!(prominence > least)) continue;
+    const double before = std::log(first(k - 1)), at = std::log(first(k)), after = std::log(first(k + 1));
+    const double bend = before - 2 * at + after, shift = bend < 0 ? (before - after) / (2 * bend) : 0;
+    peaks.push_back({(static_cast<double>(k) + shift) * matrix.step, prominence});
+  }
+  return peaks;
+}
+
+}  // namespace cromer::core
