@@ -110,14 +110,17 @@ Result<void> check_motion(const std::string& motion, const OutputOptions& output
   return check_outputs(same, inputs, "--motion");
 }
 
-/// The fits and, where one was asked for, the line through them.
-Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<MassLine>& line, bool many) {
+/// The fits and, where one was asked for, the line through them; and which files an interruption has left
+/// out.
+Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<MassLine>& line,
+                 const std::vector<std::string>& missing, bool many) {
   Answer answer{.text =
                     [&fits, &line, many] {
                       const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
                       return line ? of_fits + mass_line_text(*line) : of_fits;
                     },
-                .json = [&fits, &line, many] { return line ? to_json(fits, *line) : to_json(fits, many); },
+                .json = [&fits, &line, &missing,
+                         many] { return line ? to_json(fits, *line) : to_json(fits, many, {}, missing); },
                 .csv = [&fits, &line] { return line ? mass_line_csv(*line) : fit_csv(fits); },
                 .figure = [&fits, &line] { return line ? mass_line_figure(*line) : fit_figure(fits); }};
   for (auto of_file = fits.begin(), end = of_file; of_file != fits.end(); of_file = end) {
@@ -180,7 +183,11 @@ int run_fit(const Arguments& arguments) {
   clear_progress();
   if (!fits) return refuse(fits.error());
   const bool interrupted = watch.interrupted();
-  if (interrupted) complain(interrupted_at("results", "files", found->files, files_of(*fits)));
+  std::vector<std::string> missing;
+  if (interrupted) {
+    missing = missing_of(found->files, files_of(*fits));
+    complain(interrupted_at("results", "files", found->files.size(), missing));
+  }
   const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
                                                 [](const auto& each) { return each.succeeded(); });
   std::optional<MassLine> line;
@@ -194,7 +201,7 @@ int run_fit(const Arguments& arguments) {
     else
       return refuse(through.error());
   }
-  Answer answer = answer_of(*fits, line, found->many);
+  Answer answer = answer_of(*fits, line, missing, found->many);
   answer.good = good;
   if (no_line) answer.failures.push_back(in_words(*no_line));
   answer.notices.insert(answer.notices.end(), found->notes.begin(), found->notes.end());

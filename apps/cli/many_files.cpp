@@ -112,14 +112,19 @@ void for_each_file(std::size_t count, const Watch& watch,
   for (auto& thread : others) thread.join();
 }
 
-std::string interrupted_at(std::string_view results, std::string_view things,
-                           const std::vector<std::string>& all, const std::vector<std::string>& done) {
-  constexpr std::size_t most_named = 5;
-  std::vector<std::string_view> missing;
+std::vector<std::string> missing_of(const std::vector<std::string>& all,
+                                    const std::vector<std::string>& done) {
+  std::vector<std::string> missing;
   for (const std::string& each : all)
     if (std::find(done.begin(), done.end(), each) == done.end()) missing.push_back(each);
+  return missing;
+}
+
+std::string interrupted_at(std::string_view results, std::string_view things, std::size_t all,
+                           std::vector<std::string> missing) {
+  constexpr std::size_t most_named = 5;
   std::string said = fmt::format("interrupted; what follows are the {} of {} of {} {}", results,
-                                 all.size() - missing.size(), all.size(), things);
+                                 all - missing.size(), all, things);
   if (missing.empty()) return said;
   const std::size_t more = missing.size() - std::min(missing.size(), most_named);
   missing.resize(missing.size() - more);

@@ -30,9 +30,12 @@ Result<RecordingFiles> recording_files(const std::vector<std::string>& named);
 void for_each_file(std::size_t count, const Watch& watch,
                    FunctionRef<void(std::size_t i, const Watch& watch)> work);
 
-/// "interrupted; what follows are the fits of 3 of 5 files; missing: d.csv, e.csv": `all` in their order, of
-/// which `done` has the finished ones.
-std::string interrupted_at(std::string_view results, std::string_view things,
-                           const std::vector<std::string>& all, const std::vector<std::string>& done);
+/// Those of `all` that are not `done`, in their order.
+std::vector<std::string> missing_of(const std::vector<std::string>& all,
+                                    const std::vector<std::string>& done);
+
+/// "interrupted; what follows are the fits of 3 of 5 files; missing: d.csv, e.csv": of `all` files.
+std::string interrupted_at(std::string_view results, std::string_view things, std::size_t all,
+                           std::vector<std::string> missing);
 
 }  // namespace cromer::core::cli

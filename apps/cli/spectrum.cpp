@@ -48,10 +48,12 @@ Result<void> check_csv(const char* option, const std::string& file, const char* 
   return check_outputs(same, inputs, option);
 }
 
-Result<void> check_output(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
+Result<void> check_output(const SpectrumOutput& output, const SpectrumOptions& options,
+                          const std::vector<std::string>& inputs) {
   if (auto good = check_outputs(output.common, inputs); !good) return good;
   if (output.tripartite && output.common.plot.empty()) return Error{"tripartite_without_plot"};
-  if (output.tripartite && shock) return Error{"tripartite_of_shock"};
+  if (output.tripartite && options.shock && options.shock_response != name(ShockResponse::pseudo_velocity))
+    return Error{"tripartite_of_shock"};
   const std::pair<const char*, const std::string*> table{"-o", &output.common.output},
       fourier{"--fourier", &output.fourier};
   if (auto good = check_csv("--fourier", output.fourier, "fourier_is_csv", {table}, inputs); !good)
@@ -198,11 +200,15 @@ int run_many(const Motions& files, std::vector<Notice> notes, const SpectrumOpti
   const std::vector<MotionSpectra> motions = spectra_of(files, options, watch);
   clear_progress();
   const bool interrupted = watch.interrupted();
-  if (interrupted) complain(interrupted_at("spectra", "motions", first_files(files), first_files(motions)));
+  std::vector<std::string> missing;
+  if (interrupted) {
+    missing = missing_of(first_files(files), first_files(motions));
+    complain(interrupted_at("spectra", "motions", files.size(), missing));
+  }
   const auto succeeded = [](const MotionSpectra& motion) { return motion.succeeded(); };
   const bool any = std::any_of(motions.begin(), motions.end(), succeeded);
   Answer answer{.text = [&] { return spectra_text(motions); },
-                .json = [&] { return to_json(std::span(motions)); },
+                .json = [&] { return to_json(std::span(motions), {}, missing); },
                 .csv_pieces = [&](const PieceSink& write) -> Result<void> {
                   if (!any) return Error{"nothing_to_write", {{"file", output.common.output}}};
                   const std::string head = provenance(output.common, "spectrum", arguments);
@@ -268,7 +274,7 @@ int run_spectrum(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, names)) return *status;
   const auto found = recording_files(names);
   if (!found) return refuse(found.error());
-  if (auto good = check_output(output, options.shock, found->files); !good) return refuse(good.error());
+  if (auto good = check_output(output, options, found->files); !good) return refuse(good.error());
   const auto motions = motions_of(*found, files);
   if (!motions) return refuse(motions.error());
   options.memory = os::memory() / 2;  // what is computed is written out once more as text

@@ -203,8 +203,11 @@ TEST(Spectrum, AnInterruptLeavesTheMotionsThatAreDone) {
       end.err,
       ::testing::ContainsRegex(
           "interrupted; what follows are the spectra of [0-9]+ of 400 motions; missing: .*and [0-9]+ more"));
-  const auto motions = end.json()["motions"];
+  const auto document = end.json();
+  const auto motions = document["motions"];
   EXPECT_LT(motions.size(), 400u);
+  EXPECT_EQ(document["missing"].size(), 400 - motions.size());
+  EXPECT_EQ(document["missing"].back(), "r399.csv");
   const std::size_t rows = lines_of(folder.read("done.csv")).size();
   EXPECT_EQ(rows, 1 + 2000 * motions.size());
 }
@@ -431,6 +434,10 @@ TEST(Spectrum, FiguresSayEveryDampingRatio) {
   EXPECT_THAT(figure({"h2.csv"}), HasSubstr("pseudo-acceleration at 5 % damping (m/s²)"));
   EXPECT_THAT(figure({"h2.csv", "--tripartite"}), HasSubstr("pseudo-velocity at 5 % damping (m/s)"));
   EXPECT_THAT(figure({"--shock"}), HasSubstr("largest absolute acceleration at 5 % damping (m/s²)"));
+  const std::vector<std::string> paper{"--shock", "--shock-response", "pseudo-velocity", "--tripartite"};
+  const std::string shock = figure(paper);
+  EXPECT_THAT(shock, HasSubstr("largest pseudo-velocity (m/s)"));
+  EXPECT_THAT(shock, HasSubstr("Tripartite shock response spectrum"));
   for (const char* way : {"--in-g", "--tripartite"}) {
     const std::string both = figure({"h2.csv", "--damping-ratio", "2%,10%", way});
     EXPECT_THAT(both, HasSubstr("RotD50, 2 % damping")) << way;
@@ -507,7 +514,7 @@ TEST(Spectrum, BadInputWritesNothing) {
   refused({"quake.csv", "--peaks", "sampls"}, "did you mean samples?");
   refused({"quake.csv", "--between-samples", "spline"}, "linear, hold or band-limited");
   refused({"quake.csv", "--column", "acx"}, "acx");
-  refused({"quake.csv", "--tripartite", "--shock"}, "--tripartite");
+  refused({"quake.csv", "--tripartite", "--shock"}, "--shock-response pseudo-velocity");
   refused({"quake.csv", "--dampingratio", "1"}, "did you mean --damping-ratio?");
   EXPECT_EQ(folder.run({"spectrum", "quake.csv", "--tripartite"}).status, 2);
 }

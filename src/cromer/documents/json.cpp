@@ -56,7 +56,8 @@ std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice
   return to_text(json_of(SpectrumDocument{result, with_fourier, with_curves}, voice), with_fourier);
 }
 
-std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice) {
+std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice,
+                    std::span<const std::string> missing) {
   // Motion by motion: as a tree of values all of them would need ten times the memory.
   std::string out = "{\"motions\":[";
   std::size_t failed = 0;
@@ -71,6 +72,7 @@ std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice) 
   if (failed > 0)
     out += ",\"message\":" +
            Json(said(Notice{"motions_failed", {{"failed", failed}, {"all", motions.size()}}}, voice)).dump();
+  if (!missing.empty()) out += ",\"missing\":" + Json(missing).dump();
   return out + "}\n";
 }
 
@@ -113,8 +115,12 @@ Json list_of(std::span<const FittedRecording> fits, const Voice& voice) {
 
 }  // namespace
 
-std::string to_json(std::span<const FittedRecording> fits, bool as_list, const Voice& voice) {
-  return to_text(fits.size() == 1 && !as_list ? json_of(fits.front(), voice) : list_of(fits, voice));
+std::string to_json(std::span<const FittedRecording> fits, bool as_list, const Voice& voice,
+                    std::span<const std::string> missing) {
+  if (fits.size() == 1 && !as_list) return to_text(json_of(fits.front(), voice));
+  Json all = list_of(fits, voice);
+  if (!missing.empty()) all["missing"] = missing;
+  return to_text(all);
 }
 
 std::string to_json(std::span<const CompareResult> comparisons, const Voice& voice) {

@@ -34,8 +34,10 @@ std::string to_json(const SweepResult& result, bool with_rows = true, const Voic
 /// The contents of the file; `with_values` adds the numbers of the columns, all on one line.
 std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice = {});
 
-/// The object of a single fit; of several, or `as_list`, {"fits": [...]}.
-std::string to_json(std::span<const FittedRecording> fits, bool as_list = false, const Voice& voice = {});
+/// The object of a single fit; of several, or `as_list`, {"fits": [...]}, with "missing" if an interruption
+/// has left out any files.
+std::string to_json(std::span<const FittedRecording> fits, bool as_list = false, const Voice& voice = {},
+                    std::span<const std::string> missing = {});
 
 /// The spring constant from held masses: {"parameters": {"stiffness"}, "line", "holds", ...}
 std::string to_json(const StaticStiffness& found);
@@ -52,7 +54,9 @@ std::string to_json(std::span<const CompareResult> comparisons, const Voice& voi
 std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice = {},
                     bool with_curves = true);
 
-/// {"motions": [...]}, with "message" if any of them failed; all on one line.
-std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice = {});
+/// {"motions": [...]}, with "message" if any of them failed and "missing" if an interruption has left out
+/// any; all on one line.
+std::string to_json(std::span<const MotionSpectra> motions, const Voice& voice = {},
+                    std::span<const std::string> missing = {});
 
 }  // namespace cromer::core

@@ -222,28 +222,27 @@ Figure spectrum_figure(const SpectrumResult& result) {
 // The slanting lines of a tripartite plot.
 namespace {
 
-/// The ranges of the two axes.
+/// The ranges of the two axes: period or natural frequency, and pseudo-velocity.
 struct Frame {
-  double t0, t1, v0, v1;
+  double x0, x1, v0, v1;
 
   /// Places in the frame, 0 to 1 from left to right and from bottom to top.
-  double across(double t) const { return std::log(t / t0) / std::log(t1 / t0); }
+  double across(double x) const { return std::log(x / x0) / std::log(x1 / x0); }
   double up(double v) const { return std::log(v / v0) / std::log(v1 / v0); }
-  double t_at(double across) const { return t0 * std::pow(t1 / t0, across); }
-  double v_at(double up) const { return v0 * std::pow(v1 / v0, up); }
+  double x_at(double across) const { return x0 * std::pow(x1 / x0, across); }
 };
 
 Frame frame_of(const Panel& panel) {
   Frame frame{1e300, 0, 1e300, 0};
   for (const Curve& curve : panel.curves)
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      frame.t0 = std::min(frame.t0, curve.x[i]);
-      frame.t1 = std::max(frame.t1, curve.x[i]);
+      frame.x0 = std::min(frame.x0, curve.x[i]);
+      frame.x1 = std::max(frame.x1, curve.x[i]);
       if (!(curve.y[i] > 0)) continue;
       frame.v0 = std::min(frame.v0, curve.y[i]);
       frame.v1 = std::max(frame.v1, curve.y[i]);
     }
-  if (!(frame.t1 > frame.t0)) frame = {frame.t0 / 2, frame.t1 * 2, frame.v0, frame.v1};
+  if (!(frame.x1 > frame.x0)) frame = {frame.x0 / 2, frame.x1 * 2, frame.v0, frame.v1};
   if (!(frame.v1 >= frame.v0)) frame.v0 = 0.1, frame.v1 = 1;
   frame.v0 /= 1.5;
   frame.v1 *= 4;  // room for the numbers of the lines
@@ -277,25 +276,32 @@ bool covers(const Panel& panel, const Frame& f, double x, double y) {
   return false;
 }
 
-/// Adds the line v = level (t/2 pi)^slope, cut to the frame, with its number on it.
-void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double level, int slope,
+/// A line of equal displacement or pseudo-acceleration: v = factor x, or factor / x where it falls.
+struct EqualLine {
+  double factor;
+  bool rises;
+
+  double v(double x) const { return rises ? factor * x : factor / x; }
+  double x(double v) const { return rises ? v / factor : factor / v; }
+};
+
+/// Adds the line, cut to the frame, with its number on it.
+void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, const EqualLine& equal,
               const std::string& number) {
-  const auto v_of = [&](double t) { return slope > 0 ? level * t / two_pi : level * two_pi / t; };
-  const auto t_of = [&](double v) { return slope > 0 ? two_pi * v / level : two_pi * level / v; };
-  const double low = std::max(f.t0, std::min(t_of(f.v0), t_of(f.v1)));
-  const double high = std::min(f.t1, std::max(t_of(f.v0), t_of(f.v1)));
+  const double low = std::max(f.x0, std::min(equal.x(f.v0), equal.x(f.v1)));
+  const double high = std::min(f.x1, std::max(equal.x(f.v0), equal.x(f.v1)));
   if (!(high > low)) return;
   Curve line;
   line.role = "grid";
   line.x = {low, high};
-  line.y = {v_of(low), v_of(high)};
+  line.y = {equal.v(low), equal.v(high)};
   lines.push_back(line);
   // The first place from the upper end inward where the number covers nothing.
-  const double end = slope > 0 ? f.across(high) : f.across(low);
+  const double end = equal.rises ? f.across(high) : f.across(low);
   for (double inward = 0.01; inward < 0.3; inward += 0.01) {
-    const double x = slope > 0 ? end - inward : end + inward;
-    const double y = f.up(v_of(f.t_at(x)));
-    const double from = slope > 0 ? x - number_width : x;
+    const double x = equal.rises ? end - inward : end + inward;
+    const double y = f.up(equal.v(f.x_at(x)));
+    const double from = equal.rises ? x - number_width : x;
     if (from < 0 || from + number_width > 1 || y < 0.06 || y > 0.97 || covers(panel, f, from, y)) continue;
     Note note;
     note.leader = false;
@@ -307,21 +313,24 @@ void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double le
   }
 }
 
-/// Sets the ranges of the axes (pseudo-velocity [m/s] against period [s], both logarithmic), and draws lines
-/// of equal displacement and of equal pseudo-acceleration under the curves.
+/// Sets the ranges of the axes (pseudo-velocity [m/s] against period [s] or natural frequency [Hz], both
+/// logarithmic), and draws lines of equal displacement and of equal pseudo-acceleration under the curves.
 void add_equal_lines(Panel& panel, const SpectrumResult& result) {
   const Frame f = frame_of(panel);
-  panel.x.low = f.t0;
-  panel.x.high = f.t1;
+  panel.x.low = f.x0;
+  panel.x.high = f.x1;
   panel.y.low = f.v0;
   panel.y.high = f.v1;
   std::vector<Curve> lines;
+  const auto [t0, t1] = result.by_frequency() ? std::pair(1 / f.x1, 1 / f.x0) : std::pair(f.x0, f.x1);
   const double unit = written_acceleration(result);
-  for (const double a : round_values(two_pi * f.v0 / f.t1 / unit, two_pi * f.v1 / f.t0 / unit))
-    add_line(panel, lines, f, a * unit, 1, fmt::format("{} {}", tick_label(a), written_unit(result)));
-  for (const double d : round_values(f.v0 * f.t0 / two_pi, f.v1 * f.t1 / two_pi)) {
+  for (const double a : round_values(two_pi * f.v0 / t1 / unit, two_pi * f.v1 / t0 / unit))
+    add_line(panel, lines, f, {a * unit / two_pi, !result.by_frequency()},
+             fmt::format("{} {}", tick_label(a), written_unit(result)));
+  for (const double d : round_values(f.v0 * t0 / two_pi, f.v1 * t1 / two_pi)) {
     const LengthUnit length = length_unit(d * 1.0000001);
-    add_line(panel, lines, f, d, -1, fmt::format("{} {}", tick_label(d / length.metres), length.symbol));
+    add_line(panel, lines, f, {d * two_pi, result.by_frequency()},
+             fmt::format("{} {}", tick_label(d / length.metres), length.symbol));
   }
   panel.curves.insert(panel.curves.begin(), lines.begin(), lines.end());
 }
@@ -330,10 +339,10 @@ void add_equal_lines(Panel& panel, const SpectrumResult& result) {
 
 namespace {
 
-Panel tripartite_panel() {
+Panel tripartite_panel(const SpectrumResult& result) {
   Panel panel;
   panel.names_inside = true;
-  panel.x.name = "period {/:Italic T} (s)";
+  panel.x.name = abscissa_of(result).name;
   panel.y.name = "pseudo-velocity (m/s)";
   panel.x.logarithmic = panel.y.logarithmic = true;
   return panel;
@@ -342,14 +351,22 @@ Panel tripartite_panel() {
 }  // namespace
 
 Figure tripartite_figure(const SpectrumResult& result) {
-  Panel panel = tripartite_panel();
+  Panel panel = tripartite_panel(result);
+  const Abscissa along = abscissa_of(result);
   const auto add = [&](const std::vector<double>& displacement, const std::string& name,
                        const std::string& role) {
-    panel.curves.push_back(curve_of(result.periods, name, role, [&](std::size_t i) {
+    panel.curves.push_back(curve_of(along.values, name, role, [&](std::size_t i) {
       return pseudo_velocity(displacement[i], result.periods[i]);
     }));
   };
-  if (!add_each_damping(result, add)) {
+  const bool shock = result.options.shock;
+  if (shock) {
+    panel.y.name = "largest pseudo-velocity (m/s)";
+    for (std::size_t s = 0; s < result.spectra.size(); ++s)
+      panel.curves.push_back(curve_of(along.values, damping_name(result, result.spectra[s]),
+                                      family(result, s),
+                                      [&](std::size_t i) { return result.spectra[s].shock[i].maximax(); }));
+  } else if (!add_each_damping(result, add)) {
     panel.y.name = at_one_damping("pseudo-velocity", result, "m/s");
     add(result.spectra[0].rotd50, "RotD50", "family:2");
     add(result.spectra[0].rotd100, "RotD100", "family:0");
@@ -358,7 +375,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
   add_equal_lines(panel, result);
   Figure figure;
   figure.id = "spectrum";
-  figure.title = "Tripartite response spectrum";
+  figure.title = shock ? "Tripartite shock response spectrum" : "Tripartite response spectrum";
   figure.size = FigureSize::single;
   figure.panels.push_back(std::move(panel));
   figure.note = correction_text(result.correction, true);
@@ -437,7 +454,7 @@ std::string height_name(const SpectrumResult& result, bool tripartite) {
 Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span<const std::string> names,
                        std::size_t damping, bool tripartite) {
   const SpectrumResult& any = *results.front();
-  Panel panel = tripartite ? tripartite_panel() : Panel{};
+  Panel panel = tripartite ? tripartite_panel(any) : Panel{};
   panel.names_inside = true;
   panel.title = damping_name(any, any.spectra[damping]);
   panel.y.name = height_name(any, tripartite);
@@ -447,7 +464,7 @@ Panel panel_of_motions(std::span<const SpectrumResult* const> results, std::span
     const SpectrumResult& result = *results[m];
     const Abscissa along = abscissa_of(result);
     const std::vector<double> heights = heights_of(result, result.spectra[damping], tripartite);
-    Curve curve = curve_of(tripartite ? result.periods : along.values, named ? figure_text(names[m]) : "",
+    Curve curve = curve_of(along.values, named ? figure_text(names[m]) : "",
                            named ? family_role(m / 2, (results.size() + 1) / 2) : "one-of-many",
                            [&](std::size_t i) { return heights[i]; });
     curve.dashed = named && m % 2 == 1;
@@ -482,9 +499,10 @@ Figure spectra_figure(std::span<const MotionSpectra> motions, bool tripartite) {
   }
   Figure figure;
   figure.id = "spectra";
-  figure.title = results[0]->options.shock ? "Shock response spectra"
-                 : tripartite              ? "Tripartite response spectra"
-                                           : "Response spectra";
+  const bool shock = results[0]->options.shock;
+  figure.title = tripartite ? (shock ? "Tripartite shock response spectra" : "Tripartite response spectra")
+                 : shock    ? "Shock response spectra"
+                            : "Response spectra";
   figure.size = FigureSize::single;
   for (std::size_t r = 0; r < results[0]->spectra.size(); ++r)
     figure.panels.push_back(panel_of_motions(results, names, r, tripartite));

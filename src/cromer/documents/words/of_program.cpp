@@ -28,9 +28,9 @@ constexpr Entry entries[] = {
     {"tripartite_without_plot", error, "{--tripartite} is a way to draw; name the file with {--plot}",
      "{--tripartite} ist eine Art zu zeichnen; in welche Datei, sagt {--plot}"},
     {"tripartite_of_shock", error,
-     "{--tripartite} draws pseudo-velocities, and a shock spectrum has none; leave one of them out",
-     "{--tripartite} zeichnet Pseudogeschwindigkeiten, die ein Schockspektrum nicht hat; bitte eines "
-     "weglassen"},
+     "{--tripartite} draws pseudo-velocities; for those of a shock, give {--shock-response} pseudo-velocity",
+     "{--tripartite} zeichnet Pseudogeschwindigkeiten; für die eines Schocks bitte {--shock-response} "
+     "pseudo-velocity angeben"},
     {"panels_without_plot", error, "{--panels} says what to draw; name the file with {--plot}",
      "{--panels} sagt, was zu zeichnen ist; in welche Datei, sagt {--plot}"},
     {"fourier_is_csv", error, "{--fourier}: {file}: the amplitudes are written as .csv",
