@@ -8,6 +8,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "cromer/tasks/methods/method_effect.h"
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
@@ -65,6 +66,24 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
   EXPECT_THAT(in_words(row_of("rk4", theory).words), "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
   EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
   EXPECT_FALSE(row_of("dormand-prince", theory).effect);
+}
+
+// Negative damping: the law grows by itself, which no method adds and no step causes.
+TEST(ListMethods, ALawThatGrowsIsNoFaultOfTheMethod) {
+  const LinearLaw<double> grows{.decay_rate = -0.05, .stiffness = 36};
+  const auto words_of = [&](std::string_view method) {
+    const auto effect = effect_at_step(method, {}, grows, 0.02, true);
+    EXPECT_TRUE(instability_notice(method, *effect, 0.02).empty()) << method;
+    EXPECT_FALSE(effect->stability_limit) << method;
+    return in_words(effect_notice(*effect, grows));
+  };
+  EXPECT_THAT(words_of("exact"), testing::StartsWith("grows at the 0.05 1/s of your law and "));
+  EXPECT_THAT(words_of("newmark"),
+              testing::StartsWith("grows at 0.04982 1/s, nearly the 0.05 1/s of your law"));
+  EXPECT_THAT(words_of("forward-euler"),
+              testing::StartsWith("turns your law's growth of 0.05 1/s into 0.4067 1/s"));
+  EXPECT_THAT(words_of("implicit-euler"),
+              testing::StartsWith("turns your law's growth of 0.05 1/s into damping of 0.3081 1/s"));
 }
 
 TEST(ListMethods, ExactIsItsOwnOscillatorAtAnyStep) {

@@ -24,12 +24,17 @@ Notice damping_notice(double effective, double b, double frequency) {
     if (keeps(effective, b, frequency)) return Notice{"adds_no_damping"};
     return Notice{grows ? "adds_growth" : "adds_damping", {{"rate", std::abs(effective)}}};
   }
-  if (keeps(effective, b, frequency)) return Notice{"keeps_damping", {{"rate", b}}};
+  const bool law_grows = b < 0;
+  const double rate = std::abs(b), simulated = std::abs(effective);
+  if (keeps(effective, b, frequency))
+    return Notice{law_grows ? "keeps_growth" : "keeps_damping", {{"rate", rate}}};
   constexpr double nearly = 0.01;
   if (std::abs(effective / b - 1) <= nearly)
-    return Notice{"keeps_damping_nearly", {{"rate", b}, {"simulated", effective}}};
-  return Notice{grows ? "turns_damping_into_growth" : "turns_damping_into",
-                {{"rate", b}, {"simulated", std::abs(effective)}}};
+    return Notice{law_grows ? "keeps_growth_nearly" : "keeps_damping_nearly",
+                  {{"rate", rate}, {"simulated", simulated}}};
+  const char* const turns[2][2] = {{"turns_damping_into", "turns_damping_into_growth"},
+                                   {"turns_growth_into_damping", "turns_growth_into"}};
+  return Notice{turns[law_grows][grows], {{"rate", rate}, {"simulated", simulated}}};
 }
 
 Notice frequency_notice(double effective, double frequency) {
@@ -60,13 +65,14 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
   MethodEffect result;
   result.effective = effective_oscillator_of(method, settings, law, h);
   result.stable = result.effective.stable();
-  if (law.stiffness > 0 && (with_limit || !result.stable)) {
+  // A law that grows by itself is to grow at any step.
+  if (law.stiffness > 0 && law.decay_rate >= 0 && (with_limit || !result.stable)) {
     const LinearLaw<double> free{.decay_rate = law.decay_rate, .stiffness = law.stiffness};
     result.stability_limit = first_unstable_step(free, [&](double step) {
       return effective_oscillator_of(method, settings, free, step).spectral_radius;
     });
-    // If every step of a law that does not grow itself is stable, a radius above 1 is rounding.
-    result.stable = result.stable || (law.decay_rate >= 0 && !result.stability_limit);
+    // If every step is stable, a radius above 1 is rounding.
+    result.stable = result.stable || !result.stability_limit;
   }
   if (std::isnan(result.effective.spectral_radius)) return std::nullopt;
   if (method == "exact") {

@@ -36,7 +36,7 @@ std::vector<long long> steps_per_row() {
   return all;
 }
 
-struct Candidate {
+struct CandidateMaker {
   Maker maker;
   MakerFit fit{};
 };
@@ -103,8 +103,8 @@ bool too_many_steps(const Evidence& evidence, long long steps_per_row, std::size
 }
 
 /// All methods with all steps, those of fixed steps with as few steps as tell them from the law itself.
-std::vector<Candidate> all_candidates(const Evidence& evidence, const Trajectory& few) {
-  std::vector<Candidate> candidates;
+std::vector<CandidateMaker> all_candidates(const Evidence& evidence, const Trajectory& few) {
+  std::vector<CandidateMaker> candidates;
   for (const Maker& maker : makers_without_steps(evidence)) candidates.push_back({maker});
   const Trajectory itself = states_made_by(law_itself(evidence), evidence.guess, few.size());
   const Yardstick of_few{rms(few.x), rms(few.v)};
@@ -128,30 +128,31 @@ std::vector<Candidate> all_candidates(const Evidence& evidence, const Trajectory
 
 /// Fits the candidates to the rows, and puts the nearest first.
 template <class Iterations>
-void fit_all(std::vector<Candidate>& candidates, const Trajectory& rows, const Evidence& evidence,
+void fit_all(std::vector<CandidateMaker>& candidates, const Trajectory& rows, const Evidence& evidence,
              const Watch& watch, const Iterations& iterations) {
-  for (Candidate& each : candidates)
+  for (CandidateMaker& each : candidates)
     if (!watch.interrupted())
       each.fit = fit_maker(each.maker, rows, evidence.yardstick, evidence.freedom, evidence.guess,
                            iterations(each.maker));
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.fit.distance < b.fit.distance; });
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const CandidateMaker& a, const CandidateMaker& b) { return a.fit.distance < b.fit.distance; });
 }
 
 /// Of the nearest first: keeps the first ones, and of each method some more.
-void keep_nearest(std::vector<Candidate>& candidates) {
+void keep_nearest(std::vector<CandidateMaker>& candidates) {
   constexpr std::size_t of_all = 40, of_each = 8;
   std::map<std::pair<std::string_view, bool>, std::size_t> kept;
   std::size_t place = 0;
-  std::erase_if(candidates, [&](const Candidate& each) {
+  std::erase_if(candidates, [&](const CandidateMaker& each) {
     return ++kept[{each.maker.method, each.maker.velocity_ahead}] > of_each && ++place > of_all;
   });
 }
 
 /// Methods that carry an acceleration of their own, where the first row is not the start of their run: those
 /// of which nothing is left beside rounding.
-std::vector<Candidate> begun_before(const Evidence& evidence, const Watch& watch) {
-  std::vector<Candidate> candidates;
+std::vector<CandidateMaker> begun_before(const Evidence& evidence, const Watch& watch) {
+  std::vector<CandidateMaker> candidates;
   for (const MethodInfo& info : method_infos)
     for (const long long k : evidence.steps_per_row) {
       const Maker maker{info.name, evidence.settings, k, false, true};
@@ -167,16 +168,16 @@ std::vector<Candidate> begun_before(const Evidence& evidence, const Watch& watch
           [&](const Maker&) { return tries; });
   keep_nearest(candidates);
   fit_all(candidates, evidence.rows, evidence, watch, [&](const Maker&) { return 2 * tries + 2; });
-  std::erase_if(candidates, [&](const Candidate& each) {
+  std::erase_if(candidates, [&](const CandidateMaker& each) {
     return !(each.fit.distance <= most_roundings * evidence.rounding);
   });
   return candidates;
 }
 
 /// All methods, as near to the rows as they come, the nearest first.
-std::vector<Candidate> try_all(const Evidence& evidence, const Watch& watch) {
+std::vector<CandidateMaker> try_all(const Evidence& evidence, const Watch& watch) {
   const Trajectory few = first_rows(evidence.rows, rows_to_screen);
-  std::vector<Candidate> candidates = all_candidates(evidence, few);
+  std::vector<CandidateMaker> candidates = all_candidates(evidence, few);
   // At a first look the first row will do as a start, where it shows all of the state.
   fit_all(candidates, few, evidence, watch, [&](const Maker& maker) {
     return evidence.freedom.law ? 3 : maker.velocity_ahead ? 1 : 0;
@@ -185,13 +186,13 @@ std::vector<Candidate> try_all(const Evidence& evidence, const Watch& watch) {
   fit_all(candidates, evidence.rows, evidence, watch,
           [&](const Maker&) { return evidence.freedom.law ? 15 : 4; });
   if (candidates.front().fit.distance <= most_roundings * evidence.rounding) return candidates;
-  std::vector<Candidate> others = begun_before(evidence, watch);
+  std::vector<CandidateMaker> others = begun_before(evidence, watch);
   candidates.insert(candidates.begin(), others.begin(), others.end());
   return candidates;
 }
 
 /// How much worse than the best, in the digits of the file: the rise of chi^2.
-double rise_of(const Candidate& each, const Candidate& best, const Evidence& evidence) {
+double rise_of(const CandidateMaker& each, const CandidateMaker& best, const Evidence& evidence) {
   const double unit = std::max(best.fit.distance, evidence.rounding);
   const double d = each.fit.distance / unit, least = best.fit.distance / unit;
   return 2 * static_cast<double>(evidence.size()) * (d * d - least * least);
@@ -199,17 +200,17 @@ double rise_of(const Candidate& each, const Candidate& best, const Evidence& evi
 
 /// Brings those that the digits do not tell from the nearest to the front: among them the law itself comes
 /// first, then those with the fewest steps a row. Their number.
-std::size_t settle_ties(std::vector<Candidate>& candidates, const Evidence& evidence) {
+std::size_t settle_ties(std::vector<CandidateMaker>& candidates, const Evidence& evidence) {
   constexpr double told_apart = 12;
-  const Candidate best = candidates.front();
-  const auto end = std::stable_partition(candidates.begin(), candidates.end(), [&](const Candidate& each) {
-    return rise_of(each, best, evidence) < told_apart;
-  });
+  const CandidateMaker best = candidates.front();
+  const auto end = std::stable_partition(
+      candidates.begin(), candidates.end(),
+      [&](const CandidateMaker& each) { return rise_of(each, best, evidence) < told_apart; });
   // A law that was fitted with a damping below 0 is the less likely one.
-  const auto feeds = [&](const Candidate& each) {
+  const auto feeds = [&](const CandidateMaker& each) {
     return evidence.freedom.law && damping_ratio(each.fit.origin.law) < -1e-9;
   };
-  std::stable_sort(candidates.begin(), end, [&](const Candidate& a, const Candidate& b) {
+  std::stable_sort(candidates.begin(), end, [&](const CandidateMaker& a, const CandidateMaker& b) {
     if (feeds(a) != feeds(b)) return feeds(b);
     if (a.maker.shows_steps() != b.maker.shows_steps()) return b.maker.shows_steps();
     return a.maker.steps_per_row < b.maker.steps_per_row;
@@ -231,7 +232,7 @@ bool same_states(const Maker& one, const Maker& other, const Origin& origin, con
 }
 
 /// All methods that make the states of this one with the same steps, in the order of the registry.
-std::vector<std::string_view> methods_like(const Candidate& of, const Evidence& evidence) {
+std::vector<std::string_view> methods_like(const CandidateMaker& of, const Evidence& evidence) {
   std::vector<std::string_view> names;
   for (const MethodInfo& info : method_infos) {
     Maker other = of.maker;
@@ -248,7 +249,7 @@ std::vector<std::string_view> methods_like(const Candidate& of, const Evidence& 
 
 /// What the method added: of a linear law from its map, of others from the turning points of its states and
 /// of those of the law itself.
-void say_what_it_added(const Candidate& candidate, const Evidence& evidence, RecognisedMethod& found) {
+void say_what_it_added(const CandidateMaker& candidate, const Evidence& evidence, RecognisedMethod& found) {
   if (!candidate.maker.shows_steps()) {
     if (find_method(candidate.maker.method)->is_exact()) found.decay_rate_added = found.frequency_shift = 0;
     return;
@@ -296,12 +297,12 @@ bool lists(const std::vector<RecognisedMethod>& all, const Maker& maker, std::st
 
 /// Puts the nearest into the result, those with the same map in one: the first `tied`, which are alike, and
 /// each other method with the step by which it comes nearest.
-void list(const std::vector<Candidate>& candidates, std::size_t tied, const Evidence& evidence,
+void list(const std::vector<CandidateMaker>& candidates, std::size_t tied, const Evidence& evidence,
           RecogniseResult& result) {
   result.recognised.clear();
   result.alike = 0;
   for (std::size_t i = 0; i < candidates.size() && result.recognised.size() < most_listed; ++i) {
-    const Candidate& each = candidates[i];
+    const CandidateMaker& each = candidates[i];
     const auto is_listed = [&](std::string_view method) {
       return lists(result.recognised, each.maker, method, i < tied);
     };
@@ -323,7 +324,7 @@ void list(const std::vector<Candidate>& candidates, std::size_t tied, const Evid
 
 /// Whether the first made the rows: it is as near as rounding allows, or far nearer than the next that the
 /// digits tell from it.
-bool has_made(const std::vector<Candidate>& candidates, std::size_t tied, const Evidence& evidence) {
+bool has_made(const std::vector<CandidateMaker>& candidates, std::size_t tied, const Evidence& evidence) {
   constexpr double far_nearer = 0.02, near = 1e-3;
   const double best = candidates.front().fit.distance;
   if (best <= most_roundings * evidence.rounding) return true;
@@ -425,12 +426,12 @@ void set_law(RecogniseResult& result, const Oscillator<double>& law) {
 
 /// Whether the rows follow the law itself, if not to their digits, and nothing comes much nearer: then it
 /// comes to the front.
-bool follows_the_law(std::vector<Candidate>& candidates) {
+bool follows_the_law(std::vector<CandidateMaker>& candidates) {
   constexpr double near = 1e-4, as_well = 5;
   const auto itself = std::find_if(candidates.begin(), candidates.end(),
-                                   [](const Candidate& each) { return !each.maker.shows_steps(); });
+                                   [](const CandidateMaker& each) { return !each.maker.shows_steps(); });
   double best = candidates.front().fit.distance;
-  for (const Candidate& each : candidates) best = std::min(best, each.fit.distance);
+  for (const CandidateMaker& each : candidates) best = std::min(best, each.fit.distance);
   if (itself == candidates.end() || itself->fit.distance > near || itself->fit.distance > as_well * best)
     return false;
   std::rotate(candidates.begin(), itself, itself + 1);
@@ -439,7 +440,7 @@ bool follows_the_law(std::vector<Candidate>& candidates) {
 
 /// Tries all methods and puts the nearest into the result; whether the first made the rows.
 bool judge(const Evidence& evidence, RecogniseResult& result, const Watch& watch) {
-  std::vector<Candidate> candidates = try_all(evidence, watch);
+  std::vector<CandidateMaker> candidates = try_all(evidence, watch);
   std::size_t tied = settle_ties(candidates, evidence);
   bool made = has_made(candidates, tied, evidence);
   if (!made && !evidence.freedom.law && follows_the_law(candidates)) {
