@@ -30,12 +30,6 @@ inline std::string readable_unit(std::string_view si, double size) {
   return si == "m" ? length : si == "m/s" ? length + "/s" : "";
 }
 
-/// "8.465" has as many digits as the error of an interval's end is worth.
-inline int digits_of(const Estimate& e) {
-  if (!(e.standard_error > 0) || e.value == 0) return 6;
-  return std::clamp(2 + static_cast<int>(std::ceil(std::log10(std::abs(e.value) / e.standard_error))), 2, 12);
-}
-
 /// One recording with its fit, in the words of the report. Numbers stand in them as results of the study, by
 /// the name `id` of its task: "{lab.stiffness}".
 class LabTold {
@@ -88,11 +82,14 @@ class LabTold {
   std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
 
   std::string interval(std::string_view name, const Estimate& e) const {
-    const int digits = digits_of(e);
-    if (std::isinf(e.high))
-      return words("report_at_least", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))}});
-    return words("report_interval", {{"low", in_braces(fmt::format("{}.low, {}, bare", name, digits))},
-                                     {"high", in_braces(fmt::format("{}.high, {}, bare", name, digits))}});
+    // Without an upper end the interval is as wide as the lower one tells.
+    const bool open = std::isinf(e.high);
+    const double low = e.low, high = open ? 2 * e.value - low : e.high;
+    const auto written = [&](std::string_view end, double value) {
+      return in_braces(fmt::format("{}.{}, {}, bare", name, end, digits_of_end(value, low, high)));
+    };
+    if (open) return words("report_at_least", {{"low", written("low", low)}});
+    return words("report_interval", {{"low", written("low", low)}, {"high", written("high", high)}});
   }
 
   std::string figure_id(std::string_view name) const {

@@ -68,11 +68,18 @@ std::string percent(double part) {
 }
 std::string percent_off(double part) { return (part >= 1e-12 ? "+" : "") + percent(part); }
 
+int digits_of_end(double end, double low, double high) {
+  const double half = (high - low) / 2;
+  if (!(half > 0) || !std::isfinite(half)) return 4;
+  const double last = std::floor(std::log10(half)) - 1, place = std::pow(10.0, last);
+  const double size = std::abs(std::round(end / place)) * place;
+  return size > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(size * (1 + 1e-12))) - last) + 1, 1, 15)
+                  : 1;
+}
+
 std::string interval_text(double low, double high) {
-  const double size = std::max(std::abs(low), std::abs(high)), width = high - low;
-  const bool plain = std::isfinite(size) && std::isfinite(width) && size > 0 && width > 0;
-  const int digits = plain ? std::clamp(static_cast<int>(std::ceil(std::log10(size / width))) + 3, 4, 15) : 4;
-  return fmt::format("between {:.{}g} and {:.{}g}", low, digits, high, digits);
+  return fmt::format("between {} and {}", rounded(low, digits_of_end(low, low, high)),
+                     rounded(high, digits_of_end(high, low, high)));
 }
 
 namespace {

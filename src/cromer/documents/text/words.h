@@ -43,7 +43,10 @@ std::string percent(double part);
 /// The same with its sign: "+5.8 %".
 std::string percent_off(double part);
 
-/// "between 19.99912 and 20.00054", with enough digits to give the interval's width to three.
+/// How many digits the end of an interval is written with: down to the second digit of half its width.
+int digits_of_end(double end, double low, double high);
+
+/// "between 19.9991 and 20.0005".
 std::string interval_text(double low, double high);
 
 /// The files' names without their folders; as they are if that leaves two different files with one name.
