@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "cromer/tasks/fit/one_mass.h"
 #include "cromer/tasks/open_recording.h"
 
 namespace cromer::core::cli {
@@ -32,6 +33,7 @@ std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, co
   });
   std::vector<FittedRecording> fits;
   for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
+  if (options.mass.size() == 1) doubt_one_mass_for_files(fits);
   return fits;
 }
 

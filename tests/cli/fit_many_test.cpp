@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "program.h"
@@ -55,6 +58,26 @@ TEST(FitMany, OfManyRecordingsTheFigureShowsSomeAndSaysSo) {
   const std::string figure = folder.read("runs.svg");
   EXPECT_THAT(figure, HasSubstr("The first 24 of 26 recordings."));
   EXPECT_THAT(figure, HasSubstr("a_10.csv, run 1: viscous"));
+}
+
+TEST(FitMany, AnInterruptNamesTheFilesThatAreMissing) {
+  Folder folder;
+  std::vector<std::string> arguments{"fit", "--json"};
+  for (int i = 0; i < 200; ++i) {
+    arguments.push_back("r" + std::to_string(i) + ".csv");
+    folder.write(arguments.back(), recording(6000, 0.02));
+  }
+  const pid_t process = folder.start(arguments);
+  ASSERT_TRUE(wait_for_handler(process, SIGINT));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(process, SIGINT);
+  const Finished end = folder.wait(process);
+  ASSERT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, testing::ContainsRegex("results of [0-9]+ of 200 files; missing: .*and [0-9]+ more"));
+  const auto document = end.json();
+  EXPECT_LT(document["fits"].size(), 200u);
+  EXPECT_EQ(document["missing"].size(), 200 - document["fits"].size());
+  EXPECT_EQ(document["missing"].back(), "r199.csv");
 }
 
 /// Positions of noise alone: no law, and nothing to write.
@@ -189,6 +212,29 @@ std::string runs_with_one_at_rest() {
     for (int i = 0; i < 500; ++i)
       text += std::to_string(0.01 * i) + "," + std::to_string(0.1 * std::cos(0.01 * w * i)) + "\n";
   return text;
+}
+
+TEST(FitMany, OneMassForFilesThatSwingUnlikeIsSaid) {
+  Folder folder;
+  const auto swing = [](double w) {
+    std::string text = "Time (s),Position (m)\n";
+    for (int i = 0; i < 500; ++i)
+      text += std::to_string(0.01 * i) + "," + std::to_string(0.1 * std::cos(0.01 * w * i)) + "\n";
+    return text;
+  };
+  folder.write("a.csv", swing(7));
+  folder.write("b.csv", swing(7 * 1.05));
+  folder.write("c.csv", swing(7.02));
+  const Finished end = folder.run({"fit", "a.csv", "b.csv", "c.csv", "--mass", "0.1 kg"});
+  EXPECT_THAT(end.err, HasSubstr("b.csv: the frequency is 5 % above that of a.csv, and one mass is used"));
+  for (const std::vector<std::string>& alike :
+       {std::vector<std::string>{"a.csv", "c.csv", "--mass", "0.1 kg"},
+        {"a.csv", "b.csv"},
+        {"a.csv", "b.csv", "--mass", "0.11 kg, 0.1 kg"}}) {
+    std::vector<std::string> arguments{"fit"};
+    arguments.insert(arguments.end(), alike.begin(), alike.end());
+    EXPECT_THAT(folder.run(arguments).err, testing::Not(HasSubstr("one mass is used")));
+  }
 }
 
 TEST(FitMany, EachNoticeNamesItsRun) {

@@ -10,6 +10,11 @@ constexpr Entry entries[] = {
     {"masses_unlike_files", error,
      "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
      "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
+    {"one_mass_for_unlike_files", worth_knowing,
+     "the frequency is {percent:.2g} % above that of {low}, and one mass is used for all; if the masses "
+     "differ, give one for each: {--mass} \"0.1 kg, 0.2 kg\"",
+     "die Frequenz liegt {percent:.2g} % über der von {low}, und für alle gilt eine Masse; sind es "
+     "verschiedene, dann jede angeben: {--mass} \"0.1 kg, 0.2 kg\""},
 
     // Lines through several masses
     {"masses_unlike_recordings", error,
