@@ -74,6 +74,9 @@ class Part : public LabTold {
          {"amplitude", in_braces(shown().empty() ? "at_amplitude, 3" : "at_amplitude, " + shown() + ", 3")}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
+    for (const Notice& notice : fitted_.notices)
+      if (notice.code == "beats_at_first")
+        lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
     if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
     if (const Notice doubt = first_doubt(); !doubt.empty())

@@ -299,6 +299,13 @@ constexpr Entry entries[] = {
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
      "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte {|für fit {--drive-frequency} "
      "angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien Teil wählen"},
+    {"beats_at_first", detail,
+     "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
+     "at "
+     "{own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",
+     "die Bewegung schwebt anfangs, mit einer Periode von {beat:.3g} s: neben den {drive:.5g} Hz des "
+     "Antriebs "
+     "schwingt der Körper mit {own:.5g} Hz, seiner eigenen Frequenz, und das klingt mit {rate:.2g} 1/s ab"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}{unit: }, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}{unit: }, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,

@@ -20,6 +20,7 @@
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
+#include "cromer/tasks/fit/one_mass.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/inspect/take_motion.h"
 
@@ -104,9 +105,21 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
   return choice;
 }
 
-// What was stopped has not come to rest by friction, after whatever number of half swings. Of a record that
-// is no free swing of one law nothing is known whichever law is right.
-void drop_what_no_longer_holds(std::vector<Notice>& notices) {
+// Why no law settles: the swing stops. Else empty. A viscous law is fitted without integration.
+Notice stop_of(const Record& record, bool angle, std::string_view unit, const Watch& watch) {
+  LawFitOptions viscous;
+  viscous.angle = angle;
+  const LawFit fit = fit_law(record, viscous, watch);
+  if (!fit.is_usable() || watch.interrupted()) return {};
+  return sudden_stop(record, two_pi / fit.swing_frequency().value, unit, false);
+}
+
+// What the fit's message says is not said again. What was stopped has not come to rest by friction, after
+// whatever number of half swings. Of a record that is no free swing of one law nothing is known whichever law
+// is right.
+void drop_what_no_longer_holds(std::vector<Notice>& notices, const Notice& message) {
+  if (message.code == "swing_stops")
+    std::erase_if(notices, [&](const Notice& each) { return each.code == message.code; });
   const auto drop_beside = [&](std::initializer_list<std::string_view> said, std::string_view dropped) {
     const auto is_said = [&](const Notice& each) {
       return std::find(said.begin(), said.end(), each.code) != said.end();
@@ -180,6 +193,11 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (!choice) return choice.error();
   result.fit = choice->chosen;
   list_outliers(result.series, samples, result.fit.outliers, result.notices);
+  result.of_record = result.notices.size();
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  if (result.fit.status == FitStatus::iteration_limit && !watch.interrupted())
+    if (Notice stop = stop_of(record, result.series.quantity.starts_with("ang"), unit, watch); !stop.empty())
+      result.fit.message = std::move(stop);
   result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice->candidates)
     if (candidate.is_usable())
@@ -188,9 +206,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (!result.fit.is_usable()) return result;
 
   const Body body = body_of(options);
-  result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
+  result.parameters = law_parameters(result.fit, unit, record.derivative);
   add_force_parameters(result, body);
-  result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
+  result.derived = derived_quantities(result.fit, unit, record.derivative);
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const FittedSamples good = without_outliers(result.series);
@@ -207,11 +225,10 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.fit.message = Notice{"fit_interrupted"};
     return result;
   }
-  const std::string_view unit = si_unit_of(result.series.quantity);
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
-  drop_what_no_longer_holds(result.notices);
+  drop_what_no_longer_holds(result.notices, result.fit.message);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;
@@ -245,24 +262,6 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
   for (const Column& column : recording.table.columns)
     if (column.quantity == "force" && column_title(column) != fitted) return column.name;
   return "";
-}
-
-// Says so where one mass is used for runs that swing at frequencies of their own.
-void doubt_one_mass(std::vector<FittedRecording>& fits, const FitOptions& options) {
-  constexpr double alike = 1.05;  // of one oscillator, started in different ways
-  if (options.mass.size() != 1) return;
-  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-  for (const FittedRecording& each : fits) {
-    if (!each.succeeded() || !each.find("stiffness")) continue;
-    const Estimate w = each.fit.angular_frequency();
-    lowest = std::min(lowest, w.high);
-    highest = std::max(highest, w.low);
-  }
-  if (!(highest > alike * lowest)) return;
-  FittedRecording& first = fits.front();
-  first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file),
-                       Notice{"one_mass_for_unlike_runs", {{"percent", 100 * (highest / lowest - 1)}}});
-  ++first.of_file;
 }
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
@@ -326,7 +325,13 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
   }
   if (!any_read && first_error) return *first_error;
   for (FittedRecording& each : fits) each.one_of_several = fits.size() > 1;
-  doubt_one_mass(fits, options);
+  if (options.mass.size() == 1)
+    if (const auto spread = unlike_frequencies(fits)) {
+      FittedRecording& first = fits.front();
+      first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file),
+                           Notice{"one_mass_for_unlike_runs", {{"percent", spread->percent}}});
+      ++first.of_file;
+    }
   return fits;
 }
 

@@ -113,6 +113,7 @@ struct FittedRecording {
   std::optional<HeldOut> held_out{};
   std::vector<Notice> notices;
   std::size_t of_file = 0;      ///< so many of the notices, the first ones, are about the whole file
+  std::size_t of_record = 0;    ///< so many, as the task found them, are about the record, whatever its law
   bool one_of_several = false;  ///< other runs of the file were fitted beside it
   bool wrong_input = false;     ///< the run could not be read: only file, run and the fit's message are set
 

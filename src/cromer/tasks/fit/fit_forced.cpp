@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
@@ -108,6 +109,7 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
                          const std::vector<double>& t, std::string_view force_unit, bool has_force_column,
                          const Watch& watch) {
   result.fit = std::move(choice.chosen);
+  result.of_record = result.notices.size();
   result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice.candidates)
     if (candidate.residual.rms > 0)
@@ -142,6 +144,31 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
     result.notices.push_back(Notice{"something_else_drives", {{"share", 100 * fit.explained}}});
   if (Notice wide = widening(fit, result.series.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
+}
+
+/// Whether the body's own swing beats with the drive's while it dies down: both show, they are close, and at
+/// least one whole beat is seen before the swing is gone. Else empty.
+Notice beats_at_first(const FittedRecording& result) {
+  const LawFit& fit = result.fit;
+  const Estimate *push = fit.find("drive_amplitude"), *phase = fit.find("drive_phase");
+  if (!push || !phase || !is_linear(fit.law)) return {};
+  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate(),
+               w = fit.motion.drive_frequency;
+  if (!(g > 0) || !(w0 > g)) return {};
+  const double own = std::sqrt(w0 * w0 - g * g);
+  const SteadyState steady =
+      frequency_response({.mass = 1, .stiffness = w0 * w0, .damping = 2 * g}, push->value, w);
+  const double angle = phase->value - steady.phase_lag;
+  const double x = fit.motion.position - steady.amplitude * std::cos(angle),
+               v = fit.motion.velocity + w * steady.amplitude * std::sin(angle);
+  const double swing = std::hypot(x, (v + g * x) / own), beat = two_pi / std::abs(w - own);
+  const double duration = result.series.t.back() - result.series.t.front();
+  constexpr double shows = 0.2, close = 3, gone = 2;
+  if (swing < shows * steady.amplitude || steady.amplitude < shows * swing || beat < close * two_pi / w ||
+      beat * g > gone || beat > duration)
+    return {};
+  return Notice{"beats_at_first",
+                {{"beat", beat}, {"own", own / two_pi}, {"drive", w / two_pi}, {"rate", g}}};
 }
 
 void add_unused_notices(FittedRecording& result) {
@@ -261,6 +288,8 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
       std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
     result.notices.push_back(
         Notice{"drive_is_another", {{"found", found / two_pi}, {"asked", **drive / two_pi}}});
+  if (Notice beats = beats_at_first(result); fit.status == FitStatus::converged && !beats.empty())
+    result.notices.push_back(std::move(beats));
   return result;
 }
 

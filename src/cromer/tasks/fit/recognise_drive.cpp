@@ -6,6 +6,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
@@ -94,13 +95,41 @@ void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice r
   result.notices.push_back(std::move(readings));
 }
 
+// Where one of two modes is small the law is that of the other: it accounts for the motion, and swings with
+// one of the two.
+bool is_of_one_mode(const FittedRecording& result, const TwoModes& found) {
+  constexpr double well = 0.9;  // of the variance
+  const Estimate* frequency = result.find("frequency");
+  if (!frequency || result.fit.explained < well) return false;
+  const double one = found.modes[0].angular_frequency.value, other = found.modes[1].angular_frequency.value;
+  const double w = two_pi * frequency->value;
+  return std::min(std::abs(w - one), std::abs(w - other)) < 0.25 * std::abs(one - other);
+}
+
+// The recording with what no law is needed for.
+FittedRecording without_law(const FittedRecording& fitted, const Refusal& why) {
+  FittedRecording bare;
+  bare.file = fitted.file;
+  bare.series = fitted.series;
+  bare.samples = fitted.samples;
+  bare.options = fitted.options;
+  bare.fit = fitted.fit;
+  refuse(bare.fit, why);
+  bare.notices.assign(fitted.notices.begin(),
+                      fitted.notices.begin() + static_cast<std::ptrdiff_t>(fitted.of_record));
+  bare.of_record = fitted.of_record;
+  return bare;
+}
+
 void name_two_modes(FittedRecording& result, const TwoModes& found) {
-  result.modes.assign(found.modes.begin(), found.modes.end());
   const Notice modes = of_two_modes(found, si_unit_of(result.series.quantity));
-  if (result.parameters.empty()) {
-    result.fit.message = Notice{"no_single_swing", {{"modes", modes}}};
+  if (!is_of_one_mode(result, found)) {
+    const FitStatus refused = result.parameters.empty() ? result.fit.status : FitStatus::no_oscillation;
+    result = without_law(result, {refused, Notice{"no_single_swing", {{"modes", modes}}}});
+    result.modes.assign(found.modes.begin(), found.modes.end());
     return;
   }
+  result.modes.assign(found.modes.begin(), found.modes.end());
   result.notices.push_back(
       Notice{"modes_beside_the_law",
              {{"modes", modes}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
