@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "cromer/base/ascii.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/catalogue.h"
+#include "cromer/methods/all.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/option/option.h"
@@ -168,6 +171,15 @@ TEST(Catalogue, HasEachCodeOnceInBothLanguages) {
       EXPECT_EQ(find_entry(entry.code), &entry);
     }
   EXPECT_GT(codes.size(), 500u);
+}
+
+TEST(Catalogue, NamesEachMethodAndEachTerm) {
+  for (const std::string_view method : method_names) EXPECT_TRUE(find_entry(method)) << method;
+  for_each_term([]<class T>() {
+    if constexpr (!std::is_same_v<T, Spring>) {
+      EXPECT_NE(terms_in_words(law_with<T>, Language::german), with_underscores(T::info.name));
+    }
+  });
 }
 
 TEST(Catalogue, NamesOnlyOptionsThatThereAre) {

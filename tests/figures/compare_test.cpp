@@ -57,7 +57,7 @@ TEST(CompareFigure, HasTheLawOneRateAndEachMethodInEveryPanel) {
   for (const Panel& panel : figure.panels)
     EXPECT_THAT(names_of(panel),
                 ElementsAre("measured: measured", "fitted: viscous", "constant-rate: one constant rate",
-                            "euler-cromer: euler-cromer", "rk4: rk4"));
+                            "euler-cromer: Euler-Cromer", "rk4: RK4"));
   EXPECT_EQ(figure.panels[0].y.name, "velocity {/:Italic v} (cm/s)");
   EXPECT_EQ(figure.panels[1].x.name, figure.panels[3].y.name);
   EXPECT_EQ(figure.panels[2].y.name, "energy {/:Italic E} (mJ/kg)");
@@ -134,7 +134,7 @@ TEST(CompareFigure, ManyRunsHaveARowEach) {
   std::vector<std::string> key;
   for (const Curve& curve : figure.key) key.push_back(curve.role + ": " + curve.name);
   EXPECT_THAT(key, ElementsAre("measured: measured", "fitted: law", "constant-rate: one constant rate",
-                               "euler-cromer: euler-cromer"));
+                               "euler-cromer: Euler-Cromer"));
   for (const Panel& panel : figure.panels)
     for (const Curve& curve : panel.curves) EXPECT_EQ(curve.name + curve.remark, "");
   EXPECT_EQ(figure.note, "");

@@ -88,7 +88,7 @@ TEST(SimulateFigure, CutsEveryPanelWhereARunGrowsWithoutEnd) {
   options.step = 0.02;
   for (const char* panels : {"position", "velocity", "energy"}) {
     const Panel panel = drawn(options, panels).panels[0];
-    const Curve &grows = curve(panel, "forward-euler"), &exact = curve(panel, "exact");
+    const Curve &grows = curve(panel, "forward Euler"), &exact = curve(panel, "exact");
     const double reached = *std::max_element(exact.y.begin(), exact.y.end());
     EXPECT_GT(*std::max_element(grows.y.begin(), grows.y.end()), panel.y.high) << panels;
     EXPECT_GT(panel.y.high, reached) << panels;
@@ -98,7 +98,7 @@ TEST(SimulateFigure, CutsEveryPanelWhereARunGrowsWithoutEnd) {
     }
   }
   const Panel portrait = drawn(options, "phase").panels[0];
-  const Curve& spiral = curve(portrait, "forward-euler");
+  const Curve& spiral = curve(portrait, "forward Euler");
   for (std::size_t i = 0; i < spiral.x.size(); ++i) {
     if (std::isfinite(spiral.x[i])) {
       EXPECT_LT(std::abs(spiral.x[i]), 3 * portrait.x.high);
@@ -154,7 +154,7 @@ TEST(SimulateFigure, ALineEndsTwoPeriodsAfterItLeavesTheFrame) {
   options.step = 0.01;  // grows by exp((0.5 - 0.125) t): to 4 times 5 cm in 3.7 s, to 8 times in 5.5 s
   options.until = 6;
   const Panel panel = drawn(options, "position").panels[0];
-  const Curve& grows = curve(panel, "forward-euler");
+  const Curve& grows = curve(panel, "forward Euler");
   EXPECT_EQ(grows.remark, "grows without end");
   EXPECT_NEAR(grows.x.back(), 3.7 + 2 * 0.628, 0.4);
   EXPECT_EQ(curve(panel, "exact").x.back(), 6);

@@ -239,6 +239,7 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   EXPECT_THAT(text, HasSubstr("Abbildung 1."));
   EXPECT_THAT(text, HasSubstr("Mein *eigener* Text.\n# Ziel\nDie Federkonstante.\n# Was gemessen wurde"));
   EXPECT_THAT(text, HasSubstr("# Schluss\nSie passt.\n"));
+  EXPECT_THAT(text, HasSubstr("ist viscous (viskose Dämpfung) gewählt"));
   for (const char* english : {" the ", "Figure", " rate", "swing "})
     EXPECT_THAT(text, Not(HasSubstr(english)));
   EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9]")));

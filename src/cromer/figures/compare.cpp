@@ -10,6 +10,7 @@
 #include "cromer/base/length_unit.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/figures/motion_curves.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/tasks/fit/fitted_motion.h"
@@ -128,7 +129,8 @@ class Compared {
         look.dashed = true;
         break;
       case Kind::method:
-        look.role = look.name = compared.method;
+        look.role = compared.method;
+        look.name = method_in_words(compared.method);
         break;
     }
     if (remarks)

@@ -10,6 +10,7 @@
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/length_unit.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/figures/panels.h"
 #include "cromer/report/palette.h"
 #include "cromer/tasks/simulate/run_energy.h"
@@ -163,8 +164,8 @@ std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const 
 
 std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {
   const std::string frequency = fmt::format("{:.6g} rad/s", run.drive.frequency);
-  if (!several_frequencies) return run.method;
-  return one_method ? frequency : run.method + ", " + frequency;
+  if (!several_frequencies) return method_in_words(run.method);
+  return one_method ? frequency : method_in_words(run.method) + ", " + frequency;
 }
 
 bool all_one_method(const std::vector<SimulatedRun>& runs) {
@@ -359,8 +360,9 @@ Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel
 
   Figure figure;
   figure.id = "simulate";
-  figure.title = panels_in_words(asked) + " by " +
-                 (panels.one_method() ? runs.front().method : std::string("several methods"));
+  figure.title =
+      panels_in_words(asked) + " by " +
+      (panels.one_method() ? method_in_words(runs.front().method) : std::string("several methods"));
   figure.size = FigureSize::wide;
   figure.shared_x = true;
   // Several methods at several frequencies: a colour for each method, panels for each frequency.

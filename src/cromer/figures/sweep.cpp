@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cromer/base/length_unit.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/report/palette.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 
@@ -100,7 +101,7 @@ class Drawing {
     for (const std::size_t axis : axes_)
       over += fmt::format("{}{}", over.empty() ? "" : " and ", spaced(swept(axis).name));
     return fmt::format("Sweep over {}{}, by {}", over, ways_ == 2 ? ", up and down" : "",
-                       result_.plan.method);
+                       method_in_words(result_.plan.method));
   }
 
   static std::string spaced(std::string name) {

@@ -9,6 +9,7 @@
 #include "cromer/base/extent.h"
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
@@ -167,6 +168,8 @@ void collect_excess(const std::string& name, const Envelope& simulated, const En
 
 void collect(const std::string& id, const FittedRecording& fitted, Results& results) {
   facts_of(fitted, results).set(id, fitted);
+  if (fitted.fit.has_values())
+    results.set(id + ".law_terms", terms_in_words(fitted.fit.law, results.language()));
   for (const auto& [option, value] : fitted.simulate)
     results.set(id + ".simulate." + with_underscores(option), value);
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");

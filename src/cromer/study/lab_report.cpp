@@ -195,8 +195,10 @@ class Part : public LabTold {
     heading("report_law");
     std::string text =
         fitted_.candidates.size() > 1
-            ? words("report_law_chosen", {{"law", in_braces("law")}, {"laws", fitted_.candidates.size()}})
-            : words("report_law_asked", {{"law", in_braces("law")}});
+            ? words("report_law_chosen", {{"law", in_braces("law")},
+                                          {"terms", in_braces("law_terms")},
+                                          {"laws", fitted_.candidates.size()}})
+            : words("report_law_asked", {{"law", in_braces("law")}, {"terms", in_braces("law_terms")}});
     text += " `" + equation() + "`. ";
     const Residual& residual = fitted_.fit.residual;
     text += words(residual.white ? "report_white" : "report_not_white", {{"rms", rms()}});
@@ -453,8 +455,8 @@ class Part : public LabTold {
   }
   void add_methods(FigureLines& figure, bool with_exact) {
     if (with_exact) figure.curves.push_back({.of = exact_, .role = "exact", .name = words("report_exact")});
-    figure.curves.push_back({.of = forward_, .role = "forward-euler", .name = words("report_forward_euler")});
-    figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer"});
+    figure.curves.push_back({.of = forward_, .role = "forward-euler", .name = words("forward-euler")});
+    figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = words("euler-cromer")});
   }
 
   /// What a method did to the energy and to the law; the parts of the law's terms are in J only with a mass.
@@ -475,7 +477,7 @@ class Part : public LabTold {
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},
                      {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
-              of_method(forward_, words("report_forward_euler")) + of_method(cromer_, "Euler-Cromer"));
+              of_method(forward_, words("forward-euler")) + of_method(cromer_, words("euler-cromer")));
     const bool length = si() == "m" || si() == "m/s";
     const Motion& motion = fitted_.fit.motion;
     const double w = two_pi / period_, amplitude = std::hypot(motion.position, motion.velocity / w);
@@ -529,8 +531,9 @@ class Part : public LabTold {
     figure = method_figure(ids[4], "report_phase_title", "report_phase_caption", "phase",
                            words("report_phase_error"), "");
     figure.curves.push_back(
-        {.of = forward_, .role = "forward-euler", .name = words("report_forward_euler"), .minus = exact_});
-    figure.curves.push_back({.of = cromer_, .role = "euler-cromer", .name = "Euler-Cromer", .minus = exact_});
+        {.of = forward_, .role = "forward-euler", .name = words("forward-euler"), .minus = exact_});
+    figure.curves.push_back(
+        {.of = cromer_, .role = "euler-cromer", .name = words("euler-cromer"), .minus = exact_});
     toml_.figure(figure);
   }
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 
@@ -49,6 +51,21 @@ bool is_one_rate(const Parameter& start, const Parameter& end) {
 
 std::string in_words(const Estimate& estimate, std::string_view unit) {
   return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
+}
+
+std::string method_in_words(std::string_view method) { return in_words(Notice{std::string(method)}); }
+
+std::string terms_in_words(const Law& law, Language language) {
+  const std::string names = to_text(law);
+  std::string words;
+  for (const std::string_view name : split(names, '+')) {
+    std::string code(name);
+    std::replace(code.begin(), code.end(), '-', '_');
+    if (name == Viscous::info.name) code = "viscous_damping";
+    if (name == Friction::info.name) code = "dry_friction";
+    words += (words.empty() ? "" : ", ") + in_words(Notice{std::move(code)}, {language});
+  }
+  return words;
 }
 
 std::string recording_title(const FittedRecording& fitted) {

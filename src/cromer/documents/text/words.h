@@ -31,6 +31,12 @@ bool is_one_rate(const Parameter& start, const Parameter& end);
 /// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);
 
+/// "Euler-Cromer" for euler-cromer: the method's name as it is printed.
+std::string method_in_words(std::string_view method);
+
+/// "viscous damping, drag": the names of the law's terms.
+std::string terms_in_words(const Law& law, Language language);
+
 /// "lab.csv, Position (m), run 1", without a column where none was read.
 std::string recording_title(const FittedRecording& fitted);
 

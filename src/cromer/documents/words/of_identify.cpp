@@ -30,6 +30,8 @@ constexpr Entry entries[] = {
     {"position", clause, "position", "Ort"},
     {"velocity", clause, "velocity", "Geschwindigkeit"},
     {"viscous_damping", clause, "viscous damping", "viskose Dämpfung"},
+    {"pendulum", clause, "pendulum", "Pendel"},
+    {"hysteresis", clause, "hysteresis", "Hysterese"},
     {"dry_friction", clause, "dry friction", "trockene Reibung"},
 
     // Why a record is not fitted.

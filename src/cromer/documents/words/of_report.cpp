@@ -102,9 +102,10 @@ constexpr Entry entries[] = {
      "Geschwindigkeit beim ersten Messwert"},
     {"report_displacement", clause, "displacement *x*", "Auslenkung *x*"},
     {"report_law", clause, "The law of motion", "Das Bewegungsgesetz"},
-    {"report_law_chosen", clause, "Of {laws} laws that were tried, {law} was chosen:",
-     "Von {laws} Gesetzen, die geprüft wurden, ist {law} gewählt:"},
-    {"report_law_asked", clause, "The law is {law}, as asked for:", "Das Gesetz ist {law}, wie verlangt:"},
+    {"report_law_chosen", clause, "Of {laws} laws that were tried, {law} ({terms}) was chosen:",
+     "Von {laws} Gesetzen, die geprüft wurden, ist {law} ({terms}) gewählt:"},
+    {"report_law_asked", clause,
+     "The law is {law} ({terms}), as asked for:", "Das Gesetz ist {law} ({terms}), wie verlangt:"},
     {"report_white", clause,
      "What it leaves of the measured values is {rms} (root mean square), and no pattern is found in it.",
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und ein Muster ist darin "
@@ -269,7 +270,6 @@ constexpr Entry entries[] = {
      "After {t} the energy is {ratio} times that at the start; by the law it is {exact} times that.",
      "Nach {t} ist die Energie das {ratio}-Fache der Anfangsenergie; nach dem Gesetz ist sie das "
      "{exact}-Fache."},
-    {"report_forward_euler", clause, "forward Euler", "Euler vorwärts"},
     {"report_exact", clause, "exact", "exakt"},
     {"report_position_title", clause, "Position by both methods", "Ort nach beiden Verfahren"},
     {"report_position_caption", clause, "The displacement by both methods, steps of {step}.",

@@ -317,6 +317,21 @@ constexpr Entry entries[] = {
      "no steady oscillation: the run kept fewer than four states a period of the drive",
      "keine stationäre Schwingung: der Lauf behielt weniger als vier Zustände je Periode des Antriebs"},
 
+    // The methods, by their names
+    {"forward-euler", clause, "forward Euler", "Euler vorwärts"},
+    {"euler-cromer", clause, "Euler-Cromer", "Euler-Cromer"},
+    {"implicit-euler", clause, "implicit Euler", "Euler rückwärts"},
+    {"verlet", clause, "Verlet", "Verlet"},
+    {"newmark", clause, "Newmark", "Newmark"},
+    {"implicit-midpoint", clause, "implicit midpoint", "implizite Mittelpunktregel"},
+    {"generalized-alpha", clause, "generalized-α", "Generalized-α"},
+    {"heun", clause, "Heun", "Heun"},
+    {"rk4", clause, "RK4", "RK4"},
+    {"yoshida4", clause, "Yoshida 4", "Yoshida 4"},
+    {"gauss-legendre4", clause, "Gauss-Legendre 4", "Gauß-Legendre 4"},
+    {"dormand-prince", clause, "Dormand-Prince", "Dormand-Prince"},
+    {"exact", clause, "exact", "exakt"},
+
     // What a method makes of the law
     {"of_run", clause, "{run} {what}", "{run} {what}"},
     {"both", clause, "{first}; {second}", "{first}; {second}"},
