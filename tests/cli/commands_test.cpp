@@ -244,7 +244,7 @@ TEST(Compare, DrawsEachMethodInThePanelsAsked) {
   ASSERT_EQ(end.status, 0) << end.err;
   const std::string picture = folder.read("lab.svg");
   for (const char* word : {"Energy against time and the phase portrait, measured and simulated",
-                           "one constant rate", "forward-euler", "rk4"})
+                           "one constant rate", "forward Euler", "RK4"})
     EXPECT_THAT(picture, HasSubstr(word));
   EXPECT_THAT(end.out, HasSubstr("viscous by forward-euler"));
   for (const char* row : {"\n1,one constant decay rate,0,", "\n1,viscous,0,", "\n1,viscous by rk4,0,"})

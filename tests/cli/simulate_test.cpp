@@ -294,7 +294,7 @@ TEST(Simulate, PanelsArePartOfAPlot) {
   const Finished drawn = folder.run({"simulate", "--plot", "run.svg", "--panels", "energy,phase", "--quiet"});
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   const std::string picture = folder.read("run.svg");
-  EXPECT_THAT(picture, HasSubstr("Energy against time and the phase portrait by euler-cromer"));
+  EXPECT_THAT(picture, HasSubstr("Energy against time and the phase portrait by Euler-Cromer"));
   EXPECT_THAT(picture, HasSubstr("Phase portrait"));
   const Finished without = folder.run({"simulate", "--panels", "energy"});
   EXPECT_EQ(without.status, 2);
