@@ -9,6 +9,7 @@
 #include <functional>
 #include <random>
 
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/study/write_report.h"
 #include "tests/study/collected.h"
@@ -243,6 +244,16 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   for (const char* english : {" the ", "Figure", " rate", "swing "})
     EXPECT_THAT(text, Not(HasSubstr(english)));
   EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9]")));
+}
+
+TEST(LabReport, KeepsAUnitThatIsNotKnown) {
+  std::string bytes = recorded(decaying(0.1), 30);
+  bytes.replace(bytes.find("Position (m)"), 12, "Signal (au)");
+  const Made lab = report({{"lab.csv", bytes}});
+  EXPECT_THAT(lab.text(), HasSubstr("\u00a0au (root mean square)"));
+  EXPECT_THAT(in_words(*lab.recordings.front().fitted.find("velocity"),
+                       named(lab.recordings.front().fitted.parameters, "velocity")->unit),
+              HasSubstr("au/s"));
 }
 
 TEST(LabReport, NamesAndValuesStandForThemselves) {

@@ -248,7 +248,7 @@ std::string compare_csv(std::span<const CompareResult> comparisons) {
     const Series& series = comparison.recording.series;
     std::vector<double> measured = series.y;
     for (double& y : measured) y -= comparison.recording.fit.equilibrium().value;
-    const std::string_view unit = si_unit_of(series.quantity);
+    const std::string unit = unit_of(series);
     for (const auto& curve : comparison.curves) {
       const CsvColumn columns[] = {
           {"run", fmt::format("{}", series.run)},

@@ -25,9 +25,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// "of the column" becomes the unit of this recording.
 Facts facts_of(const FittedRecording& fitted, Results& results) {
-  return Facts(results, [&fitted](std::string_view unit) -> std::string_view {
-    if (unit == unit_of_column) return si_unit_of(fitted.series.quantity);
-    return unit;
+  return Facts(results, [own = unit_of(fitted.series)](std::string_view unit) -> std::string_view {
+    return unit == unit_of_column ? own : unit;
   });
 }
 
@@ -101,7 +100,7 @@ std::vector<double> used_samples(const Series& series) {
 }
 
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
-  const std::string_view unit = si_unit_of(fitted.series.quantity);
+  const std::string unit = unit_of(fitted.series);
   const std::vector<double>& t = fitted.series.t;
   std::vector<double> since_start = t;
   for (double& time : since_start) time -= t.front();
@@ -188,7 +187,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
   results.set(id + ".explanation", in_words(explanation(compared), {results.language()}));
-  const std::string_view unit = si_unit_of(compared.recording.series.quantity);
+  const std::string unit = unit_of(compared.recording.series);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)
     envelopes.push_back(envelope_of(curve.trajectory, compared.recording.series.gaps, false));

@@ -162,8 +162,7 @@ class Part : public LabTold {
     const std::string id = figure_id("record");
     const bool known = fitted_.succeeded();
     const auto [low, high] = extent_of(fitted_.series.y);
-    const std::string unit =
-        known ? shown() : readable_unit(si_unit_of(fitted_.series.quantity), (high - low) / 2);
+    const std::string unit = known ? shown() : readable_unit(unit_of(fitted_.series), (high - low) / 2);
     FigureLines figure{.id = id,
                        .title = words("report_record_title", {{"file", verbatim(title())}}),
                        .caption = words(!known      ? "report_record"

@@ -13,7 +13,7 @@ namespace cromer::core {
 namespace {
 
 std::string with_unit(std::string name, const CompareResult& comparison) {
-  const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
+  const std::string unit = unit_of(comparison.recording.series);
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 

@@ -239,7 +239,7 @@ std::vector<std::string> row_of(const FittedRecording& fitted, const std::string
                           : format_concise({number->estimate.value, number->estimate.standard_error},
                                            number->unit == "1" ? "" : number->unit));
   }
-  const std::string_view unit = si_unit_of(fitted.series.quantity);
+  const std::string unit = unit_of(fitted.series);
   row.push_back(any ? fmt::format("{:.3g}{}{}", fitted.fit.residual.rms, unit.empty() ? "" : " ", unit) : "");
   row.push_back(in_words(fitted.fit.message));
   return row;

@@ -405,8 +405,8 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     samples.t.insert(samples.t.begin(), series.t.front());
     samples.y.insert(samples.y.begin(), series.y.front());
   }
-  result.doubts = doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit),
-                         si_unit_of(series.quantity));
+  result.doubts =
+      doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit), unit_of(series));
   result.others_tried = !law_is_chosen(options.fit);
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;

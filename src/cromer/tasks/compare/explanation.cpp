@@ -57,7 +57,7 @@ Notice explanation(const CompareResult& comparison) {
   if (curves.size() < 2) return {};
   const ComparedCurve& one = curves[0];
   const ComparedCurve& law = curves[1];
-  const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
+  const std::string unit = unit_of(comparison.recording.series);
   const bool viscous = law.law == one.law;
   const Notice left{has_mean_rate(comparison.recording) ? "mean_rate_leaves" : "one_rate_leaves",
                     {{"left", with_unit(one.rms, unit)}}};

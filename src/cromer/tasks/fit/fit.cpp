@@ -194,7 +194,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.fit = choice->chosen;
   list_outliers(result.series, samples, result.fit.outliers, result.notices);
   result.of_record = result.notices.size();
-  const std::string_view unit = si_unit_of(result.series.quantity);
+  const std::string unit = unit_of(result.series);
   if (result.fit.status == FitStatus::iteration_limit && !watch.interrupted())
     if (Notice stop = stop_of(record, result.series.quantity.starts_with("ang"), unit, watch); !stop.empty())
       result.fit.message = std::move(stop);

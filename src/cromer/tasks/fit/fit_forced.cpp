@@ -120,7 +120,7 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
   if (!fit.is_usable()) return;
   const FitOptions& options = result.options;
   const Body body = body_of(options);
-  const std::string_view unit = si_unit_of(result.series.quantity);
+  const std::string unit = unit_of(result.series);
   const int derivative = std::max(0, derivative_order(result.series.quantity));
   if (derivative > 0) result.notices.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
   DrivenMotion& motion = result.driven.emplace();
@@ -227,8 +227,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   for (const double at : result.series.t)
     of_series.push_back(
         grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
-  describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity),
-                      true, watch);
+  describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, unit_of(force), true, watch);
   result.between_samples = name(result.fit.drive.force.between);
   add_unused_notices(result);
   std::vector<double> law_motion;

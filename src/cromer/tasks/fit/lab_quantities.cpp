@@ -102,7 +102,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   if (options.goal.empty()) return {};
   const Result<Goal> goal = parse_goal(options.goal);
   if (!goal) return goal.error();
-  const std::string_view unit = si_unit_of(result.series.quantity);
+  const std::string unit = unit_of(result.series);
   const auto quantities_of = [&](const LawFit& fit) {
     std::vector<Parameter> all = law_parameters(fit, unit, record.derivative);
     const auto add = [&](const std::vector<Parameter>& more) {

@@ -122,7 +122,7 @@ FittedRecording without_law(const FittedRecording& fitted, const Refusal& why) {
 }
 
 void name_two_modes(FittedRecording& result, const TwoModes& found) {
-  const Notice modes = of_two_modes(found, si_unit_of(result.series.quantity));
+  const Notice modes = of_two_modes(found, unit_of(result.series));
   if (!is_of_one_mode(result, found)) {
     const FitStatus refused = result.parameters.empty() ? result.fit.status : FitStatus::no_oscillation;
     result = without_law(result, {refused, Notice{"no_single_swing", {{"modes", modes}}}});
@@ -183,8 +183,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
   if (undecided) {
-    leave_undetermined(*driven, *judgement.modes,
-                       either_reading(*judgement.modes, si_unit_of(driven->series.quantity)));
+    leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes, unit_of(driven->series)));
   } else {
     driven->notices.push_back(Notice{"motion_is_driven",
                                      {{"frequency", driven->fit.motion.drive_frequency / two_pi},
@@ -210,7 +209,7 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes) {
-    const std::string_view unit = si_unit_of(driven.series.quantity);
+    const std::string unit = unit_of(driven.series);
     leave_undetermined(driven, *judgement.modes,
                        searched ? either_reading(*judgement.modes, unit)
                                 : either_reading(*judgement.modes, unit, **drive_of(options)));
