@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> rows;
   std::vector<double> per;
   for (const KernelUnit& unit : units_here()) {
-    works.emplace_back([&kernel, &sum, walk = unit.walk] {
+    works.emplace_back([&kernel, &sum, walk = unit.walk.walk] {
       walk(kernel.filters, kernel.walk, kernel.blocks.data());
       sum += kernel.blocks.back().high.of[0];
     });
@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
                                     std::pair{"continuous peaks", Peaks::continuous}}) {
     works.emplace_back([&, peaks = peaks] {
       for (const auto& found : response_peaks(
-               ground, all, {.peaks = peaks, .after_the_end = peaks == Peaks::continuous, .walk = fastest}))
+               ground, all, {.peaks = peaks, .after_the_end = peaks == Peaks::continuous, .unit = fastest}))
         sum += found.overall();
     });
     rows.push_back(std::string("1000 periods, 4000 samples, ") + name);

@@ -47,7 +47,7 @@ Extremes looked_at(const std::vector<double>& a, double h, bool hold, const Line
 class ResponsePeaksBy : public ::testing::TestWithParam<KernelUnit> {
  protected:
   PeakSearch search(ResponseOf quantity, Peaks peaks, bool largest_alone) const {
-    return {.peaks = peaks, .quantity = quantity, .largest_alone = largest_alone, .walk = GetParam().walk};
+    return {.peaks = peaks, .quantity = quantity, .largest_alone = largest_alone, .unit = GetParam().walk};
   }
 };
 INSTANTIATE_TEST_SUITE_P(Units, ResponsePeaksBy, ::testing::ValuesIn(units_here()),
@@ -186,7 +186,7 @@ TEST(ResponsePeaks, ByDefaultTheFastestUnitWalks) {
   const std::vector<LinearLaw<double>> laws{law_of(0.1, 0.05), law_of(0.7, 0.02), law_of(3, 0)};
   const GroundMotion ground{a, 0.01};
   const auto found = response_peaks(ground, laws, {});
-  const auto fastest = response_peaks(ground, laws, {.walk = choose_unit()->walk});
+  const auto fastest = response_peaks(ground, laws, {.unit = choose_unit()->walk});
   ASSERT_EQ(found.size(), laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) EXPECT_EQ(found[i].overall(), fastest[i].overall()) << i;
 }

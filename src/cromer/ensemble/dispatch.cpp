@@ -4,15 +4,12 @@
 
 extern "C" {
 bool cromer_advance_baseline(cromer_group::Group& group, const cromer_group::Order& order);
-void cromer_walk_baseline(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
-                          cromer_walk::Block* blocks);
+cromer_walk::Functions cromer_walk_baseline();
 #if defined(__x86_64__)
 bool cromer_advance_avx2(cromer_group::Group& group, const cromer_group::Order& order);
-void cromer_walk_avx2(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
-                      cromer_walk::Block* blocks);
+cromer_walk::Functions cromer_walk_avx2();
 bool cromer_advance_avx512(cromer_group::Group& group, const cromer_group::Order& order);
-void cromer_walk_avx512(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
-                        cromer_walk::Block* blocks);
+cromer_walk::Functions cromer_walk_avx512();
 #endif
 }
 
@@ -24,14 +21,14 @@ constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
 }  // namespace
 
 std::vector<KernelUnit> units_here() {
-  std::vector<KernelUnit> units{{names[0], cromer_advance_baseline, cromer_walk_baseline}};
+  std::vector<KernelUnit> units{{names[0], cromer_advance_baseline, cromer_walk_baseline()}};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    units.push_back({names[1], cromer_advance_avx2, cromer_walk_avx2});
+    units.push_back({names[1], cromer_advance_avx2, cromer_walk_avx2()});
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
       __builtin_cpu_supports("avx512vl"))
-    units.push_back({names[2], cromer_advance_avx512, cromer_walk_avx512});
+    units.push_back({names[2], cromer_advance_avx512, cromer_walk_avx512()});
 #endif
   return units;
 }

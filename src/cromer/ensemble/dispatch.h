@@ -14,7 +14,7 @@ namespace cromer::core {
 struct KernelUnit {
   std::string_view name;          ///< baseline, avx2 or avx512
   cromer_group::Advance advance;  ///< runs a group
-  cromer_walk::Function walk;     ///< walks response filters
+  cromer_walk::Functions walk;    ///< walks response filters
 };
 
 /// The units that this machine can run, the fastest last.

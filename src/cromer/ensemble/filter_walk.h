@@ -41,4 +41,57 @@ struct Block {
 /// Walks the filters along the recording; blocks() of them are written.
 using Function = void (*)(const Filters& filters, const Walk& walk, Block* blocks);
 
+// Two components of one ground, q1 and q2, and the directions between them: along the angle a it is
+// cos(a) q1 + sin(a) q2.
+
+inline constexpr std::size_t sketched = 8;  // directions, one every 180/8 degrees
+
+/// What is kept of a block of two components.
+struct BlockOfTwo {
+  Numbers u[2], d[2];  // at its beginning
+  /// Largest magnitude looked at in each direction, over the gain; 0 if none was.
+  alignas(64) double reach[lanes][sketched];
+};
+
+/// `walk.force` and `across` are the components; of `across_filters` only u and d are looked at.
+using FunctionOfTwo = void (*)(const Filters& filters, const Filters& across_filters, const Walk& walk,
+                               const double* across, BlockOfTwo* blocks);
+
+inline constexpr std::size_t directions = 180;  // one every degree
+
+/// How far a motion reaches in each direction; the last few places fill up the vectors.
+struct Reach {
+  static constexpr std::size_t size = (directions + 7) / 8 * 8;
+  alignas(64) double cosine[size], sine[size], magnitude[size];
+};
+
+/// The displacements of an oscillator at some steps.
+struct Points {
+  const double *x, *y;
+  std::size_t count;
+};
+
+/// Raises the magnitudes to what the points reach.
+using ReachOfPoints = void (*)(const Points& points, Reach& reach);
+
+/// Steps of an oscillator that follow one another: displacement, velocity and force of both components.
+struct Path {
+  const double *x[2], *v[2], *f[2];
+  std::size_t count;
+  bool hold;                     ///< the force of each step until the next instead of a ramp
+  double h;                      // [s] from step to step
+  double decay_rate, stiffness;  // |both rates of the law| h <= 0.63
+};
+
+/// Raises the magnitudes to what the motion reaches between its steps, and there.
+using ReachOfPath = void (*)(const Path& path, Reach& reach);
+
+/// What a unit does.
+struct Functions {
+  Function walk = nullptr;
+  FunctionOfTwo walk_two = nullptr;
+  ReachOfPoints reach_of_points = nullptr;
+  ReachOfPath reach_of_path = nullptr;
+};
+
 }  // namespace cromer_walk

@@ -3,26 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include "cromer/analysis/interval_peak.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/filter_walk.h"
+#include "cromer/ensemble/walked_laws.h"
 
 namespace cromer::core {
 namespace {
-
-/// One oscillator of a walk.
-struct WalkedLaw {
-  LinearLaw<double> law;
-  ResponseQuantity<double> quantity;
-  IntervalMap<double> map;
-  ResponseFilter<double> filter;
-  double step;  // [s]
-};
 
 /// Its lane in the blocks that the walk wrote.
 struct WalkedLane {
@@ -87,52 +77,6 @@ class BlockSteps {
   FilterState<double> state_{};
   State<double> y_{};
   std::size_t interval_, part_ = 0;
-};
-
-double value(const ResponseQuantity<double>& quantity, const State<double>& y) {
-  return quantity.x * y.x + quantity.v * y.v;
-}
-
-/// A bound on how far |q| may exceed both its end values in any interval, from bounds on |q| at its ends and
-/// on the force in it.
-struct BlockBound {
-  double of_q, of_force;
-
-  BlockBound(const WalkedLaw& w, std::size_t substeps, bool hold) {
-    // A displacement leaves its chord by at most h^2/8 of the largest |q''| = |f - 2 b q' - s q|. In there
-    // |q| exceeds its bound by no more than that, and |q'| the mean slope by no more than h |q''|.
-    const double h = w.step, bow = h * h / 8;
-    const double left = 1 - w.law.stiffness * bow - 2 * w.law.decay_rate * h;
-    if (w.quantity.v == 0 && left > 0.5) {
-      of_q = bow * (w.law.stiffness + 4 * w.law.decay_rate / h) / left;
-      of_force = bow * std::abs(w.quantity.x) / left;
-    } else {
-      by_state(w, substeps, hold);
-    }
-  }
-
- private:
-  /// overshoot_bound, the state at the beginning being a linear function of both.
-  void by_state(const WalkedLaw& w, std::size_t substeps, bool hold) {
-    const IntervalMap<double>& m = w.map;
-    const ResponseQuantity<double>& o = w.quantity;
-    // q and the next q (without what the force does meanwhile) from x and v.
-    const double nx = o.x * m.xx + o.v * m.vx, nv = o.x * m.xv + o.v * m.vv;
-    const double determinant = o.x * nv - o.v * nx;
-    const double by_force = std::abs(value(o, m.from)) + std::abs(value(o, m.to));
-    const double x_of_q = (std::abs(nv) + std::abs(o.v)) / std::abs(determinant);
-    const double v_of_q = (std::abs(nx) + std::abs(o.x)) / std::abs(determinant);
-    const double x_of_force = std::abs(o.v / determinant) * by_force;
-    const double v_of_force = std::abs(o.x / determinant) * by_force;
-    const auto bound = [&](double x, double v, double f, double slope) {
-      return overshoot_bound(w.law, o, IntervalMotion(w.law, {x, v}, f, slope), w.step);
-    };
-    const double of_x = bound(1, 0, 0, 0), of_v = bound(0, 1, 0, 0);
-    const double of_f = bound(0, 0, 1, 0);
-    const double of_slope = hold ? 0 : bound(0, 0, 0, 2 / (w.step * static_cast<double>(substeps)));
-    of_q = of_x * x_of_q + of_v * v_of_q;
-    of_force = of_x * x_of_force + of_v * v_of_force + of_f + of_slope;
-  }
 };
 
 struct Refinement {
@@ -212,17 +156,6 @@ Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const Wal
   return {law.filter.gain * range.low, law.filter.gain * range.high};
 }
 
-/// Largest |force| in each block, the next sample included.
-std::vector<double> largest_forces(const cromer_walk::Walk& walk) {
-  std::vector<double> largest(walk.blocks());
-  for (std::size_t block = 0; block < largest.size(); ++block) {
-    const std::size_t from = block * walk.block, to = std::min(from + walk.block + 1, walk.samples - 1);
-    for (std::size_t i = from; i <= to; ++i)
-      largest[block] = std::max(largest[block], std::abs(walk.force[i]));
-  }
-  return largest;
-}
-
 /// The extremes between the steps too. Nothing is missed: a block is passed over only where a bound on how
 /// far the quantity may rise between two steps allows it.
 Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
@@ -260,61 +193,8 @@ State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, co
   return steps.state();
 }
 
-double period_of(const LinearLaw<double>& law) { return 2 * std::numbers::pi / std::sqrt(law.stiffness); }
-
-ResponseQuantity<double> quantity_of(const LinearLaw<double>& law, ResponseOf of) {
-  // On the mirrored motion, driven by +a: the absolute acceleration is what spring and damper give it.
-  switch (of) {
-    case ResponseOf::displacement:
-      return {1, 0};
-    case ResponseOf::velocity:
-      return {0, 1};
-    default:
-      return {law.stiffness, 2 * law.decay_rate};
-  }
-}
-
-/// Blocks of about 32 steps, and not too many of them.
-std::size_t block_length(std::size_t samples, std::size_t steps) {
-  return std::max({std::size_t{1}, 32 / steps, samples / 8192});
-}
-
-/// Laws that are walked together, and the blocks that the walk writes.
-struct LawGroup {
-  cromer_walk::Filters filters{};
-  std::vector<WalkedLaw> laws{};
-  std::vector<cromer_walk::Block> blocks{};
-
-  /// Its memory stays for the next laws.
-  void clear() {
-    filters = {};
-    laws.clear();
-  }
-  void add(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity, double step, bool hold,
-           double force) {
-    const IntervalMap<double> map = interval_map(law, step, hold);
-    const ResponseFilter<double> filter = response_filter(map, quantity);
-    const FilterState<double> start = at_rest(map, force);
-    const std::size_t lane = laws.size();
-    filters.decay.of[lane] = filter.decay;
-    filters.kappa.of[lane] = filter.kappa;
-    filters.e0.of[lane] = filter.e0;
-    filters.e2.of[lane] = filter.e2;
-    filters.u.of[lane] = start.u;
-    filters.d.of[lane] = start.d;
-    laws.push_back({law, quantity, map, filter, step});
-  }
-  /// Lanes without a law rest: their filters are 0.
-  void walk(const cromer_walk::Walk& walk, cromer_walk::Function function) {
-    blocks.resize(walk.blocks());
-    function(filters, walk, blocks.data());
-  }
-};
-
-ResponsePeaks peaks_of(const LawGroup& group, std::size_t lane_of, const cromer_walk::Walk& walk,
+ResponsePeaks peaks_of(const WalkedLaw& law, const WalkedLane& lane, const cromer_walk::Walk& walk,
                        std::span<const double> forces, const PeakSearch& search) {
-  const WalkedLaw& law = group.laws[lane_of];
-  const WalkedLane lane{group.blocks.data(), lane_of};
   ResponsePeaks found{search.peaks == Peaks::continuous
                           ? refined(walk, forces, law, lane, search.largest_alone)
                           : range_of(walk, law, lane),
@@ -378,10 +258,8 @@ std::size_t substeps(double spacing, double period) {
 
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
                                           const PeakSearch& search) {
-  std::vector<double> samples(ground.acceleration.begin(), ground.acceleration.end());
-  const cromer_walk::Function walk_filters = search.walk ? search.walk : units_here().back().walk;
-  const bool hold = ground.between == BetweenSamples::hold;
-  if (hold) samples.push_back(samples.back());
+  const std::vector<double> samples = walked_samples(ground);
+  const cromer_walk::Functions unit = search.unit.walk ? search.unit : units_here().back().walk;
 
   if (search.quantity == ResponseOf::velocity) {
     std::vector<ResponsePeaks> found;
@@ -389,41 +267,22 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
     return found;
   }
 
-  std::vector<std::size_t> steps(laws.size()), order(laws.size());
+  std::vector<std::size_t> steps(laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) steps[i] = substeps(ground.spacing, period_of(laws[i]));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return steps[a] < steps[b]; });
-
   std::vector<ResponsePeaks> found(laws.size());
   std::vector<double> forces;
+  std::vector<cromer_walk::Block> blocks;
   std::size_t block_of_forces = 0;
-  LawGroup group;
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    // The law with the finest steps sets those of all, except where the steps are part of the definition.
-    end = std::min(begin + cromer_walk::lanes, order.size());
-    if (search.peaks == Peaks::peer)
-      while (steps[order[end - 1]] != steps[order[begin]]) --end;
-    const std::size_t most = steps[order[end - 1]];
-    const cromer_walk::Walk walk{.force = samples.data(),
-                                 .samples = samples.size(),
-                                 .substeps = most,
-                                 .hold = hold,
-                                 .every = search.peaks != Peaks::samples,
-                                 .look_every = ground.refinement,
-                                 .block = block_length(samples.size(), most)};
-    group.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      const LinearLaw<double>& law = laws[order[i]];
-      group.add(law, quantity_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,
-                samples.front());
-    }
-    group.walk(walk, walk_filters);
-    if (block_of_forces != walk.block) forces = largest_forces(walk);
-    block_of_forces = walk.block;
-    for (std::size_t i = begin; i < end; ++i)
-      found[order[i]] = peaks_of(group, i - begin, walk, forces, search);
-  }
+  for_each_group(
+      samples, ground, laws, steps, search.peaks, search.quantity,
+      [&](const LawGroup& group, const cromer_walk::Walk& walk, std::span<const std::size_t> places) {
+        blocks.resize(walk.blocks());
+        unit.walk(group.filters, walk, blocks.data());
+        if (block_of_forces != walk.block) forces = largest_forces(walk);
+        block_of_forces = walk.block;
+        for (std::size_t i = 0; i < places.size(); ++i)
+          found[places[i]] = peaks_of(group.laws[i], {blocks.data(), i}, walk, forces, search);
+      });
   return found;
 }
 

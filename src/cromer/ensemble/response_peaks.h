@@ -30,9 +30,9 @@ enum class ResponseOf {
 struct PeakSearch {
   Peaks peaks = Peaks::continuous;
   ResponseOf quantity = ResponseOf::displacement;
-  bool after_the_end = true;             ///< look at the free motion after the last sample too
-  bool largest_alone = true;             ///< only the largest magnitude of the whole motion must be right
-  cromer_walk::Function walk = nullptr;  ///< of choose_unit(); nullptr: that of the fastest unit here
+  bool after_the_end = true;         ///< look at the free motion after the last sample too
+  bool largest_alone = true;         ///< only the largest magnitude of the whole motion must be right
+  cromer_walk::Functions unit = {};  ///< of choose_unit(); none: the fastest unit here
 };
 
 struct ResponsePeaks {

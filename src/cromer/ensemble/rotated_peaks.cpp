@@ -4,187 +4,296 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+
+#include "cromer/ensemble/dispatch.h"
+#include "cromer/ensemble/walked_laws.h"
 
 namespace cromer::core {
 namespace {
 
+using cromer_walk::directions;
+using cromer_walk::Reach;
+using cromer_walk::sketched;
+
 constexpr ResponseQuantity<double> displacement{1, 0};
 
-struct Direction {
-  double cosine, sine;
-  double along(double first, double second) const { return cosine * first + sine * second; }
+/// Reaching nowhere.
+const Reach& no_reach() {
+  static const Reach reach = [] {
+    Reach table{};
+    for (std::size_t i = 0; i < Reach::size; ++i) {
+      const double angle = static_cast<double>(i % directions) * (std::numbers::pi / directions);
+      table.cosine[i] = std::cos(angle);
+      table.sine[i] = std::sin(angle);
+    }
+    return table;
+  }();
+  return reach;
+}
+
+/// Distances in the sketched directions.
+using Sketch = std::array<double, sketched>;
+
+/// The displacements that stay within a sketch fill a polygon. Its reach is interpolated between two sketched
+/// directions: `before` and `after` are the weights of the one before and the one after.
+struct SketchedDirections {
+  Sketch cosine, sine;
+  std::array<std::size_t, directions> sector;
+  std::array<double, directions> before, after;
+
+  SketchedDirections() {
+    constexpr double wide = std::numbers::pi / sketched;
+    for (std::size_t i = 0; i < directions; ++i) {
+      sector[i] = i * sketched / directions;
+      const double into =
+          static_cast<double>(i) * (std::numbers::pi / directions) - static_cast<double>(sector[i]) * wide;
+      before[i] = std::sin(wide - into) / std::sin(wide);
+      after[i] = std::sin(into) / std::sin(wide);
+    }
+    for (std::size_t k = 0; k < sketched; ++k) {
+      cosine[k] = std::cos(static_cast<double>(k) * wide);
+      sine[k] = std::sin(static_cast<double>(k) * wide);
+    }
+  }
 };
 
-const std::array<Direction, directions>& all_directions() {
-  static const auto table = [] {
-    std::array<Direction, directions> result;
-    for (int i = 0; i < directions; ++i) {
-      const double angle = i * (std::numbers::pi / directions);
-      result[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
-    }
-    return result;
-  }();
+const SketchedDirections& sketched_directions() {
+  static const SketchedDirections table;
   return table;
 }
 
-/// One oscillator shaken by both components: the force and the motion at the end of a step.
-struct Step {
-  double f1, f2;
-  State<double> y1, y2;
+/// The largest multiples of the distances with which a polygon stays within the reach.
+Sketch within(const Sketch& distances, const Reach& reach) {
+  const SketchedDirections& sketch = sketched_directions();
+  Sketch share;  // of each sector
+  share.fill(1);
+  for (std::size_t i = 0; i < directions; ++i) {
+    const std::size_t k = sketch.sector[i];
+    const double polygon = sketch.before[i] * distances[k] + sketch.after[i] * distances[(k + 1) % sketched];
+    if (polygon > 0) share[k] = std::min(share[k], reach.magnitude[i] / polygon);
+  }
+  Sketch result;
+  for (std::size_t k = 0; k < sketched; ++k)
+    result[k] = distances[k] * std::min(share[(k + sketched - 1) % sketched], share[k]);
+  return result;
+}
 
-  double radius() const { return std::hypot(y1.x, y2.x); }
+/// FollowedSteps that are looked at closely; their memory serves block after block.
+struct FollowedSteps {
+  std::vector<double> x[2], v[2], f[2];
+  std::vector<double> counted[2];  // displacements
+
+  void clear() {
+    for (auto* of : {x, v, f, counted})
+      for (std::size_t c = 0; c < 2; ++c) of[c].clear();
+  }
+  void add(const State<double>& first, const State<double>& second, double f1, double f2) {
+    x[0].push_back(first.x), v[0].push_back(first.v), f[0].push_back(f1);
+    x[1].push_back(second.x), v[1].push_back(second.v), f[1].push_back(f2);
+  }
 };
 
-/// A stretch of steps whose reach in each direction is wanted. Most steps lie well inside what a few far
-/// ones span; only the others are looked at in every direction.
-class Reach {
+/// Two components under all laws of a group, as a unit has walked them.
+struct WalkOfTwo {
+  const cromer_walk::Functions& unit;
+  const cromer_walk::Walk& walk;
+  std::span<const double> across;
+  std::span<const double> largest_forces, largest_across;
+  std::span<const cromer_walk::BlockOfTwo> blocks;
+  bool continuous;
+};
+
+/// One oscillator of the group. Most blocks lie well inside what a few far ones span; only the others are
+/// looked into.
+class Orbit {
  public:
-  Reach(const LinearLaw<double>& law, double step, bool hold, Peaks peaks)
-      : law_(law), step_(step), hold_(hold), continuous_(peaks == Peaks::continuous) {}
+  Orbit(const WalkOfTwo& of, const WalkedLaw& law, std::size_t lane, FollowedSteps& steps)
+      : of_(of),
+        law_(law),
+        to_motion_(filter_to_motion(law.map)),
+        bound_(law, of.walk.substeps, of.walk.hold),
+        lane_(lane),
+        steps_(steps),
+        reach_(no_reach()) {}
 
-  /// steps[0] is the last of the stretch before; `counts[i]` says whether the end of step i is looked at.
-  void add(const std::vector<Step>& steps, const std::vector<char>& counts) {
-    add_furthest(steps, counts);
-    const double least = *std::min_element(reach_.begin(), reach_.end());
-    for (std::size_t i = 1; i < steps.size(); ++i)
-      if (counts[i] && steps[i].radius() > least) add_point(steps[i].y1.x, steps[i].y2.x);
-    if (continuous_)
-      for (std::size_t i = 0; i + 1 < steps.size(); ++i) add_between(steps[i], steps[i + 1], least);
-  }
-
-  void add_free_motion(const Step& last) {
-    for (std::size_t i = 0; i < directions; ++i) {
-      const Direction& d = all_directions()[i];
-      Extremes range{-reach_[i], reach_[i]};
-      include_free(law_, displacement, {d.along(last.y1.x, last.y2.x), d.along(last.y1.v, last.y2.v)}, range);
-      reach_[i] = range.magnitude();
+  RotatedPeaks peaks() {
+    const std::size_t blocks = of_.blocks.size();
+    std::array<std::size_t, sketched> furthest{};
+    for (std::size_t block = 0; block < blocks; ++block)
+      for (std::size_t k = 0; k < sketched; ++k)
+        if (reach_at_steps(block)[k] > reach_at_steps(furthest[k])[k]) furthest[k] = block;
+    for (std::size_t k = 0; k < sketched; ++k) {
+      const auto before = furthest.begin() + static_cast<std::ptrdiff_t>(k);
+      distances_[k] = law_.filter.gain * reach_at_steps(furthest[k])[k];
+      if (std::find(furthest.begin(), before, furthest[k]) == before) look_into(furthest[k]);
     }
-  }
-
-  RotatedPeaks peaks() const {
-    auto sorted = reach_;
-    std::sort(sorted.begin(), sorted.end());
-    return {(sorted[directions / 2 - 1] + sorted[directions / 2]) / 2, sorted.back()};
+    Sketch inside = within(distances_, reach_);
+    for (std::size_t block = 0; block < blocks; ++block) {
+      if (!may_leave(inside, block) || std::find(furthest.begin(), furthest.end(), block) != furthest.end())
+        continue;
+      look_into(block);
+      inside = within(distances_, reach_);
+    }
+    if (of_.continuous) add_free_motion();
+    return {median(), *std::max_element(reach_.magnitude, reach_.magnitude + directions)};
   }
 
  private:
-  void add_point(double x1, double x2) {
-    for (std::size_t i = 0; i < directions; ++i)
-      reach_[i] = std::max(reach_[i], std::abs(all_directions()[i].along(x1, x2)));
+  const double* reach_at_steps(std::size_t block) const { return of_.blocks[block].reach[lane_]; }
+
+  /// Whether the motion of a block may leave a polygon, that between its steps included.
+  bool may_leave(const Sketch& inside, std::size_t block) const {
+    const double gain = law_.filter.gain;
+    const double* reach = reach_at_steps(block);
+    bool may = false;
+    if (!of_.continuous) {
+      for (std::size_t k = 0; k < sketched; ++k) may |= gain * reach[k] > inside[k];
+      return may;
+    }
+    const double* next = block + 1 < of_.blocks.size() ? reach_at_steps(block + 1) : reach;
+    const SketchedDirections& sketch = sketched_directions();
+    const double grown = gain * (1 + bound_.of_q);
+    const double over1 = bound_.of_force * of_.largest_forces[block];
+    const double over2 = bound_.of_force * of_.largest_across[block];
+    for (std::size_t k = 0; k < sketched; ++k)
+      may |=
+          grown * std::max(reach[k], next[k]) + std::abs(sketch.cosine[k]) * over1 + sketch.sine[k] * over2 >
+          inside[k];
+    return may;
   }
 
-  /// The points that lie furthest in eight directions.
-  void add_furthest(const std::vector<Step>& steps, const std::vector<char>& counts) {
-    for (std::size_t d = 0; d < directions; d += directions / 8) {
-      const Direction direction = all_directions()[d];
-      double most = -1;
-      std::size_t furthest = 0;
-      for (std::size_t i = 1; i < steps.size(); ++i) {
-        const double x = std::abs(direction.along(steps[i].y1.x, steps[i].y2.x));
-        if (!counts[i] || x <= most) continue;
-        most = x;
-        furthest = i;
+  void look_into(std::size_t block) {
+    follow(block);
+    of_.unit.reach_of_points({steps_.counted[0].data(), steps_.counted[1].data(), steps_.counted[0].size()},
+                             reach_);
+    if (!of_.continuous) return;
+    of_.unit.reach_of_path({.x = {steps_.x[0].data(), steps_.x[1].data()},
+                            .v = {steps_.v[0].data(), steps_.v[1].data()},
+                            .f = {steps_.f[0].data(), steps_.f[1].data()},
+                            .count = steps_.x[0].size(),
+                            .hold = of_.walk.hold,
+                            .h = law_.step,
+                            .decay_rate = law_.law.decay_rate,
+                            .stiffness = law_.law.stiffness},
+                           reach_);
+  }
+
+  /// The steps of a block, for continuous peaks to the first one of the next block: its own begin there. By
+  /// the filter, so that long periods keep their digits.
+  void follow(std::size_t block) {
+    const cromer_walk::Walk& walk = of_.walk;
+    const cromer_walk::BlockOfTwo& begin = of_.blocks[block];
+    FilterState<double> first{begin.u[0].of[lane_], begin.d[0].of[lane_]};
+    FilterState<double> second{begin.u[1].of[lane_], begin.d[1].of[lane_]};
+    steps_.clear();
+    if (block == 0) steps_.add({0, 0}, {0, 0}, walk.force[0], of_.across[0]);
+    const std::size_t end = std::min((block + 1) * walk.block, walk.samples - 1);
+    const double part = walk.hold ? 0 : 1 / static_cast<double>(walk.substeps);
+    for (std::size_t i = block * walk.block; i < walk.samples - 1; ++i) {
+      const double rise1 = part * (walk.force[i + 1] - walk.force[i]);
+      const double rise2 = part * (of_.across[i + 1] - of_.across[i]);
+      for (std::size_t j = 1; j <= walk.substeps; ++j) {
+        const bool whole = j == walk.substeps;
+        const auto done = static_cast<double>(j);
+        const double f1 = whole ? walk.force[i + 1] : walk.force[i] + done * rise1;
+        const double f2 = whole ? of_.across[i + 1] : of_.across[i] + done * rise2;
+        const State<double> y1 = to_motion_.next(first, law_.map, f1),
+                            y2 = to_motion_.next(second, law_.map, f2);
+        steps_.add(y1, y2, f1, f2);
+        if (i == end) return;
+        if (walk.every || (whole && (i + 1) % walk.look_every == 0)) {
+          steps_.counted[0].push_back(y1.x);
+          steps_.counted[1].push_back(y2.x);
+        }
+        law_.filter.step(first, f1);
+        law_.filter.step(second, f2);
       }
-      if (most > 0) add_point(steps[furthest].y1.x, steps[furthest].y2.x);
+      if (i + 1 == end && !of_.continuous) return;
     }
   }
 
-  IntervalMotion motion(const State<double>& y, double f0, double f1) const {
-    return IntervalMotion(law_, y, f0, hold_ ? 0 : (f1 - f0) / step_);
-  }
-
-  void add_between(const Step& from, const Step& to, double least) {
-    const double over =
-        std::hypot(overshoot_bound(law_, displacement, motion(from.y1, from.f1, to.f1), step_),
-                   overshoot_bound(law_, displacement, motion(from.y2, from.f2, to.f2), step_));
-    if (std::max(from.radius(), to.radius()) + over <= least) return;
+  void add_free_motion() {
+    follow(of_.blocks.size() - 1);
+    const State<double> first{steps_.x[0].back(), steps_.v[0].back()};
+    const State<double> second{steps_.x[1].back(), steps_.v[1].back()};
     for (std::size_t i = 0; i < directions; ++i) {
-      const Direction& d = all_directions()[i];
-      const State<double> y{d.along(from.y1.x, from.y2.x), d.along(from.y1.v, from.y2.v)};
-      const State<double> end{d.along(to.y1.x, to.y2.x), d.along(to.y1.v, to.y2.v)};
-      if (std::max(std::abs(y.x), std::abs(end.x)) + over <= reach_[i]) continue;
-      const IntervalMotion rotated = motion(y, d.along(from.f1, from.f2), d.along(to.f1, to.f2));
-      const double bound = overshoot_bound(law_, displacement, rotated, step_);
-      if (std::max(std::abs(y.x), std::abs(end.x)) + bound <= reach_[i]) continue;
-      Extremes range{-reach_[i], reach_[i]};
-      include_inside(law_, displacement, rotated, end, step_, range);
-      reach_[i] = range.magnitude();
+      const auto along = [&](double a, double b) { return reach_.cosine[i] * a + reach_.sine[i] * b; };
+      const State<double> y{along(first.x, second.x), along(first.v, second.v)};
+      // The energy of a free motion only falls: most cannot swing as far again.
+      const double reach = reach_.magnitude[i];
+      if (y.x * y.x + y.v * y.v / law_.law.stiffness <= reach * reach) continue;
+      Extremes range{-reach, reach};
+      include_free(law_.law, displacement, y, range);
+      reach_.magnitude[i] = range.magnitude();
     }
   }
 
-  const LinearLaw<double>& law_;
-  double step_;
-  bool hold_, continuous_;
-  std::array<double, directions> reach_{};
-};
-
-/// Walks both components by the filter, so that long periods keep their digits.
-class Walk {
- public:
-  Walk(const LinearLaw<double>& law, double step, bool hold, double f1, double f2)
-      : map_(interval_map(law, step, hold)),
-        filter_(response_filter(map_, displacement)),
-        motion_(filter_to_motion(map_)),
-        first_(at_rest(map_, f1)),
-        second_(at_rest(map_, f2)) {}
-
-  Step to(double f1, double f2) {
-    const Step end{f1, f2, motion_.next(first_, map_, f1), motion_.next(second_, map_, f2)};
-    filter_.step(first_, f1);
-    filter_.step(second_, f2);
-    return end;
+  double median() const {
+    std::array<double, directions> sorted;
+    std::copy_n(reach_.magnitude, directions, sorted.begin());
+    const auto middle = sorted.begin() + directions / 2;
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return (*std::max_element(sorted.begin(), middle) + *middle) / 2;
   }
 
- private:
-  IntervalMap<double> map_;
-  ResponseFilter<double> filter_;
-  FilterToMotion<double> motion_;
-  FilterState<double> first_, second_;
+  const WalkOfTwo& of_;
+  const WalkedLaw& law_;
+  FilterToMotion<double> to_motion_;
+  BlockBound bound_;
+  std::size_t lane_;
+  FollowedSteps& steps_;
+  Reach reach_;
+  Sketch distances_{};
 };
 
-RotatedPeaks rotated_peaks(const std::vector<double>& first, const std::vector<double>& second,
-                           const GroundMotion& ground, const LinearLaw<double>& law, Peaks peaks) {
-  constexpr std::size_t stretch = 1 << 15;
-  const double spacing = ground.spacing;
-  const bool hold = ground.between == BetweenSamples::hold;
-  const std::size_t parts = substeps(spacing, 2 * std::numbers::pi / std::sqrt(law.stiffness));
-  const double step = spacing / static_cast<double>(parts);
-  Walk walk(law, step, hold, first[0], second[0]);
-  Reach reach(law, step, hold, peaks);
-  std::vector<Step> steps{{first[0], second[0], {0, 0}, {0, 0}}};
-  std::vector<char> counts{0};
-  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
-    const double part = hold ? 0 : 1 / static_cast<double>(parts);
-    const double rise1 = part * (first[i + 1] - first[i]), rise2 = part * (second[i + 1] - second[i]);
-    for (std::size_t j = 1; j <= parts; ++j) {
-      const bool whole = j == parts;
-      const double done = static_cast<double>(j);
-      steps.push_back(walk.to(whole ? first[i + 1] : first[i] + done * rise1,
-                              whole ? second[i + 1] : second[i] + done * rise2));
-      counts.push_back(peaks != Peaks::samples || (whole && (i + 1) % ground.refinement == 0));
-    }
-    if (steps.size() < stretch && i + 2 < first.size()) continue;
-    reach.add(steps, counts);
-    steps = {steps.back()};
-    counts = {0};
-  }
-  if (peaks == Peaks::continuous) reach.add_free_motion(steps.back());
-  return reach.peaks();
+/// The law's parts of the motion die and swing with these rates at most [1/s].
+double fastest_rate(const LinearLaw<double>& law) {
+  const double b = law.decay_rate, discriminant = b * b - law.stiffness;
+  return discriminant > 0 ? b + std::sqrt(discriminant) : std::sqrt(law.stiffness);
 }
 
 }  // namespace
 
 std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundMotion& second,
-                                        std::span<const LinearLaw<double>> laws, Peaks peaks) {
-  std::vector<double> a(first.acceleration.begin(), first.acceleration.end());
-  std::vector<double> b(second.acceleration.begin(), second.acceleration.end());
-  if (first.between == BetweenSamples::hold) {
-    a.push_back(a.back());
-    b.push_back(b.back());
-  }
-  std::vector<RotatedPeaks> found;
-  for (const auto& law : laws) found.push_back(rotated_peaks(a, b, first, law, peaks));
+                                        std::span<const LinearLaw<double>> laws, Peaks peaks,
+                                        const cromer_walk::Functions& unit_asked_for) {
+  const cromer_walk::Functions unit = unit_asked_for.walk_two ? unit_asked_for : units_here().back().walk;
+  const std::vector<double> along = walked_samples(first), across = walked_samples(second);
+  const bool continuous = peaks == Peaks::continuous;
+  std::vector<std::size_t> substeps_of(laws.size());
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    substeps_of[i] = substeps(first.spacing,
+                              continuous ? 2 * std::numbers::pi / fastest_rate(laws[i]) : period_of(laws[i]));
+
+  std::vector<RotatedPeaks> found(laws.size());
+  std::vector<cromer_walk::BlockOfTwo> blocks;
+  std::vector<double> forces, forces_across;
+  FollowedSteps steps;
+  std::size_t block_of_forces = 0;
+  for_each_group(
+      along, first, laws, substeps_of, peaks, ResponseOf::displacement,
+      [&](const LawGroup& group, const cromer_walk::Walk& walk, std::span<const std::size_t> places) {
+        cromer_walk::Filters across_filters{};
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          const FilterState<double> start = at_rest(group.laws[i].map, across.front());
+          across_filters.u.of[i] = start.u;
+          across_filters.d.of[i] = start.d;
+        }
+        blocks.resize(walk.blocks());
+        unit.walk_two(group.filters, across_filters, walk, across.data(), blocks.data());
+        if (block_of_forces != walk.block) {
+          cromer_walk::Walk other = walk;
+          other.force = across.data();
+          forces = largest_forces(walk);
+          forces_across = largest_forces(other);
+          block_of_forces = walk.block;
+        }
+        const WalkOfTwo both{unit, walk, across, forces, forces_across, blocks, continuous};
+        for (std::size_t i = 0; i < places.size(); ++i)
+          found[places[i]] = Orbit(both, group.laws[i], i, steps).peaks();
+      });
   return found;
 }
 

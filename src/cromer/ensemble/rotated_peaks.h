@@ -16,11 +16,11 @@ struct RotatedPeaks {
   double largest;  // [m] RotD100
 };
 
-inline constexpr int directions = 180;
-
 /// Of two components sampled alike, as response_peaks() would find them on each of the rotated motions. With
-/// continuous peaks the free motion after the last sample counts too.
+/// continuous peaks the free motion after the last sample counts too. The unit is of choose_unit(); none: the
+/// fastest here.
 std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundMotion& second,
-                                        std::span<const LinearLaw<double>> laws, Peaks peaks);
+                                        std::span<const LinearLaw<double>> laws, Peaks peaks,
+                                        const cromer_walk::Functions& unit = {});
 
 }  // namespace cromer::core

@@ -1,6 +1,6 @@
 // The walk of filter_walk.h for one instruction set: the loop over packs of lanes. A unit defines CROMER_UNIT
 // and CROMER_PACK_ARCH as for unit.h, where the reason for the namespaces stands; its function is
-// cromer_walk_NAME.
+// cromer_walk_NAME, which tells what the unit does.
 #define CROMER_JOINED(a, b) a##_##b
 #define CROMER_JOIN(a, b) CROMER_JOINED(a, b)
 #define cromer CROMER_JOIN(cromer_in, CROMER_UNIT)
@@ -12,6 +12,7 @@
 #include "cromer/analysis/response_filter.h"
 #include "cromer/ensemble/filter_walk.h"
 #include "cromer/ensemble/pack.h"
+#include "cromer/ensemble/units/two_components.h"
 
 namespace cromer::core {
 
@@ -92,8 +93,8 @@ void walk_lanes(const cromer_walk::Filters& filters, const cromer_walk::Walk& wa
 
 }  // namespace cromer::core
 
-extern "C" void CROMER_JOIN(cromer_walk, CROMER_UNIT)(const cromer_walk::Filters& filters,
-                                                      const cromer_walk::Walk& walk,
-                                                      cromer_walk::Block* blocks) {
-  cromer::core::walk_lanes<cromer::core::Pack<CROMER_PACK_ARCH>>(filters, walk, blocks);
+extern "C" cromer_walk::Functions CROMER_JOIN(cromer_walk, CROMER_UNIT)() {
+  using Pack = cromer::core::Pack<CROMER_PACK_ARCH>;
+  return {cromer::core::walk_lanes<Pack>, cromer::core::walk_two<Pack>, cromer::core::reach_of_points<Pack>,
+          cromer::core::reach_of_path<Pack>};
 }

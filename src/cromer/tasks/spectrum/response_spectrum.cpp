@@ -129,7 +129,8 @@ void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
         spectrum.after_the_end.push_back(i);
     }
   if (shaking.size() < 2) return;
-  for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, search.peaks)) {
+  for (const auto& found :
+       rotated_peaks(shaking[0].ground, shaking[1].ground, laws, search.peaks, search.unit)) {
     const std::size_t i = spectrum.rotd50.size();
     spectrum.geometric_mean.push_back(std::sqrt(spectrum.displacement[0][i] * spectrum.displacement[1][i]));
     spectrum.rotd50.push_back(found.median);
@@ -275,7 +276,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   if (!asked) return asked.error();
   const auto& [peaks, between, ratios, ductilities, unit, correction, shock] = *asked;
   const PeakSearch search{
-      .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .walk = unit.walk};
+      .peaks = peaks, .after_the_end = options.shock || peaks == Peaks::continuous, .unit = unit.walk};
   SpectrumResult result;
   result.options = options;
   result.peaks = peaks;
