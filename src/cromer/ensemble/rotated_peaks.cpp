@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <numbers>
 
 #include "cromer/ensemble/dispatch.h"
@@ -19,17 +19,13 @@ using cromer_walk::sketched;
 
 constexpr ResponseQuantity<double> displacement{1, 0};
 
-/// Reaching nowhere.
-const Reach& no_reach() {
-  static const Reach reach = [] {
-    Reach table{};
-    for (std::size_t i = 0; i < Reach::size; ++i) {
-      const double angle = static_cast<double>(i % directions) * (std::numbers::pi / directions);
-      table.cosine[i] = std::cos(angle);
-      table.sine[i] = std::sin(angle);
-    }
-    return table;
-  }();
+Reach no_reach() {
+  Reach reach{};
+  for (std::size_t i = 0; i < Reach::size; ++i) {
+    const double angle = static_cast<double>(i % directions) * (std::numbers::pi / directions);
+    reach.cosine[i] = std::cos(angle);
+    reach.sine[i] = std::sin(angle);
+  }
   return reach;
 }
 
@@ -109,24 +105,29 @@ struct WalkOfTwo {
 /// looked into.
 class Orbit {
  public:
-  Orbit(const WalkOfTwo& of, const WalkedLaw& law, std::size_t lane, FollowedSteps& steps)
+  Orbit(const WalkOfTwo& of, const WalkedLaw& law, std::size_t lane, FollowedSteps& steps, Reach& reach)
       : of_(of),
         law_(law),
         to_motion_(filter_to_motion(law.map)),
         bound_(law, of.walk.substeps, of.walk.hold),
         lane_(lane),
         steps_(steps),
-        reach_(no_reach()) {}
+        reach_(reach) {
+    std::fill(std::begin(reach.magnitude), std::end(reach.magnitude), 0.0);
+  }
 
   RotatedPeaks peaks() {
     const std::size_t blocks = of_.blocks.size();
     std::array<std::size_t, sketched> furthest{};
-    for (std::size_t block = 0; block < blocks; ++block)
+    Sketch most{};
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const double* reach = reach_at_steps(block);
       for (std::size_t k = 0; k < sketched; ++k)
-        if (reach_at_steps(block)[k] > reach_at_steps(furthest[k])[k]) furthest[k] = block;
+        if (reach[k] > most[k]) most[k] = reach[k], furthest[k] = block;
+    }
     for (std::size_t k = 0; k < sketched; ++k) {
       const auto before = furthest.begin() + static_cast<std::ptrdiff_t>(k);
-      distances_[k] = law_.filter.gain * reach_at_steps(furthest[k])[k];
+      distances_[k] = law_.filter.gain * most[k];
       if (std::find(furthest.begin(), before, furthest[k]) == before) look_into(furthest[k]);
     }
     Sketch inside = within(distances_, reach_);
@@ -244,7 +245,7 @@ class Orbit {
   BlockBound bound_;
   std::size_t lane_;
   FollowedSteps& steps_;
-  Reach reach_;
+  Reach& reach_;
   Sketch distances_{};
 };
 
@@ -271,6 +272,7 @@ std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundM
   std::vector<cromer_walk::BlockOfTwo> blocks;
   std::vector<double> forces, forces_across;
   FollowedSteps steps;
+  Reach reach = no_reach();
   std::size_t block_of_forces = 0;
   for_each_group(
       along, first, laws, substeps_of, peaks, ResponseOf::displacement,
@@ -292,7 +294,7 @@ std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundM
         }
         const WalkOfTwo both{unit, walk, across, forces, forces_across, blocks, continuous};
         for (std::size_t i = 0; i < places.size(); ++i)
-          found[places[i]] = Orbit(both, group.laws[i], i, steps).peaks();
+          found[places[i]] = Orbit(both, group.laws[i], i, steps, reach).peaks();
       });
   return found;
 }

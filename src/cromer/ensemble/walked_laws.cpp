@@ -75,8 +75,8 @@ std::vector<double> largest_forces(const cromer_walk::Walk& walk) {
   return largest;
 }
 
-void LawGroup::add(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity, double step, bool hold,
-         double force) {
+void LawGroup::add(const LinearLaw<double>& law, const ResponseQuantity<double>& quantity, double step,
+                   bool hold, double force) {
   const IntervalMap<double> map = interval_map(law, step, hold);
   const ResponseFilter<double> filter = response_filter(map, quantity);
   const FilterState<double> start = at_rest(map, force);

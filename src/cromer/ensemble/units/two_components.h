@@ -104,15 +104,23 @@ void reach_of_points(const cromer_walk::Points& points, cromer_walk::Reach& reac
   }
 }
 
-/// A motion as a power series of the part of an interval that has passed, and its first two derivatives.
-inline constexpr std::size_t powers = 17;  // |rate h|^17/17! < 1e-17
+inline constexpr std::size_t most_powers = 17;
 
+/// Powers of a motion's series over an interval until the next is below 1e-17; at most 17 at 0.63.
+inline std::size_t powers_of(double rate_times_h) {
+  std::size_t n = 4;
+  double next = rate_times_h * rate_times_h * rate_times_h * rate_times_h / 24;
+  for (; n < most_powers && next > 1e-17; ++n) next *= rate_times_h / static_cast<double>(n + 1);
+  return n;
+}
+
+/// A motion as a power series of the part of an interval that has passed, and its first two derivatives.
 template <class Real>
 struct Series {
-  Real value[powers], slope[powers - 1], bend[powers - 2];
+  Real value[most_powers], slope[most_powers], bend[most_powers];
 
-  template <std::size_t n>
-  static std::pair<Real, Real> at(const Real (&series)[n], const Real& t) {
+  /// The first n powers and their derivative.
+  static std::pair<Real, Real> at(const Real* series, std::size_t n, const Real& t) {
     Real value = series[n - 1], derivative = 0.0;
     for (std::size_t i = n - 1; i-- > 0;) {
       derivative = derivative * t + value;
@@ -124,7 +132,7 @@ struct Series {
 
 /// From x'' + 2 b x' + s x = f0 + (f1 - f0) t/h, power by power.
 inline void power_series(const cromer_walk::Path& path, std::size_t component, std::size_t i,
-                         double (&of)[powers]) {
+                         std::size_t powers, double* of) {
   const double h = path.h, damping = 2 * path.decay_rate * h, spring = path.stiffness * h * h;
   const double f0 = path.f[component][i], rise = path.hold ? 0 : path.f[component][i + 1] - f0;
   const double force[2] = {h * h * f0, h * h * rise};
@@ -138,23 +146,25 @@ inline void power_series(const cromer_walk::Path& path, std::size_t component, s
 
 /// Where the series vanishes between a and b, in the lanes where its values there, fa and fb, differ in sign:
 /// by Newton's steps, or bisection where they leave the bracket. Elsewhere any number between a and b.
-template <class Pack, std::size_t n>
-Pack root_between(const Pack (&series)[n], Pack a, const Pack& fa, Pack b, const Pack& fb) {
+template <class Pack>
+Pack root_between(const Pack* series, std::size_t powers, Pack a, const Pack& fa, Pack b, const Pack& fb) {
   using Truth = decltype(a < b);
-  const double to_within = 1e-7;  // the motion is flat where it turns: good to 1e-14
+  const double to_within = 1e-7;    // the motion is flat where it turns: good to 1e-14
+  const double last_newton = 1e-4;  // a step as short is the last: what is left is as its square
   const Truth falls = fa > 0.0 && fb < 0.0, sought = falls || (fa < 0.0 && fb > 0.0);
   const Truth idle = choose(sought, Pack(1.0), Pack(0.0)) <= 0.0;
   if (all(idle)) return a;
   Pack t = choose(sought, a + (b - a) * (fa / (fa - fb)), a);
   for (int i = 0; i < 60; ++i) {
-    const auto [value, derivative] = Series<Pack>::at(series, t);
+    const auto [value, derivative] = Series<Pack>::at(series, powers, t);
     const Pack as_begun = choose(falls, value, -value);  // > 0 before the root
     a = choose(as_begun > 0.0, t, a);
     b = choose(as_begun < 0.0, t, b);
     const Pack next = t - value / derivative;
-    const Pack to = choose(value <= 0.0 && value >= 0.0, t,
-                           choose(next > a && next < b, next, a + 0.5 * (b - a)));
-    const Truth settled = abs(to - t) <= to_within;
+    const Truth inside = next > a && next < b;
+    const Pack to = choose(value <= 0.0 && value >= 0.0, t, choose(inside, next, a + 0.5 * (b - a)));
+    const Pack moved = abs(to - t);
+    const Truth settled = moved <= to_within || (inside && moved <= last_newton);
     t = choose(sought, to, t);
     if (all(settled || idle)) break;
   }
@@ -163,22 +173,26 @@ Pack root_between(const Pack (&series)[n], Pack a, const Pack& fa, Pack b, const
 
 /// One interval of a path in as many directions as a pack has lanes.
 template <class Pack>
-Pack reach_inside(const Directions<Pack>& directions, const double (&first)[powers],
-                  const double (&second)[powers]) {
+Pack reach_inside(const Directions<Pack>& directions, const double* first, const double* second,
+                  std::size_t powers) {
   Series<Pack> series;
   for (std::size_t i = 0; i < powers; ++i) series.value[i] = directions.along(first[i], second[i]);
   for (std::size_t i = 0; i + 1 < powers; ++i)
     series.slope[i] = static_cast<double>(i + 1) * series.value[i + 1];
   for (std::size_t i = 0; i + 2 < powers; ++i)
     series.bend[i] = static_cast<double>(i + 1) * series.slope[i + 1];
-  const auto slope = [&](const Pack& t) { return Series<Pack>::at(series.slope, t).first; };
-  const auto magnitude = [&](const Pack& t) { return abs(Series<Pack>::at(series.value, t).first); };
+  const auto slope = [&](const Pack& t) { return Series<Pack>::at(series.slope, powers - 1, t).first; };
+  const auto turn_between = [&](const Pack& a, const Pack& at_a, const Pack& b, const Pack& at_b) {
+    return abs(
+        Series<Pack>::at(series.value, powers, root_between(series.slope, powers - 1, a, at_a, b, at_b))
+            .first);
+  };
   // q'' swings freely and vanishes at most once in half a period: on both sides of that q' is monotone.
-  const Pack begin = 0.0, end = 1.0, at_begin = series.slope[0], at_end = slope(end);
-  const Pack bend_at_begin = series.bend[0], bend_at_end = Series<Pack>::at(series.bend, end).first;
-  const Pack turn = root_between(series.bend, begin, bend_at_begin, end, bend_at_end), at_turn = slope(turn);
-  return larger(magnitude(root_between(series.slope, begin, at_begin, turn, at_turn)),
-                magnitude(root_between(series.slope, turn, at_turn, end, at_end)));
+  const Pack begin = 0.0, end = 1.0, bend_at_end = Series<Pack>::at(series.bend, powers - 2, end).first;
+  const Pack middle = root_between(series.bend, powers - 2, begin, series.bend[0], end, bend_at_end);
+  const Pack at_middle = slope(middle);
+  return larger(turn_between(begin, series.slope[0], middle, at_middle),
+                turn_between(middle, at_middle, end, slope(end)));
 }
 
 /// The motion of both components at a step, and its derivatives until the next.
@@ -199,6 +213,9 @@ struct MotionOfTwo {
 template <class Pack>
 void reach_of_path(const cromer_walk::Path& path, cromer_walk::Reach& reach) {
   const LinearLaw<double> law{.decay_rate = path.decay_rate, .stiffness = path.stiffness};
+  const double b = path.decay_rate, discriminant = b * b - path.stiffness;
+  const double rate = discriminant > 0 ? b + std::sqrt(discriminant) : std::sqrt(path.stiffness);
+  const std::size_t powers = powers_of(rate * path.h);
   double least = reach.magnitude[0];
   for (const double each : reach.magnitude) least = each < least ? each : least;
   for (std::size_t i = 0; i + 1 < path.count; ++i) {
@@ -210,7 +227,7 @@ void reach_of_path(const cromer_walk::Path& path, cromer_walk::Reach& reach) {
     const double over2 = overshoot_bound(law, {1, 0}, motion.second, path.h);
     const double over = std::sqrt(over1 * over1 + over2 * over2), inner = least - over;
     if (inner > 0 && square(i) <= inner * inner && square(i + 1) <= inner * inner) continue;
-    double first[powers], second[powers];
+    double first[most_powers], second[most_powers];
     bool expanded = false;
     for (std::size_t place = 0; place < cromer_walk::Reach::size; place += Pack::size) {
       const Directions<Pack> directions(reach, place);
@@ -226,11 +243,12 @@ void reach_of_path(const cromer_walk::Path& path, cromer_walk::Reach& reach) {
         continue;
       }
       if (!expanded) {
-        power_series(path, 0, i, first);
-        power_series(path, 1, i, second);
+        power_series(path, 0, i, powers, first);
+        power_series(path, 1, i, powers, second);
         expanded = true;
       }
-      larger(larger(reached, most), reach_inside(directions, first, second)).store(reach.magnitude + place);
+      larger(larger(reached, most), reach_inside(directions, first, second, powers))
+          .store(reach.magnitude + place);
     }
   }
 }
