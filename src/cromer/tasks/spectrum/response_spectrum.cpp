@@ -21,7 +21,7 @@ namespace {
 constexpr int band_limited_factor = 16;  // values for each interval
 constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
 // Periods computed between two checks for an interrupt: of one component, of two, of hysteretic damping.
-constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32,
+constexpr std::size_t slice = 1024, slice_of_two = 128, slice_of_sums = 8, least_slice = 32,
                       slice_of_yielding = 4;
 constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
 
