@@ -116,7 +116,7 @@ inline std::size_t powers_of(double rate_times_h) {
 
 /// A motion as a power series of the part of an interval that has passed, and its first two derivatives.
 template <class Real>
-struct Series {
+struct PowerSeries {
   Real value[most_powers], slope[most_powers], bend[most_powers];
 
   /// The first n powers and their derivative.
@@ -156,7 +156,7 @@ Pack root_between(const Pack* series, std::size_t powers, Pack a, const Pack& fa
   if (all(idle)) return a;
   Pack t = choose(sought, a + (b - a) * (fa / (fa - fb)), a);
   for (int i = 0; i < 60; ++i) {
-    const auto [value, derivative] = Series<Pack>::at(series, powers, t);
+    const auto [value, derivative] = PowerSeries<Pack>::at(series, powers, t);
     const Pack as_begun = choose(falls, value, -value);  // > 0 before the root
     a = choose(as_begun > 0.0, t, a);
     b = choose(as_begun < 0.0, t, b);
@@ -175,20 +175,20 @@ Pack root_between(const Pack* series, std::size_t powers, Pack a, const Pack& fa
 template <class Pack>
 Pack reach_inside(const Directions<Pack>& directions, const double* first, const double* second,
                   std::size_t powers) {
-  Series<Pack> series;
+  PowerSeries<Pack> series;
   for (std::size_t i = 0; i < powers; ++i) series.value[i] = directions.along(first[i], second[i]);
   for (std::size_t i = 0; i + 1 < powers; ++i)
     series.slope[i] = static_cast<double>(i + 1) * series.value[i + 1];
   for (std::size_t i = 0; i + 2 < powers; ++i)
     series.bend[i] = static_cast<double>(i + 1) * series.slope[i + 1];
-  const auto slope = [&](const Pack& t) { return Series<Pack>::at(series.slope, powers - 1, t).first; };
+  const auto slope = [&](const Pack& t) { return PowerSeries<Pack>::at(series.slope, powers - 1, t).first; };
   const auto turn_between = [&](const Pack& a, const Pack& at_a, const Pack& b, const Pack& at_b) {
     return abs(
-        Series<Pack>::at(series.value, powers, root_between(series.slope, powers - 1, a, at_a, b, at_b))
+        PowerSeries<Pack>::at(series.value, powers, root_between(series.slope, powers - 1, a, at_a, b, at_b))
             .first);
   };
   // q'' swings freely and vanishes at most once in half a period: on both sides of that q' is monotone.
-  const Pack begin = 0.0, end = 1.0, bend_at_end = Series<Pack>::at(series.bend, powers - 2, end).first;
+  const Pack begin = 0.0, end = 1.0, bend_at_end = PowerSeries<Pack>::at(series.bend, powers - 2, end).first;
   const Pack middle = root_between(series.bend, powers - 2, begin, series.bend[0], end, bend_at_end);
   const Pack at_middle = slope(middle);
   return larger(turn_between(begin, series.slope[0], middle, at_middle),
