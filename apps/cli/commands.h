@@ -24,6 +24,7 @@ struct Command {
 
 int run_simulate(const Arguments& arguments);
 int run_methods(const Arguments& arguments);
+int run_modes(const Arguments& arguments);
 int run_inspect(const Arguments& arguments);
 int run_fit(const Arguments& arguments);
 int run_compare(const Arguments& arguments);

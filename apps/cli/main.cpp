@@ -22,6 +22,7 @@ namespace {
 constexpr Command commands[] = {
     {"simulate", "run the oscillator by one or more methods", run_simulate},
     {"methods", "list the methods of integration", run_methods},
+    {"modes", "natural frequencies and shapes of a network of masses", run_modes},
     {"inspect", "say what is in a recording; convert it", run_inspect},
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},

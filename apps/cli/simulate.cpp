@@ -1,5 +1,6 @@
 #include "cromer/tasks/simulate/simulate.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "commands.h"
@@ -10,6 +11,8 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
 #include "cromer/os/process.h"
+#include "cromer/tasks/network/network_file.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/simulate/laid_over.h"
 #include "message.h"
@@ -27,6 +30,34 @@ std::string_view first_given(const OverOptions& over) {
   if (over.run) return "over-run";
   if (over.from) return "over-from";
   return over.offset != 0 ? "over-offset" : "";
+}
+
+/// The run of a network, whose file says what moves: only the options of the integration go with it.
+int run_network_file(const std::string& file, SimulateOptions options, OutputOptions output,
+                     const std::vector<TypedOption>& given, const Arguments& arguments) {
+  const std::vector<Option> of_task = options_of(options);
+  for (const auto& [name, text] : given)
+    if (std::any_of(of_task.begin(), of_task.end(),
+                    [&, &typed = name](const Option& o) { return o.name == typed; }) &&
+        !is_option_of_networks(name))
+      return refuse(Error{"option_not_of_networks", {{"option", name}}});
+  output.hdf5 = false;
+  if (auto good = check_outputs(output, {file}); !good) return refuse(good.error());
+  const auto network = open_network(file);
+  if (!network) return refuse(network.error());
+  options.memory = os::memory() / 2;
+  const auto run = run_network(*network, file, options, watching(output.quiet));
+  clear_progress();
+  if (!run) return refuse(run.error());
+  Answer answer{.text = [&] { return network_text(*run); },
+                .json = [&] { return to_json(*run, false); },
+                .csv = [&] { return network_csv(*run, provenance(output, "simulate", arguments)); },
+                .whole_json = [&] { return to_json(*run, true); },
+                .figure = [&] { return network_figure(*run); },
+                .notices = run->notices,
+                .good = run->ok()};
+  if (!run->message.empty()) answer.failures.push_back(run->method + ": " + in_words(run->message));
+  return give(answer, output);
 }
 
 }  // namespace
@@ -48,8 +79,19 @@ int run_simulate(const Arguments& arguments) {
   syntax.options.insert(syntax.options.end(), of_over.begin(), of_over.end());
   add_output_options(syntax.options, output, {.provenance = true, .panels = true},
                      "the kept states as .csv, .json or .h5");
+  std::string network;
+  syntax.options.push_back(
+      {"network", &network, "", Range::any,
+       "file (.toml) of masses and links that run in place of one oscillator; the options "
+       "of the integration go with it, but one method",
+       "none", "A network of masses"});
   std::vector<std::string> files;
-  if (const auto status = parse(syntax, arguments, files)) return *status;
+  std::vector<TypedOption> given;
+  if (const auto status = parse(syntax, arguments, files, &given)) return *status;
+  if (!network.empty()) {
+    if (!over.file.empty()) return refuse(Error{"network_not_alone"});
+    return run_network_file(network, options, output, given, arguments);
+  }
   if (auto good = check_outputs(output, over.file.empty() ? files : std::vector{over.file}); !good)
     return refuse(good.error());
   std::optional<Recording> under;

@@ -7,6 +7,8 @@
 
 #include "apps/web/core/described.h"
 #include "cromer/documents/described/describe.h"
+#include "cromer/documents/described/modes.h"
+#include "cromer/documents/described/network_run.h"
 #include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/documents/described/spectrum.h"
@@ -249,6 +251,7 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
           table<FittedRecording>("fit") + table<CompareResult>("compare") +
           table<DescribedRun>("simulate: each of `runs[]`") +
           table<MethodRow>("methods: each of `methods[]`") +
+          table<NetworkDocument>("simulate with a network") + table<ModesResult>("modes") +
           table<RecogniseResult>("methods with a run to recognise") + table<InspectedFile>("inspect") +
           table<SweepDocument>("sweep") +
           table<SpectrumDocument>("spectrum; of many recordings each of `motions[]`, with its `files`, or "

@@ -18,6 +18,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/record/options.h"
@@ -189,7 +190,7 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
                               "static",       "mass-line",      "masses",  "gravity",  "resume",
                               "trajectories", "every",          "address", "points",   "frequency-from",
                               "frequency-to", "damping-ratios", "longest", "halvings", "port",
-                              "page",         "panels"};
+                              "page",         "panels",         "network"};
   const auto add = [&](auto options) {
     for (const Option& option : options_of(options)) known.emplace(option.name);
   };
@@ -197,6 +198,7 @@ TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
   add(OverOptions{});
   add(FitOptions{});
   add(CompareOptions{});
+  add(ModesOptions{});
   add(RecogniseOptions{});
   add(SweepOptions{});
   add(SpectrumOptions{});

@@ -374,6 +374,58 @@ std::string static_csv(const StaticStiffness& found) {
   return out;
 }
 
+std::string network_csv(const NetworkRun& run, const std::string& command) {
+  const bool angles = run.network.angles;
+  std::vector<CsvColumn> columns{{"t (s)", run.states.t}};
+  for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
+    const std::string& name = run.network.masses[i].name;
+    columns.push_back({name + (angles ? " x (rad)" : " x (m)"), run.states.x[i]});
+    columns.push_back({name + (angles ? " v (rad/s)" : " v (m/s)"), run.states.v[i]});
+  }
+  columns.push_back({"energy (J)", run.states.energy});
+  std::string out;
+  append_csv(out, columns, std::span(&command, 1), true);
+  return out;
+}
+
+std::string modes_csv(const ModesResult& result) {
+  NamedColumns table;
+  const auto add = [&](std::string header, const auto& value) {
+    std::vector<double>& column = table.add(std::move(header));
+    for (const Mode& mode : result.modes) column.push_back(value(mode));
+  };
+  std::vector<double>& number = table.add("mode");
+  for (std::size_t j = 1; j <= result.modes.size(); ++j) number.push_back(static_cast<double>(j));
+  const auto add_estimate = [&](const std::string& name, const std::string& unit, Estimate Mode::*member) {
+    add(name + unit, [&](const Mode& mode) { return (mode.*member).value; });
+    add(name + " standard error" + unit, [&](const Mode& mode) { return (mode.*member).standard_error; });
+    add(name + " 95 % low" + unit, [&](const Mode& mode) { return (mode.*member).low; });
+    add(name + " 95 % high" + unit, [&](const Mode& mode) { return (mode.*member).high; });
+  };
+  add_estimate("frequency", " (Hz)", &Mode::frequency);
+  add_estimate("damping ratio", "", &Mode::damping_ratio);
+  add("participation",
+      [](const Mode& mode) { return mode.participation.value_or(std::numeric_limits<double>::quiet_NaN()); });
+  for (std::size_t i = 0; i < result.names.size(); ++i) {
+    add(result.names[i] + " re", [&](const Mode& mode) { return mode.shape[i].real(); });
+    add(result.names[i] + " im", [&](const Mode& mode) { return mode.shape[i].imag(); });
+  }
+  if (!result.modes.empty() && !result.modes.front().methods.empty())
+    for (std::size_t k = 0; k < result.modes.front().methods.size(); ++k) {
+      const std::string& method = result.modes.front().methods[k].method;
+      const auto number_of = [](const std::optional<double>& value) {
+        return value.value_or(std::numeric_limits<double>::quiet_NaN());
+      };
+      add("frequency by " + method + " (Hz)",
+          [&](const Mode& mode) { return number_of(mode.methods[k].frequency()); });
+      add("damping ratio by " + method,
+          [&](const Mode& mode) { return number_of(mode.methods[k].damping_ratio()); });
+    }
+  std::string out;
+  append_csv(out, csv_columns(table), {}, true);
+  return out;
+}
+
 std::string mass_line_csv(const MassLine& line) {
   std::string out;
   const auto cell = [](const double& value) { return std::span<const double>(&value, 1); };

@@ -11,6 +11,8 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -50,6 +52,15 @@ std::string fit_csv(std::span<const FittedRecording> fits);
 /// The fitted motions, sample by sample: "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),
 /// v from the samples (m/s),set aside". The units depend on the column. A fit without values has no rows.
 std::string motion_csv(std::span<const FittedRecording> fits);
+
+/// The kept states: "t (s)", then x and v of each mass by its name, "floor 1 x (m),floor 1 v (m/s)", and last
+/// "energy (J)".
+std::string network_csv(const NetworkRun& run, const std::string& command);
+
+/// A row for each mode: frequency and damping ratio with their standard errors and 95 % intervals, the
+/// participation, the real and the imaginary part of its shape at each name, and what each method makes of
+/// it.
+std::string modes_csv(const ModesResult& result);
 
 /// "run,curve,t (s),measured displacement (m),simulated displacement (m)". Displacements are from the fitted
 /// equilibrium, in the SI unit of the column.

@@ -8,6 +8,8 @@
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/described/inspect.h"
 #include "cromer/documents/described/methods.h"
+#include "cromer/documents/described/modes.h"
+#include "cromer/documents/described/network_run.h"
 #include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/documents/described/spectrum.h"
@@ -47,6 +49,14 @@ std::string to_json(const RecogniseResult& result, const Voice& voice) {
   if (!result.ok()) document["message"] = said(result.words, voice);
   return to_text(document);
 }
+
+std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice) {
+  Json document = json_of(NetworkDocument{run, with_states}, voice);
+  if (!run.message.empty()) document["message"] = said(run.message, voice);
+  return to_text(document, with_states);
+}
+
+std::string to_json(const ModesResult& result, const Voice& voice) { return to_text(json_of(result, voice)); }
 
 std::string to_json(const SweepResult& result, bool with_rows, const Voice& voice) {
   return to_text(json_of(SweepDocument{result, with_rows}, voice), true);

@@ -11,6 +11,8 @@
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -24,6 +26,13 @@ std::string to_json(const SimulateResult& result, bool with_states, const Voice&
 
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {});
+
+/// {"method", "masses": [...], "links": [...], ...}, with "message" if the run ended early. `with_states`
+/// adds the kept states, all on one line.
+std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice = {});
+
+/// {"names": [...], "modes": [...], ...}
+std::string to_json(const ModesResult& result, const Voice& voice = {});
 
 /// {"recognised": [...], "verdict", ...}, with "message" if no method made the rows.
 std::string to_json(const RecogniseResult& result, const Voice& voice = {});

@@ -10,6 +10,8 @@
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -77,6 +79,12 @@ std::string option_text(const Option& option);
 
 /// Their table; where `options` ask for a step, what each of them simulates instead.
 std::string methods_text(const MethodsOptions& options, std::span<const MethodRow> methods);
+
+/// A table of the modes, their shapes where they are few, and what each method simulates.
+std::string modes_text(const ModesResult& result);
+
+/// Where each mass is at the end, and where the energy went.
+std::string network_text(const NetworkRun& run);
 
 /// Which method made the rows, and a table of the nearest.
 std::string recognise_text(const RecogniseResult& result);

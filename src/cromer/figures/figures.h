@@ -9,6 +9,7 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -24,6 +25,10 @@ inline constexpr MotionPanel position_alone[] = {MotionPanel::position};
 /// The samples that the runs are laid over are dots in the panel of positions.
 Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> panels = position_alone,
                        const LaidOver* over = nullptr);
+
+/// The positions of all masses against time, a curve for each; of more than six the first, the last and some
+/// between.
+Figure network_figure(const NetworkRun& run);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three

@@ -7,20 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include "cromer/read/place.h"
 #include "cromer/report/figure.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
-
-/// A place in the study file.
-struct Place {
-  std::string file;
-  unsigned line = 0, column = 0;
-
-  Error error(const Notice& what) const {
-    return Error{"at_place", {{"file", file}, {"line", line}, {"column", column}, {"what", what}}};
-  }
-};
 
 /// A text of the page, with results in it.
 struct StudyText {

@@ -6,16 +6,15 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
+#include "cromer/tasks/simulate/early_end.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/run_law.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {
-namespace {
 
-/// Why the run ended early, with the last good time and step; empty if it did not, or was asked to.
-Notice message_of(const Outcome& outcome) {
+Notice early_end(const Outcome& outcome) {
   switch (outcome.status) {
     case Status::reached_end:
       return {};
@@ -33,6 +32,8 @@ Notice message_of(const Outcome& outcome) {
   }
   return {};
 }
+
+namespace {
 
 /// A state whose energy overflows is as bad as one that is not finite: the run ends at the last kept state
 /// before it.
@@ -68,7 +69,7 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
                         keep, watch);
   run.trajectory = keep.take();
   end_before_overflow(run, every);
-  run.message = message_of(run.outcome);
+  run.message = early_end(run.outcome);
 }
 
 std::vector<double> readings(const Trajectory& trajectory, const SensorOptions& options) {

@@ -1,0 +1,190 @@
+// Many numbers as one scalar, so that every method integrates many masses as it integrates one.
+//
+// The length is known at run time. Methods make a dozen short-lived vectors a step; their memory is kept in a
+// list and used again, so that after its first step a run allocates nothing.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "cromer/base/dual.h"
+
+namespace cromer::core {
+
+/// Pieces of memory that vectors of this thread have given back.
+class VectorMemory {
+ public:
+  static double* take(std::size_t size) {
+    Pieces& pieces = free_pieces();
+    for (std::size_t i = pieces.count; i-- > 0;)
+      if (pieces.piece[i].size == size) {
+        double* numbers = pieces.piece[i].numbers.release();
+        std::swap(pieces.piece[i], pieces.piece[--pieces.count]);
+        return numbers;
+      }
+    return new double[size];
+  }
+
+  static void give_back(double* numbers, std::size_t size) {
+    Pieces& pieces = free_pieces();
+    // Pieces of a length that nobody asks for any more make room.
+    Piece& place = pieces.count < pieces.piece.size() ? pieces.piece[pieces.count++]
+                                                      : pieces.piece[pieces.next++ % pieces.piece.size()];
+    place = {std::unique_ptr<double[]>(numbers), size};
+  }
+
+ private:
+  struct Piece {
+    std::unique_ptr<double[]> numbers{};
+    std::size_t size = 0;
+  };
+  struct Pieces {
+    std::array<Piece, 64> piece;
+    std::size_t count = 0, next = 0;
+  };
+  static Pieces& free_pieces() {
+    static thread_local Pieces pieces;
+    return pieces;
+  }
+};
+
+/// Real numbers, or one number that stands for all of them: a default one is 0, and has no size. Sums, and
+/// products with numbers, go component by component. A size is that of the largest component.
+class Vector {
+ public:
+  Vector() = default;
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Vector(Number all)
+      : number_(static_cast<double>(all)) {}  // NOLINT: as numbers do
+
+  /// Of components that are not set yet.
+  static Vector of_size(std::size_t size) {
+    Vector made;
+    made.size_ = size;
+    if (size > 0) made.numbers_ = VectorMemory::take(size);
+    return made;
+  }
+
+  Vector(const Vector& other) : size_(other.size_), number_(other.number_) {
+    if (size_ == 0) return;
+    numbers_ = VectorMemory::take(size_);
+    for (std::size_t i = 0; i < size_; ++i) numbers_[i] = other.numbers_[i];
+  }
+  Vector(Vector&& other) noexcept { swap(other); }
+  Vector& operator=(const Vector& other) {
+    if (size_ != other.size_ || size_ == 0) return *this = Vector(other);
+    if (this != &other)
+      for (std::size_t i = 0; i < size_; ++i) numbers_[i] = other.numbers_[i];
+    return *this;
+  }
+  Vector& operator=(Vector&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Vector() {
+    if (numbers_) VectorMemory::give_back(numbers_, size_);
+  }
+
+  /// 0 where one number stands for all.
+  std::size_t size() const { return size_; }
+  double operator[](std::size_t i) const { return size_ == 0 ? number_ : numbers_[i]; }
+  /// Only of a vector with a size.
+  double& operator[](std::size_t i) { return numbers_[i]; }
+  const double* data() const { return numbers_; }
+  double* data() { return numbers_; }
+
+  Vector operator-() const {
+    return map(*this, [](double a) { return -a; });
+  }
+  Vector& operator+=(const Vector& b) {
+    return *this = map(std::move(*this), b, [](double x, double y) { return x + y; });
+  }
+  Vector& operator-=(const Vector& b) {
+    return *this = map(std::move(*this), b, [](double x, double y) { return x - y; });
+  }
+
+  /// f of each component. Where `a` is about to go, its memory becomes the result's.
+  template <class A, class F>
+  static Vector map(A&& a, const F& f) {
+    if (a.size_ == 0) return Vector(f(a.number_));
+    const double* from = a.numbers_;
+    const std::size_t size = a.size_;
+    Vector result = room_of(std::forward<A>(a));
+    for (std::size_t i = 0; i < size; ++i) result.numbers_[i] = f(from[i]);
+    return result;
+  }
+
+  /// f of both components, likewise.
+  template <class A, class B, class F>
+  static Vector map(A&& a, B&& b, const F& f) {
+    if (b.size_ == 0) {
+      const double number = b.number_;
+      return map(std::forward<A>(a), [&](double each) { return f(each, number); });
+    }
+    if (a.size_ == 0) {
+      const double number = a.number_;
+      return map(std::forward<B>(b), [&](double each) { return f(number, each); });
+    }
+    const double *left = a.numbers_, *right = b.numbers_;
+    const std::size_t size = a.size_;
+    Vector result = std::is_lvalue_reference_v<A> ? room_of(std::forward<B>(b)) : room_of(std::forward<A>(a));
+    for (std::size_t i = 0; i < size; ++i) result.numbers_[i] = f(left[i], right[i]);
+    return result;
+  }
+
+ private:
+  void swap(Vector& other) noexcept {
+    std::swap(size_, other.size_);
+    std::swap(number_, other.number_);
+    std::swap(numbers_, other.numbers_);
+  }
+  static Vector room_of(const Vector& a) { return of_size(a.size_); }
+  static Vector room_of(Vector&& a) { return std::move(a); }
+
+  std::size_t size_ = 0;
+  double number_ = 0;
+  double* numbers_ = nullptr;
+};
+
+template <class T>
+concept IsVector = std::same_as<std::remove_cvref_t<T>, Vector>;
+
+template <IsVector A, IsVector B>
+Vector operator+(A&& a, B&& b) {
+  return Vector::map(std::forward<A>(a), std::forward<B>(b), [](double x, double y) { return x + y; });
+}
+template <IsVector A, IsVector B>
+Vector operator-(A&& a, B&& b) {
+  return Vector::map(std::forward<A>(a), std::forward<B>(b), [](double x, double y) { return x - y; });
+}
+template <class Factor, IsVector A>
+requires std::is_arithmetic_v<Factor> Vector operator*(Factor c, A&& a) {
+  return Vector::map(std::forward<A>(a), [c](double x) { return c * x; });
+}
+template <class Factor, IsVector A>
+requires std::is_arithmetic_v<Factor> Vector operator*(A&& a, Factor c) {
+  return Vector::map(std::forward<A>(a), [c](double x) { return x * c; });
+}
+template <class Divisor, IsVector A>
+requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
+  return Vector::map(std::forward<A>(a), [c](double x) { return x / c; });
+}
+
+/// The number; of many the largest magnitude, and not a number where one of them is not.
+inline double value_of(const Vector& a) {
+  if (a.size() == 0) return a[0];
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double size = std::abs(a.data()[i]);
+    if (!(size <= largest)) largest = size;
+    if (std::isnan(largest)) return largest;
+  }
+  return largest;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/documents/text.h"
+#include "cromer/documents/text/words.h"
+#include "cromer/documents/words/words.h"
+
+namespace cromer::core {
+namespace {
+
+std::string number_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-"; }
+
+/// With its 95 % interval where it is not known exactly.
+std::string number_with_interval(const Estimate& estimate) {
+  if (!(estimate.standard_error > 0)) return number_or_dash(estimate.value);
+  return fmt::format("{:.6g} ({})", estimate.value, interval_text(estimate.low, estimate.high));
+}
+
+/// "-0.62", or with its phase where it is not in or against that of the largest: "0.62 at 34°".
+std::string component_text(const std::complex<double>& z) {
+  constexpr double seen = 0.5;  // degrees
+  const double phase = std::arg(z) * 180 / std::numbers::pi;
+  if (std::abs(phase) < seen || std::abs(z) < 5e-4) return fmt::format("{:.3f}", std::abs(z));
+  if (180 - std::abs(phase) < seen) return fmt::format("{:.3f}", -std::abs(z));
+  return fmt::format("{:.3f} at {:.0f}°", std::abs(z), phase);
+}
+
+std::string shapes_text(const ModesResult& result) {
+  constexpr std::size_t most = 8;
+  if (result.names.size() > most || result.modes.size() > most) return "";
+  std::vector<std::vector<std::string>> rows{{"shape"}};
+  for (std::size_t j = 0; j < result.modes.size(); ++j) rows[0].push_back(fmt::format("mode {}", j + 1));
+  for (std::size_t i = 0; i < result.names.size(); ++i) {
+    rows.push_back({result.names[i]});
+    for (const Mode& mode : result.modes) rows.back().push_back(component_text(mode.shape[i]));
+  }
+  return "\n" + text_table(rows, 1, rows[0].size());
+}
+
+std::string methods_text(const ModesResult& result) {
+  if (result.modes.empty() || result.modes.front().methods.empty()) return "";
+  std::vector<std::vector<std::string>> rows{
+      {"mode", "method", "step (s)", "frequency (Hz)", "off by", "damping ratio", "off by", "stable"}};
+  std::string words;
+  const auto off = [](const std::optional<double>& value, double asked) {
+    return value && asked != 0 && std::isfinite(asked) ? percent_off(*value / asked - 1) : "";
+  };
+  const auto number = [](const std::optional<double>& value) { return value ? number_or_dash(*value) : "-"; };
+  for (std::size_t j = 0; j < result.modes.size(); ++j)
+    for (const ModeByMethod& by : result.modes[j].methods) {
+      const Mode& mode = result.modes[j];
+      rows.push_back({fmt::format("{}", j + 1), by.method, fmt::format("{:.6g}", by.step),
+                      number(by.frequency()), off(by.frequency(), mode.frequency.value),
+                      number(by.damping_ratio()), off(by.damping_ratio(), mode.damping_ratio.value),
+                      by.effect.stable ? "yes" : "no"});
+      words += fmt::format("mode {}: {} {}\n", j + 1, by.method, in_words(by.words));
+    }
+  return "\n" + text_table(rows, 2, 7) + "\nWith this step\n" + words;
+}
+
+}  // namespace
+
+std::string modes_text(const ModesResult& result) {
+  bool any = false;
+  for (const Mode& mode : result.modes) any = any || mode.participation;
+  std::vector<std::vector<std::string>> rows{{"mode", "frequency (Hz)", "damping ratio"}};
+  if (any) rows[0].emplace_back("participation");
+  for (std::size_t j = 0; j < result.modes.size(); ++j) {
+    const Mode& mode = result.modes[j];
+    rows.push_back({fmt::format("{}", j + 1), number_with_interval(mode.frequency),
+                    number_with_interval(mode.damping_ratio)});
+    if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");
+  }
+  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + methods_text(result);
+}
+
+}  // namespace cromer::core

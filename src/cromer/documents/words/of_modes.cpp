@@ -1,0 +1,101 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // The file of a network.
+    {"value_of_key", error, "{key}: {what}", "{key}: {what}"},
+    {"network_without_masses", error, "{file}: a network has at least one [[mass]]",
+     "{file}: ein Netz hat mindestens eine [[mass]]"},
+    {"mass_without_name", error, "a [[mass]] needs a name: name = \"floor 1\"",
+     "eine [[mass]] braucht einen Namen: name = \"floor 1\""},
+    {"mass_name_is_no_name", error,
+     "\"{name}\" is no name for a mass: it must not be empty, and \"ground\" is the ground",
+     "„{name}“ ist kein Name für eine Masse: er darf nicht leer sein, und „ground“ ist der Boden"},
+    {"mass_name_taken", error, "there are two masses \"{name}\": each needs a name of its own",
+     "es gibt zwei Massen „{name}“: jede braucht einen eigenen Namen"},
+    {"mass_or_inertia", error,
+     "\"{name}\" has no mass: give mass = \"1200 kg\", or of an angle inertia = \"0.05 kg m^2\"",
+     "„{name}“ hat keine Masse: bitte mass = \"1200 kg\" angeben, oder bei einem Winkel inertia = \"0.05 kg "
+     "m^2\""},
+    {"mass_and_inertia", error, "\"{name}\" has a mass and an inertia: give one of them",
+     "„{name}“ hat eine Masse und ein Trägheitsmoment: bitte eines davon angeben"},
+    {"masses_and_inertias", error,
+     "a network has masses or moments of inertia, not both: positions are all lengths or all angles",
+     "ein Netz hat Massen oder Trägheitsmomente, nicht beides: Orte sind alle Längen oder alle Winkel"},
+    {"mass_without_link", error,
+     "nothing holds \"{name}\": give it a [[link]] to another mass or to \"ground\"",
+     "nichts hält „{name}“: bitte mit einem [[link]] an eine andere Masse oder an \"ground\" binden"},
+    {"no_such_mass", error, "there is no mass \"{name}\"{near}", "die Masse „{name}“ gibt es nicht{near}"},
+    {"link_to_itself", error, "the link joins \"{name}\" to itself: give it two ends",
+     "der [[link]] verbindet „{name}“ mit sich selbst: bitte zwei Enden angeben"},
+    {"link_without_term", error, "the link has no force: give it a term, such as stiffness = \"20 N/m\"",
+     "der [[link]] hat keine Kraft: bitte einen Term angeben, etwa stiffness = \"20 N/m\""},
+    {"not_a_network_file", error, "{file}: the file of a network ends in .toml",
+     "{file}: die Datei eines Netzes endet auf .toml"},
+    // Options.
+    {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
+    {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
+    {"option_needs_method_and_step", error, "{option:option} needs {--method} and {--step}",
+     "{option:option} braucht {--method} und {--step}"},
+    {"method_without_steps", error, "{--method}: {method} chooses its own steps",
+     "{--method}: {method} wählt seine Schritte selbst"},
+    {"too_many_masses_for_modes", error, "{file}: {masses} masses; modes are found for at most {most}",
+     "{file}: {masses} Massen; Eigenschwingungen werden für höchstens {most} gesucht"},
+    // Runs.
+    {"term_not_in_networks", error, "{file}: {term} is not simulated in a network; leave it out",
+     "{file}: {term} wird in einem Netz nicht simuliert; bitte weglassen"},
+    {"exact_of_linear_networks", error,
+     "{file}: exact takes linear networks, and a link has the term {term}; take another {--method}",
+     "{file}: exact nimmt lineare Netze, und ein [[link]] hat den Term {term}; bitte eine andere {--method} "
+     "nehmen"},
+    {"too_many_masses_for_exact", error,
+     "{--method}: exact takes networks of at most {most} masses, and there are {masses}",
+     "{--method}: exact nimmt Netze von höchstens {most} Massen, und es sind {masses}"},
+    {"one_method_of_networks", error, "{--method} is given {methods} times; a network runs by one",
+     "{--method} ist {methods}-mal angegeben; ein Netz läuft mit einer"},
+    {"large_network_needs_step", error,
+     "the periods of {masses} masses are not sought (of at most {most} they are): give {--step} and "
+     "{--until}",
+     "die Perioden von {masses} Massen werden nicht gesucht (nur von höchstens {most}): bitte {--step} und "
+     "{--until} angeben"},
+    {"network_without_period", error, "{file}: nothing swings: give {--step} and {--until}",
+     "{file}: nichts schwingt: bitte {--step} und {--until} angeben"},
+    {"network_stands_still", error, "{file}: nothing moves: give a mass a position, a velocity or a drive",
+     "{file}: nichts bewegt sich: bitte einer Masse position, velocity oder drive_amplitude geben"},
+    {"option_not_of_networks", error,
+     "{option:option} does not go with {--network}: the file says what moves",
+     "{option:option} geht nicht mit {--network}: die Datei sagt, was sich bewegt"},
+    {"network_not_alone", error, "{--network} does not go with {--over}",
+     "{--network} geht nicht mit {--over}"},
+    // Modes.
+    {"modes_of_small_motions", worth_knowing,
+     "the modes are those of small motions about rest: the law is not linear ({terms:and})",
+     "die Eigenschwingungen sind die kleiner Bewegungen um die Ruhelage: das Gesetz ist nicht linear "
+     "({terms:and})"},
+    {"modes_without_friction", worth_knowing, "dry friction is left out of the modes",
+     "trockene Reibung ist in den Eigenschwingungen nicht enthalten"},
+    {"modes_of_free_bodies", worth_knowing,
+     "{modes:mode has|modes have} the frequency 0: nothing ties all masses to the ground",
+     "{modes:Eigenschwingung hat|Eigenschwingungen haben} die Frequenz 0: nichts bindet alle Massen an den "
+     "Boden"},
+    {"modes_that_fall_away", worth_knowing,
+     "{modes:mode falls|modes fall} away from rest: a stiffness is negative there",
+     "{modes:Eigenschwingung fällt|Eigenschwingungen fallen} von der Ruhelage weg: dort ist eine Steifigkeit "
+     "negativ"},
+    {"method_unstable_on_network", wrong_if_ignored,
+     "{method} with a step of {step:.6g} s is unstable on this network",
+     "{method} mit einem Schritt von {step:.6g} s ist auf diesem Netz instabil"},
+    {"method_finds_no_solution", wrong_if_ignored,
+     "{method} with a step of {step:.6g} s finds no solution of its equation",
+     "{method} mit einem Schritt von {step:.6g} s findet keine Lösung seiner Gleichung"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_modes = entries;
+
+}  // namespace cromer::core

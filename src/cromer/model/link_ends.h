@@ -1,0 +1,69 @@
+// The links of a network as its masses feel them, mass by mass.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cromer/model/law_force.h"
+#include "cromer/model/network.h"
+#include "cromer/model/sparse_solver.h"
+
+namespace cromer::core {
+
+/// One end of a link. Coefficients are per unit mass of the one at this end.
+struct LinkEnd {
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  std::size_t other = ground;  ///< the mass at the other end
+  std::size_t entry = none;    ///< of the derivative by that mass, among those of all ends
+  double sign = 1;             ///< 1 where the link ends, -1 where it begins
+  Coefficients<linear_terms, double> linear{};
+  std::size_t general = none;  ///< the place of its law, if that has other terms
+  bool resists_last = false;   ///< as DrivenOscillator adds drag, at the nodes of methods with many stages
+};
+
+/// The smooth terms of all links.
+class LinkEnds {
+ public:
+  explicit LinkEnds(const Network& network);
+
+  std::size_t masses() const { return first_.size() - 1; }
+  /// Some force depends on the velocity.
+  bool resists() const { return resists_; }
+  /// Of derivatives: one for each mass by itself, then one for each end of a link between two masses.
+  std::size_t entries() const { return entries_; }
+  SparseSolver& solver() const { return *solver_; }
+
+  /// For each end at mass i, in the order of the links: relative(end) gives u and u' as the end feels them,
+  /// its own position less the other one, if the link's law is linear; else those of the link. pull(end,
+  /// resistance, restoring) gets the forces in that direction.
+  template <class Relative, class Pull>
+  void for_each_at(std::size_t i, const Relative& relative, const Pull& pull) const {
+    for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {
+      const LinkEnd& end = ends_[e];
+      if (end.general == LinkEnd::none) {
+        const auto u = relative(end, 1.0);
+        pull(end, 1.0, resisting_force<linear_terms>(end.linear, Law{}, u.x, u.v),
+             restoring_force<linear_terms>(end.linear, Law{}, u.x));
+      } else {
+        const auto& [law, present] = general_[end.general];
+        const auto u = relative(end, end.sign);
+        pull(end, end.sign, resisting_force<any_terms>(law, present, u.x, u.v),
+             restoring_force<any_terms>(law, present, u.x));
+      }
+    }
+  }
+
+ private:
+  std::vector<std::size_t> first_;  ///< of each mass' ends; one more than masses
+  std::vector<LinkEnd> ends_;
+  std::vector<std::pair<Oscillator<double>, Law>> general_;
+  bool resists_ = false;
+  std::size_t entries_ = 0;
+  std::unique_ptr<SparseSolver> solver_;
+};
+
+}  // namespace cromer::core

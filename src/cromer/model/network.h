@@ -1,0 +1,64 @@
+// Masses and links: what a network is.
+//
+// A link joins a mass to another one or to the ground, with any terms of the law: of u, the position of its
+// end less that of its beginning, and of u'. It pulls on both ends with the same force.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "cromer/base/coupled.h"
+#include "cromer/base/state.h"
+#include "cromer/base/vector.h"
+#include "cromer/model/law.h"
+#include "cromer/model/oscillator.h"
+
+namespace cromer::core {
+
+/// A number for each mass. The second vector of the pair has room for inner states of links.
+using MassVector = Coupled<Vector>;
+
+/// Stands for the ground where a link names a mass.
+inline constexpr std::size_t ground = std::numeric_limits<std::size_t>::max();
+
+/// A mass or, in a network of angles, a moment of inertia.
+struct NetworkMass {
+  std::string name;
+  double mass = 1;                // [kg] or [kg m^2], > 0
+  State<double> start{};          // [m], [m/s], or [rad], [rad/s]
+  HarmonicDrive<double> drive{};  // [N] or [N m]
+};
+
+/// From one mass to another, or from or to the ground.
+struct NetworkLink {
+  std::size_t from = ground, to = ground;    ///< places in the list of masses; never the same
+  Oscillator<double> law{.stiffness = 0.0};  ///< its mass is not used
+};
+
+/// At least one mass; every link holds at least one.
+struct Network {
+  bool angles = false;  ///< masses are moments of inertia, positions angles
+  std::vector<NetworkMass> masses;
+  std::vector<NetworkLink> links;
+};
+
+/// The terms of all links, and a spring.
+inline Law law_of(const Network& network) {
+  Law law = law_with<Spring>;
+  for (const NetworkLink& link : network.links) law = law.with(law_of(link.law));
+  return law;
+}
+
+/// Where the masses are at the start.
+inline State<MassVector> start_of(const Network& network) {
+  Vector x = Vector::of_size(network.masses.size()), v = x;
+  for (std::size_t i = 0; i < network.masses.size(); ++i) {
+    x[i] = network.masses[i].start.x;
+    v[i] = network.masses[i].start.v;
+  }
+  return {{x, 0}, {v, 0}};
+}
+
+}  // namespace cromer::core

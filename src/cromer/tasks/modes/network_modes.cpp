@@ -1,0 +1,198 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#include "cromer/analysis/complex_modes.h"
+#include "cromer/methods/all.h"
+#include "cromer/methods/vector_newton.h"
+#include "cromer/model/network_system.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/option/option.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Result<void> check_options(ModesOptions options) {
+  for (const auto& option : options_of(options))
+    if (auto good = check(option); !good) return good;
+  for (const std::string& method : options.method) {
+    if (auto good = check_method_name(method); !good) return good;
+    if (find_method(method)->is_adaptive()) return Error{"method_without_steps", {{"method", method}}};
+  }
+  if (options.step && options.method.empty()) return Error{"step_needs_method"};
+  if (!options.step && !options.method.empty()) return Error{"method_needs_step"};
+  if (!options.step && (options.beta || options.gamma || options.rho_inf))
+    return Error{"option_needs_method_and_step",
+                 {{"option", options.rho_inf ? "rho-inf"
+                             : options.beta  ? "beta"
+                                             : "gamma"}}};
+  return {};
+}
+
+MethodSettings settings_of(const ModesOptions& options) {
+  MethodSettings settings;
+  settings.beta = options.beta.value_or(settings.beta);
+  settings.gamma = options.gamma.value_or(settings.gamma);
+  settings.rho_inf = options.rho_inf.value_or(settings.rho_inf);
+  return settings;
+}
+
+/// A number that is known.
+Estimate exactly(double value) { return {value, 0, value, value}; }
+
+/// The network with the slopes of its forces at rest in their place, and nothing that drives it.
+Network small_motions(const Network& network) {
+  Network linear = network;
+  for (NetworkMass& mass : linear.masses) mass.drive = {};
+  for (NetworkLink& link : linear.links) {
+    const State<double> slopes = slopes_at_rest(link.law);
+    link.law = {.stiffness = slopes.x, .damping = slopes.v};
+  }
+  return linear;
+}
+
+/// One step h of the method from (x, h v, h^2 a).
+template <class M>
+EffectiveNetwork effective_network_of(const M& method, const Network& network,
+                                      const std::vector<ComplexMode>& modes, double h) {
+  const NetworkSystem<> system(small_motions(network));
+  const std::size_t n = network.masses.size();
+  constexpr bool carries = CarriesAcceleration<M, typename M::template Memory<MassVector>>;
+  return effective_network(modes, carries ? 3 : 2, h, [&](const std::vector<double>& from) {
+    Vector x = Vector::of_size(n), v = x;
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] = from[i];
+      v[i] = from[n + i] / h;
+    }
+    const State<MassVector> y{{x, 0}, {v, 0}};
+    auto memory = method.start(system, 0.0, y);
+    if constexpr (carries)
+      for (std::size_t i = 0; i < n; ++i) method.carried(memory).first[i] = from[2 * n + i] / (h * h);
+    const Trial<MassVector> trial = method.step(system, 0.0, h, y, memory);
+    std::vector<double> to(from.size(), none);
+    if (!trial.converged) return to;
+    for (std::size_t i = 0; i < n; ++i) {
+      to[i] = trial.y.x.first[i];
+      to[n + i] = h * trial.y.v.first[i];
+      if constexpr (carries) to[2 * n + i] = h * h * method.carried(memory).first[i];
+    }
+    return to;
+  });
+}
+
+/// The closed form keeps every mode.
+std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& modes) {
+  std::vector<EffectiveOscillator> kept;
+  for (const ComplexMode& mode : modes) {
+    EffectiveOscillator& effective = kept.emplace_back();
+    if (mode.first.imag() <= 0) continue;
+    effective.decay_rate = -mode.first.real();
+    effective.angular_frequency = mode.first.imag();
+  }
+  return kept;
+}
+
+/// What the method makes of each mode. Modes that damping leaves apart are oscillators by themselves.
+void add_method(std::vector<Mode>& into, const std::string& name, const ModesOptions& options,
+                const Network& network, const std::vector<ComplexMode>& modes, bool apart,
+                std::vector<Notice>& notices) {
+  const MethodSettings settings = settings_of(options);
+  const double h = *options.step;
+  std::vector<MethodEffect> effects(modes.size());
+  bool stable = true;
+  bool unfound = false;
+  if (apart) {
+    for (std::size_t j = 0; j < modes.size(); ++j) {
+      if (const auto effect = method_effect(name, settings, modes[j].law(), h, false))
+        effects[j] = *effect;
+      else
+        unfound = true;
+      stable = stable && effects[j].stable;
+    }
+  } else {
+    EffectiveNetwork effective;
+    if (find_method(name)->is_exact())
+      effective.modes = as_they_are(modes);
+    else
+      effective = visit_method(name, settings, [&](const auto& method) {
+        using M = std::decay_t<decltype(method)>;
+        if constexpr (M::info.takes_fixed_steps())
+          return effective_network_of(method, network, modes, h);
+        else
+          return EffectiveNetwork{};
+      });
+    unfound = std::isnan(effective.spectral_radius);
+    for (std::size_t j = 0; j < modes.size(); ++j) {
+      effects[j].effective = effective.modes[j];
+      effects[j].stable = effects[j].effective.stable();
+    }
+    stable = effective.spectral_radius <= 1 + 1e-12;
+  }
+  if (unfound) {
+    notices.push_back(Notice{"method_finds_no_solution", {{"method", name}, {"step", h}}});
+    return;
+  }
+  if (!stable) notices.push_back(Notice{"method_unstable_on_network", {{"method", name}, {"step", h}}});
+  for (std::size_t j = 0; j < modes.size(); ++j)
+    into[j].methods.push_back({name, h, effects[j], effect_notice(effects[j], modes[j].law())});
+}
+
+/// The law about rest is not the law, and what that leaves out.
+std::vector<Notice> notices_on(const Network& network) {
+  std::vector<Notice> notices;
+  const Law law = law_of(network).without(linear_terms);
+  if (law.size() == 0) return notices;
+  std::vector<std::string> terms;
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (law.has(i) && term_infos[i].name != Friction::info.name) terms.emplace_back(term_infos[i].name);
+  if (!terms.empty()) notices.push_back(Notice{"modes_of_small_motions", {{"terms", terms}}});
+  if (law.has<Friction>()) notices.push_back(Notice{"modes_without_friction"});
+  return notices;
+}
+
+}  // namespace
+
+std::optional<double> ModeByMethod::frequency() const {
+  const auto &b = effect.effective.decay_rate, &w = effect.effective.angular_frequency;
+  return b && w ? std::optional(std::hypot(*b, *w) / (2 * std::numbers::pi)) : std::nullopt;
+}
+
+std::optional<double> ModeByMethod::damping_ratio() const {
+  const auto &b = effect.effective.decay_rate, &w = effect.effective.angular_frequency;
+  return b && w ? std::optional(*b / std::hypot(*b, *w)) : std::nullopt;
+}
+
+Result<ModesResult> network_modes(const Network& network, const std::string& file,
+                                  const ModesOptions& options) {
+  if (auto good = check_options(options); !good) return good.error();
+  if (network.masses.size() > most_masses_for_modes)
+    return Error{"too_many_masses_for_modes",
+                 {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};
+  const LinearNetwork linear = linearised(network);
+  const std::vector<ComplexMode> modes = complex_modes(linear);
+  const bool apart = !modal_damping(linear, natural_modes(linear)).empty();
+
+  ModesResult result{.file = file, .notices = notices_on(network)};
+  for (const NetworkMass& mass : network.masses) result.names.push_back(mass.name);
+  int free = 0, falling = 0;
+  for (const ComplexMode& mode : modes) {
+    const LinearLaw<double> law = mode.law();
+    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : none;
+    free += law.stiffness == 0;
+    falling += law.stiffness < 0;
+    result.modes.push_back({.frequency = exactly(w / (2 * std::numbers::pi)),
+                            .damping_ratio = exactly(w > 0 ? law.decay_rate / w : none),
+                            .shape = mode.shape,
+                            .participation = participation(linear, mode)});
+  }
+  if (free > 0) result.notices.push_back(Notice{"modes_of_free_bodies", {{"modes", free}}});
+  if (falling > 0) result.notices.push_back(Notice{"modes_that_fall_away", {{"modes", falling}}});
+  for (const std::string& method : options.method)
+    add_method(result.modes, method, options, network, modes, apart, result.notices);
+  return result;
+}
+
+}  // namespace cromer::core

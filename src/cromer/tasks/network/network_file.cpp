@@ -1,0 +1,195 @@
+#include "cromer/tasks/network/network_file.h"
+
+#include <algorithm>
+#include <map>
+
+#include "cromer/base/ascii.h"
+#include "cromer/base/nearest.h"
+#include "cromer/read/toml_reader.h"
+#include "cromer/report/file.h"
+#include "cromer/tasks/option/option.h"
+
+namespace cromer::core {
+namespace {
+
+/// One number of a file: its key, where it goes, and its unit. Of an angle a torque per angle may be written
+/// with its radians or without.
+struct Number {
+  std::string key;
+  double* target;
+  std::string unit, with_radians{};
+  Range range = Range::any;
+};
+
+/// What is wrong with the value, without the name of the option.
+Notice reason_of(const Error& error) {
+  for (const NoticeValue& value : error.notice.values)
+    if (const auto* parts = std::get_if<std::vector<Notice>>(&value.value); parts && value.name == "what")
+      return parts->front();
+  return error.notice;
+}
+
+/// True if the key is there.
+bool take(TomlReader& toml, const Number& number) {
+  if (!toml.has(number.key)) return false;
+  const std::vector<std::string> texts = toml.values(number.key);
+  if (texts.size() != 1) {
+    toml.fail(number.key, Notice{"key_takes_one_value", {{"key", number.key}}});
+    return true;
+  }
+  const Option option{number.key, number.target, number.unit, number.range};
+  Result<void> good = assign(option, texts.front());
+  if (!good && !number.with_radians.empty()) {
+    Option other = option;
+    other.unit = number.with_radians;
+    if (assign(other, texts.front())) good = check(option);
+  }
+  if (!good)
+    toml.fail(number.key, Notice{"value_of_key", {{"key", number.key}, {"what", reason_of(good.error())}}});
+  return true;
+}
+
+struct ReadMass {
+  NetworkMass mass;
+  bool angle = false;
+  Place place;
+};
+
+ReadMass read_mass(TomlReader& toml) {
+  ReadMass read{.place = toml.place()};
+  NetworkMass& mass = read.mass;
+  if (!toml.has("name"))
+    toml.fail(Notice{"mass_without_name"});
+  else if (mass.name = toml.text("name"); mass.name.empty() || mass.name == "ground")
+    toml.fail("name", Notice{"mass_name_is_no_name", {{"name", mass.name}}});
+  const bool weighs = take(toml, {"mass", &mass.mass, "kg", "", Range::positive});
+  read.angle = take(toml, {"inertia", &mass.mass, "kg m^2", "", Range::positive});
+  if (weighs == read.angle)
+    toml.fail(Notice{weighs ? "mass_and_inertia" : "mass_or_inertia", {{"name", mass.name}}});
+  take(toml, {"position", &mass.start.x, read.angle ? "rad" : "m"});
+  take(toml, {"velocity", &mass.start.v, read.angle ? "rad/s" : "m/s"});
+  take(toml, {"drive_amplitude", &mass.drive.amplitude, read.angle ? "N m" : "N", "", Range::not_negative});
+  take(toml, {"drive_frequency", &mass.drive.frequency, "rad/s", "", Range::not_negative});
+  take(toml, {"drive_phase", &mass.drive.phase, "rad"});
+  return read;
+}
+
+/// The unit of a coefficient where u is an angle, without and with its radians.
+std::string unit_of_torque(const CoefficientInfo& info, bool radians) {
+  const int power = radians ? info.length : 0;
+  if (info.fitted == FittedAs::not_a_force) return unit_of_powers({{"rad", power}}, Powers::caret);
+  return unit_of_powers({{"N", 1}, {"m", 1}, {"s", info.time}, {"rad", power}}, Powers::caret);
+}
+
+struct ReadLink {
+  NetworkLink link;
+  std::string from, to;
+  Place place;
+};
+
+ReadLink read_link(TomlReader& toml, bool angles) {
+  ReadLink read{.from = toml.text("from", "ground"), .to = toml.text("to", "ground"), .place = toml.place()};
+  bool any = false;
+  Oscillator<double>& law = read.link.law;
+  for_each_term([&]<class T>() {
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      const CoefficientInfo& info = T::coefficients[i];
+      const std::string key = with_underscores(info.option);
+      double& value = law.*T::template members<double>[i];
+      // The other coefficients of an inner state shape its force alone.
+      const bool there = take(toml, {key, &value, angles ? unit_of_torque(info, false) : unit_of(info),
+                                     angles && info.length != 0 ? unit_of_torque(info, true) : "",
+                                     info.sign == Sign::not_negative ? Range::not_negative : Range::any});
+      any = any || (there && i == 0);
+    }
+  });
+  if (!may_be_negative(Viscous::coefficients[0], law_of(law)) && law.damping < 0)
+    toml.fail("damping", Notice{"value_of_key",
+                                {{"key", "damping"},
+                                 {"what", Notice{"must_keep_to",
+                                                 {{"rule", constraint(Range::not_negative)},
+                                                  {"value", law.damping},
+                                                  {"unit", unit_of(Viscous::coefficients[0])}}}}}});
+  take(toml, {"static_friction", &law.static_friction, angles ? "N m" : "N", "", Range::not_negative});
+  take(toml, {"hysteresis_exponent", &law.hysteresis_exponent, "", "", Range::at_least_one});
+  if (!any) toml.fail(Notice{"link_without_term"});
+  return read;
+}
+
+/// The places of the masses by their names, with checks of what holds for all of them.
+Result<std::map<std::string, std::size_t>> places_of(const std::vector<ReadMass>& masses) {
+  std::map<std::string, std::size_t> places;
+  for (const ReadMass& read : masses) {
+    if (!places.emplace(read.mass.name, places.size()).second)
+      return read.place.error(Notice{"mass_name_taken", {{"name", read.mass.name}}});
+    if (read.angle != masses.front().angle) return read.place.error(Notice{"masses_and_inertias"});
+  }
+  return places;
+}
+
+Result<std::size_t> place_of(const std::string& name, const std::map<std::string, std::size_t>& places,
+                             const Place& link) {
+  if (name == "ground") return ground;
+  if (const auto found = places.find(name); found != places.end()) return found->second;
+  std::vector<std::string_view> names{"ground"};
+  for (const auto& [known, place] : places) names.push_back(known);
+  const std::string near = nearest(name, names);
+  return link.error(Notice{
+      "no_such_mass",
+      {{"name", name}, {"near", near.empty() ? Notice{} : Notice{"perhaps_quoted", {{"near", near}}}}}});
+}
+
+}  // namespace
+
+bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
+
+Result<Network> read_network(std::string_view bytes, const std::string& file) {
+  const toml::parse_result parsed = toml::parse(bytes, file);
+  if (!parsed) return not_toml(parsed, file);
+  struct Tables {
+    std::vector<const toml::table*> masses, links;
+  };
+  const auto tables = read_table(parsed.table(), file, [](TomlReader& toml) {
+    return Tables{toml.tables("mass"), toml.tables("link")};
+  });
+  if (!tables) return tables.error();
+  if (tables->masses.empty()) return Error{"network_without_masses", {{"file", file}}};
+  auto masses = read_tables<ReadMass>(tables->masses, file, read_mass);
+  if (!masses) return masses.error();
+  const auto places = places_of(*masses);
+  if (!places) return places.error();
+
+  Network network{.angles = masses->front().angle};
+  auto links = read_tables<ReadLink>(tables->links, file,
+                                     [&](TomlReader& toml) { return read_link(toml, network.angles); });
+  if (!links) return links.error();
+  for (ReadMass& read : *masses) network.masses.push_back(std::move(read.mass));
+  std::vector<bool> held(network.masses.size());
+  for (ReadLink& read : *links) {
+    const auto from = place_of(read.from, *places, read.place), to = place_of(read.to, *places, read.place);
+    if (!from) return from.error();
+    if (!to) return to.error();
+    if (*from == *to) return read.place.error(Notice{"link_to_itself", {{"name", read.from}}});
+    read.link.from = *from;
+    read.link.to = *to;
+    for (const std::size_t end : {*from, *to})
+      if (end != ground) held[end] = true;
+    network.links.push_back(read.link);
+  }
+  const auto loose = std::find(held.begin(), held.end(), false);
+  if (loose != held.end()) {
+    const ReadMass& read = (*masses)[static_cast<std::size_t>(loose - held.begin())];
+    return read.place.error(
+        Notice{"mass_without_link",
+               {{"name", network.masses[static_cast<std::size_t>(loose - held.begin())].name}}});
+  }
+  return network;
+}
+
+Result<Network> open_network(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return read_network(*bytes, path);
+}
+
+}  // namespace cromer::core

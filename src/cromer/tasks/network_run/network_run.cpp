@@ -1,0 +1,267 @@
+#include "cromer/tasks/network_run/network_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "cromer/base/quantity.h"
+#include "cromer/methods/all.h"
+#include "cromer/methods/vector_newton.h"
+#include "cromer/model/linear_network.h"
+#include "cromer/model/network_system.h"
+#include "cromer/run/solve.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/simulate/early_end.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr std::array network_options{"method", "step", "until", "tolerance",
+                                     "every",  "beta", "gamma", "rho-inf"};
+
+/// An upper bound of the highest natural frequency [rad/s], by Gershgorin's circles.
+double frequency_bound(const Network& network) {
+  std::vector<double> sums(network.masses.size());
+  for (const NetworkLink& link : network.links) {
+    const double stiffness = std::abs(slopes_at_rest(link.law).x);
+    const bool between = link.from != ground && link.to != ground;
+    for (const std::size_t end : {link.from, link.to})
+      if (end != ground) sums[end] += (between ? 2 : 1) * stiffness / network.masses[end].mass;
+  }
+  return std::sqrt(*std::max_element(sums.begin(), sums.end()));
+}
+
+/// The longest and the shortest natural period [s] of small motions; 0 where there is none.
+struct Periods {
+  double longest = 0, shortest = 0;
+};
+
+Periods periods_of(const Network& network) {
+  Periods periods;
+  const NaturalModes modes = natural_modes(linearised(network));
+  for (const double square : modes.squares) {
+    if (!(square > 1e-13 * modes.squares.back())) continue;
+    const double period = 2 * std::numbers::pi / std::sqrt(square);
+    if (periods.longest == 0) periods.longest = period;
+    periods.shortest = period;
+  }
+  return periods;
+}
+
+Result<void> check_law(const Network& network, const std::string& file) {
+  const Law law = law_of(network);
+  for (const Law refused : {law_with<Friction>, law_with<Hysteresis>})
+    for (std::size_t i = 0; i < term_count; ++i)
+      if (refused.has(i) && law.has(i))
+        return Error{"term_not_in_networks", {{"file", file}, {"term", term_infos[i].name}}};
+  return {};
+}
+
+Result<void> check_exact(const Network& network, const std::string& file) {
+  const Law law = law_of(network).without(linear_terms);
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (law.has(i)) return Error{"exact_of_linear_networks", {{"file", file}, {"term", term_infos[i].name}}};
+  if (network.masses.size() > most_masses_for_modes)
+    return Error{"too_many_masses_for_exact",
+                 {{"masses", network.masses.size()}, {"most", most_masses_for_modes}}};
+  return {};
+}
+
+bool stands_still(const Network& network) {
+  for (const NetworkMass& mass : network.masses)
+    if (mass.start.x != 0 || mass.start.v != 0 || mass.drive.amplitude != 0) return false;
+  return true;
+}
+
+/// Fills in method, step and end.
+Result<void> set_up(NetworkRun& run, SimulateOptions options) {
+  for (const Option& option : options_of(options))
+    if (is_option_of_networks(option.name))
+      if (auto good = check(option); !good) return good;
+  if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
+  run.method = options.method.empty() ? "euler-cromer" : options.method.front();
+  if (auto good = check_method_name(run.method); !good) return good;
+  if (auto good = check_law(run.network, run.file); !good) return good;
+  if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
+  if (run.method == "exact")
+    if (auto good = check_exact(run.network, run.file); !good) return good;
+
+  if (!options.step || !options.until) {
+    if (run.network.masses.size() > most_masses_for_modes)
+      return Error{"large_network_needs_step",
+                   {{"masses", run.network.masses.size()}, {"most", most_masses_for_modes}}};
+    Periods periods = periods_of(run.network);
+    for (const NetworkMass& mass : run.network.masses)
+      if (mass.drive.amplitude != 0 && mass.drive.frequency > 0) {
+        const double period = 2 * std::numbers::pi / mass.drive.frequency;
+        periods.shortest = periods.shortest > 0 ? std::min(periods.shortest, period) : period;
+        if (periods.longest == 0) periods.longest = period;
+      }
+    if (periods.longest == 0) return Error{"network_without_period", {{"file", run.file}}};
+    run.step = periods.shortest / default_steps_per_period;
+    run.until = default_periods * periods.longest;
+  }
+  run.step = options.step.value_or(run.step);
+  run.until = options.until.value_or(run.until);
+  const MethodInfo& info = *find_method(run.method);
+  run.tolerance = options.tolerance.value_or(info.is_adaptive() ? StepControl::default_tolerance
+                                                                : NewtonOptions{}.tolerance);
+  constexpr double most_steps = 9007199254740992.0;  // 2^53
+  if (!(run.until / run.step < most_steps))
+    return Error{"run_of_too_many_steps",
+                 {{"step", run.step}, {"until", run.until}, {"steps", run.until / run.step}}};
+  const Steps steps = count_steps({0, run.until}, run.step);
+  const double states = static_cast<double>(number_of_kept_states(steps, options.every));
+  const double bytes = states * 8 * (2 * static_cast<double>(run.network.masses.size()) + 2);
+  const double memory = options.memory > 0 ? options.memory : 1e18;
+  if (bytes > memory)
+    return Error{"states_beyond_memory",
+                 {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
+  return {};
+}
+
+/// u of a link, or u': `of` gives each mass' part.
+template <class Of>
+double stretch(const NetworkLink& link, const Of& of) {
+  const double end = link.to == ground ? 0 : of(link.to);
+  return link.from == ground ? end : end - of(link.from);
+}
+
+/// Kinetic energy, and what the links store [J].
+double energy_of(const Network& network, const State<MassVector>& y) {
+  double sum = 0;
+  for (std::size_t i = 0; i < network.masses.size(); ++i)
+    sum += network.masses[i].mass * (y.v.first[i] * y.v.first[i]) / 2;
+  for (const NetworkLink& link : network.links)
+    sum += energy<any_terms>(0.0, link.law, law_of(link.law),
+                             State<double>{stretch(link, [&](std::size_t i) { return y.x.first[i]; }), 0});
+  return sum;
+}
+
+/// Keeps every n-th state of a run, and the last.
+class NetworkRecorder {
+ public:
+  NetworkRecorder(const Network& network, long long every, NetworkStates& kept)
+      : network_(network), every_(every), kept_(kept) {
+    kept_.x.resize(network.masses.size());
+    kept_.v.resize(network.masses.size());
+  }
+
+  void operator()(double t, const State<MassVector>& y) {
+    last_ = y;
+    if (--until_next_ > 0) return;
+    until_next_ = every_;
+    kept_.t.push_back(t);
+    for (std::size_t i = 0; i < kept_.x.size(); ++i) {
+      kept_.x[i].push_back(y.x.first[i]);
+      kept_.v[i].push_back(y.v.first[i]);
+    }
+    kept_.energy.push_back(energy_of(network_, y));
+  }
+
+  const State<MassVector>& last() const { return last_; }
+
+ private:
+  const Network& network_;
+  long long every_, until_next_ = 1;
+  NetworkStates& kept_;
+  State<MassVector> last_;
+};
+
+/// The run itself.
+template <class M, class Recorder>
+Outcome solved(const M& method, const NetworkRun& run, Recorder& record, const Watch& watch) {
+  const Interval interval{0, run.until};
+  const State<MassVector> start = start_of(run.network);
+  const StepControl control(run.step, M::info.is_adaptive() ? run.tolerance : StepControl::default_tolerance);
+  if constexpr (M::info.is_exact()) {
+    const LinearNetwork linear = linearised(run.network);
+    const NaturalModes modes = natural_modes(linear);
+    if (const std::vector<double> damping = modal_damping(linear, modes); !damping.empty())
+      return solve(NetworkByModes(run.network, modes, damping), method, interval, start, control, record,
+                   watch);
+    return solve(NetworkByExponential(run.network), method, interval, start, control, record, watch);
+  } else {
+    return solve(NetworkSystem<>(run.network), method, interval, start, control, record, watch);
+  }
+}
+
+/// By the ledgers of single oscillators: a mass without springs under its drive, a link without mass.
+NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, double spacing) {
+  NetworkEnergy sum;
+  const auto follow = [&](const auto& force, const Oscillator<double>& law, const auto& state) {
+    EnergyLedger ledger(force, law, spacing);
+    for (std::size_t n = 0; n < kept.t.size(); ++n) ledger(kept.t[n], state(n));
+    const EnergyBalance balance = ledger.balance();
+    sum.start += balance.start;
+    sum.end += balance.end;
+    sum.drive += balance.drive;
+    sum.taken += balance.taken.sum();
+    return balance;
+  };
+  for (std::size_t i = 0; i < network.masses.size(); ++i) {
+    const auto& [amplitude, frequency, phase] = network.masses[i].drive;
+    follow(HarmonicForce<double>{amplitude, frequency, phase},
+           {.mass = network.masses[i].mass, .stiffness = 0}, [&](std::size_t n) {
+             return State<double>{kept.x[i][n], kept.v[i][n]};
+           });
+  }
+  for (const NetworkLink& link : network.links) {
+    Oscillator<double> law = link.law;
+    law.mass = 0;
+    sum.of_links.push_back(follow([](double) { return 0.0; }, law,
+                                  [&](std::size_t n) {
+                                    return State<double>{
+                                        stretch(link, [&](std::size_t i) { return kept.x[i][n]; }),
+                                        stretch(link, [&](std::size_t i) { return kept.v[i][n]; })};
+                                  }));
+  }
+  return sum;
+}
+
+/// Says that a step is beyond the stability of a network of few masses.
+void add_stability(NetworkRun& run, const SimulateOptions& options) {
+  constexpr std::size_t few = 60;
+  const MethodInfo& info = *find_method(run.method);
+  if (!info.takes_fixed_steps() || run.network.masses.size() > few) return;
+  const auto modes = network_modes(run.network, run.file,
+                                   {.method = {run.method},
+                                    .step = run.step,
+                                    .beta = options.beta,
+                                    .gamma = options.gamma,
+                                    .rho_inf = options.rho_inf});
+  if (!modes) return;
+  for (const Notice& notice : modes->notices)
+    if (notice.code == "method_unstable_on_network") run.notices.push_back(notice);
+}
+
+}  // namespace
+
+bool is_option_of_networks(std::string_view option) {
+  return std::find(network_options.begin(), network_options.end(), option) != network_options.end();
+}
+
+Result<NetworkRun> run_network(const Network& network, const std::string& file,
+                               const SimulateOptions& options, const Watch& watch) {
+  NetworkRun run{.file = file, .network = network};
+  if (auto good = set_up(run, options); !good) return good.error();
+  add_stability(run, options);
+  NetworkRecorder record(run.network, options.every, run.states);
+  MethodSettings settings = settings_of(options, run.method);
+  run.outcome = visit_method(run.method, settings,
+                             [&](const auto& method) { return solved(method, run, record, watch); });
+  const State<MassVector>& last = record.last();
+  for (std::size_t i = 0; i < network.masses.size(); ++i)
+    run.last.push_back({last.x.first[i], last.v.first[i]});
+  run.message = early_end(run.outcome);
+  const double spacing = run.step * static_cast<double>(options.every);
+  if (spacing * frequency_bound(network) < 0.5 && run.states.t.size() > 1)
+    run.energy = energy_over(network, run.states, spacing);
+  return run;
+}
+
+}  // namespace cromer::core

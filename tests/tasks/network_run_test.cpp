@@ -1,0 +1,148 @@
+// Runs of networks: what the task makes of its options, and where the energy goes.
+#include "cromer/tasks/network_run/network_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/methods/all.h"
+
+namespace cromer::core {
+namespace {
+
+Network chain(std::size_t masses, double damping = 0) {
+  Network network;
+  for (std::size_t i = 0; i < masses; ++i)
+    network.masses.push_back({.name = "m" + std::to_string(i + 1), .mass = 0.5});
+  for (std::size_t i = 0; i <= masses; ++i)
+    network.links.push_back(
+        {i == 0 ? ground : i - 1, i == masses ? ground : i, {.stiffness = 8, .damping = damping}});
+  network.masses[0].start.x = 1;
+  return network;
+}
+
+NetworkRun run_of(const Network& network, const SimulateOptions& options) {
+  auto run = run_network(network, "n.toml", options);
+  if (!run) ADD_FAILURE() << in_words(run.error().notice);
+  return run ? *run : NetworkRun{};
+}
+
+TEST(NetworkRun, HasDefaultsByItsPeriods) {
+  const NetworkRun run = run_of(chain(3), {});
+  const double fast = 8 * std::sin(3 * std::numbers::pi / 8), slow = 8 * std::sin(std::numbers::pi / 8);
+  EXPECT_EQ(run.method, "euler-cromer");
+  EXPECT_NEAR(run.step, 2 * std::numbers::pi / fast / 200, 1e-12);
+  EXPECT_NEAR(run.until, 20 * 2 * std::numbers::pi / slow, 1e-9);
+  EXPECT_EQ(run.outcome.status, Status::reached_end);
+  EXPECT_EQ(run.states.t.size(), static_cast<std::size_t>(run.outcome.counts.accepted) + 1);
+  EXPECT_EQ(run.last[1].x, run.states.x[1].back());
+}
+
+TEST(NetworkRun, KeepsEveryNthStateAndTheLast) {
+  const NetworkRun whole = run_of(chain(2), {.method = {"rk4"}, .step = 0.01, .until = 1.005});
+  const NetworkRun every = run_of(chain(2), {.method = {"rk4"}, .step = 0.01, .until = 1.005, .every = 7});
+  ASSERT_EQ(every.states.t.size(), 15u);
+  EXPECT_EQ(every.states.x[1][3], whole.states.x[1][21]);
+  EXPECT_EQ(every.last[0].v, whole.last[0].v);
+  EXPECT_EQ(every.outcome.t, 1.005);
+}
+
+TEST(NetworkRun, EnergyIsAccountedFor) {
+  Network network = chain(3, 0.2);
+  network.links[1].law.cubic = 3;
+  network.links[2].law.drag = 0.4;
+  network.masses[2].drive = {2, 3, 0.5};
+  for (const std::string method : {"rk4", "gauss-legendre4", "dormand-prince"}) {
+    const NetworkRun run = run_of(network, {.method = {method}, .step = 0.005, .until = 5});
+    ASSERT_TRUE(run.energy);
+    const NetworkEnergy& energy = *run.energy;
+    EXPECT_NEAR(energy.start, run.states.energy.front(), 1e-12);
+    EXPECT_NEAR(energy.end, run.states.energy.back(), 1e-12);
+    EXPECT_GT(energy.taken, 1);
+    EXPECT_GT(std::abs(energy.drive), 0.1);
+    EXPECT_LT(std::abs(energy.method()), 1e-6 * energy.start) << method;
+    ASSERT_EQ(energy.of_links.size(), 4u);
+    double taken = 0;
+    for (const EnergyBalance& link : energy.of_links) taken += link.taken.sum();
+    EXPECT_NEAR(taken, energy.taken, 1e-12);
+  }
+  // What a method makes itself shows: forward Euler's gain.
+  const NetworkRun gains = run_of(network, {.method = {"forward-euler"}, .step = 0.005, .until = 5});
+  EXPECT_GT(gains.energy->method(), 0.01);
+}
+
+TEST(NetworkRun, ExactWithDampingThatTiesModesTogether) {
+  Network network = chain(4, 0.1);
+  network.links[2].law.damping = 1.5;
+  network.masses[1].drive = {2, 3, 0.5};
+  network.masses[3].drive = {1, 7, 0};
+  const NetworkRun exact = run_of(network, {.method = {"exact"}, .step = 0.05, .until = 10});
+  const NetworkRun near =
+      run_of(network, {.method = {"dormand-prince"}, .step = 0.05, .until = 10, .tolerance = 1e-13});
+  ASSERT_EQ(exact.states.t.size(), near.states.t.size());
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t n = 0; n < exact.states.t.size(); ++n)
+      ASSERT_NEAR(exact.states.x[i][n], near.states.x[i][n], 1e-9) << i << " " << n;
+}
+
+TEST(NetworkRun, TakesTenThousandMasses) {
+  constexpr std::size_t masses = 10000;
+  const auto end = [&](const char* method, double step, double until) {
+    const NetworkRun run =
+        run_of(chain(masses), {.method = {method}, .step = step, .until = until, .every = 1000});
+    EXPECT_TRUE(run.ok());
+    return run.last;
+  };
+  // The wave has not come to the far end: its state there is that of an infinite chain.
+  const auto by_rk4 = end("rk4", 0.02, 1), by_newmark = end("newmark", 0.002, 1);
+  for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(by_rk4[i].x, by_newmark[i].x, 1e-4);
+  EXPECT_GT(std::abs(by_rk4[2].x), 0.1);
+  EXPECT_LT(std::abs(by_rk4[100].x), 1e-12);
+}
+
+TEST(NetworkRun, EndsEarlyWithAMessage) {
+  Network network = chain(2);
+  network.links[0].law.cubic = -50;
+  const NetworkRun run = run_of(network, {.method = {"rk4"}, .step = 0.01, .until = 100});
+  EXPECT_EQ(run.outcome.status, Status::not_finite);
+  EXPECT_FALSE(run.ok());
+  EXPECT_FALSE(run.message.empty());
+  for (const double x : run.states.x[0]) EXPECT_TRUE(std::isfinite(x));
+  const NetworkRun unstable = run_of(chain(2), {.method = {"euler-cromer"}, .step = 0.4, .until = 4});
+  ASSERT_EQ(unstable.notices.size(), 1u);
+  EXPECT_EQ(in_words(unstable.notices[0]), "euler-cromer with a step of 0.4 s is unstable on this network");
+}
+
+TEST(NetworkRun, RefusesWhatItCannotDo) {
+  const auto refusal = [](const Network& network, const SimulateOptions& options) {
+    const auto run = run_network(network, "n.toml", options);
+    return run ? "" : in_words(run.error().notice);
+  };
+  Network network = chain(2);
+  network.links[1].law.friction = 0.1;
+  EXPECT_EQ(refusal(network, {}), "n.toml: friction is not simulated in a network; leave it out");
+  network = chain(2);
+  network.links[1].law.hysteresis_stiffness = 2;
+  EXPECT_EQ(refusal(network, {}), "n.toml: hysteresis is not simulated in a network; leave it out");
+  network = chain(2);
+  network.links[1].law.cubic = 2;
+  EXPECT_EQ(refusal(network, {.method = {"exact"}}),
+            "n.toml: exact takes linear networks, and a link has the term cubic; take another --method");
+  network = chain(2);
+  EXPECT_EQ(refusal(network, {.method = {"rk4", "exact"}}),
+            "--method is given 2 times; a network runs by one");
+  EXPECT_NE(refusal(network, {.step = -1.0}).find("positive"), std::string::npos);
+  EXPECT_NE(refusal(network, {.method = {"rk5"}}).find("rk4"), std::string::npos);
+  EXPECT_NE(refusal(network, {.step = 1e-9, .until = 1e6, .memory = 1e6}).find("memory"), std::string::npos);
+  network.masses[0].start.x = 0;
+  EXPECT_EQ(refusal(network, {}), "n.toml: nothing moves: give a mass a position, a velocity or a drive");
+  EXPECT_EQ(refusal(chain(501), {}),
+            "the periods of 501 masses are not sought (of at most 500 they are): give --step and --until");
+  EXPECT_EQ(refusal(chain(501), {.method = {"exact"}, .step = 0.1, .until = 1}),
+            "--method: exact takes networks of at most 500 masses, and there are 501");
+}
+
+}  // namespace
+}  // namespace cromer::core
