@@ -86,11 +86,11 @@ int run_simulate(const Arguments& arguments) {
        "of the integration go with it, but one method",
        "none", "A network of masses"});
   std::vector<std::string> files;
-  std::vector<TypedOption> given;
-  if (const auto status = parse(syntax, arguments, files, &given)) return *status;
+  std::vector<TypedOption> typed;
+  if (const auto status = parse(syntax, arguments, files, &typed)) return *status;
   if (!network.empty()) {
     if (!over.file.empty()) return refuse(Error{"network_not_alone"});
-    return run_network_file(network, options, output, given, arguments);
+    return run_network_file(network, options, output, typed, arguments);
   }
   if (auto good = check_outputs(output, over.file.empty() ? files : std::vector{over.file}); !good)
     return refuse(good.error());

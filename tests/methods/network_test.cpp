@@ -69,7 +69,7 @@ template <class M, class F>
 auto with_system(const M&, const Network& network, const F& f) {
   if constexpr (M::info.is_exact()) {
     const LinearNetwork linear = linearised(network);
-    const NaturalModes modes = natural_modes(linear);
+    const UndampedModes modes = undamped_modes(linear);
     const std::vector<double> damping = modal_damping(linear, modes);
     if (damping.empty()) return f(NetworkByExponential(network));
     return f(NetworkByModes(network, modes, damping));

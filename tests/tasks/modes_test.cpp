@@ -91,7 +91,7 @@ ModesResult modes_of(std::string_view file, const ModesOptions& options = {}) {
 void expect_modes(const ModesResult& found, const Json& truth) {
   ASSERT_EQ(found.modes.size(), truth.size());
   for (std::size_t j = 0; j < truth.size(); ++j) {
-    const Mode& mode = found.modes[j];
+    const NaturalMode& mode = found.modes[j];
     const double frequency = truth[j]["frequency_hz"], damping = truth[j]["damping_ratio"];
     EXPECT_NEAR(mode.frequency.value, frequency, 1e-11 * frequency);
     EXPECT_NEAR(mode.damping_ratio.value, damping, 1e-11);
@@ -139,7 +139,7 @@ TEST(Modes, OfAChainHaveTheirClosedForm) {
     for (std::size_t j = 0; j < n; ++j) {
       const double angle = static_cast<double>(j + 1) * std::numbers::pi / static_cast<double>(n + 1);
       const double w = 2 * std::sqrt(8 / 0.5) * std::sin(angle / 2);
-      const Mode& mode = found.modes[j];
+      const NaturalMode& mode = found.modes[j];
       EXPECT_NEAR(2 * std::numbers::pi * mode.frequency.value, w, 1e-11 * w);
       EXPECT_NEAR(mode.damping_ratio.value, w * 0.02 / 8 / 2, 1e-12);
       EXPECT_EQ(mode.frequency.standard_error, 0);

@@ -116,7 +116,7 @@ double modal_assurance(const Shape& a, const Shape& b) {
 
 std::vector<ComplexMode> complex_modes(const LinearNetwork& network) {
   const std::size_t n = network.size;
-  const NaturalModes natural = natural_modes(network);
+  const UndampedModes natural = undamped_modes(network);
   std::vector<ComplexMode> modes;
   if (const std::vector<double> damping = modal_damping(network, natural); !damping.empty()) {
     const double largest = std::max(std::abs(natural.squares.front()), std::abs(natural.squares.back()));

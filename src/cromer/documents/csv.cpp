@@ -392,23 +392,26 @@ std::string modes_csv(const ModesResult& result) {
   NamedColumns table;
   const auto add = [&](std::string header, const auto& value) {
     std::vector<double>& column = table.add(std::move(header));
-    for (const Mode& mode : result.modes) column.push_back(value(mode));
+    for (const NaturalMode& mode : result.modes) column.push_back(value(mode));
   };
   std::vector<double>& number = table.add("mode");
   for (std::size_t j = 1; j <= result.modes.size(); ++j) number.push_back(static_cast<double>(j));
-  const auto add_estimate = [&](const std::string& name, const std::string& unit, Estimate Mode::*member) {
-    add(name + unit, [&](const Mode& mode) { return (mode.*member).value; });
-    add(name + " standard error" + unit, [&](const Mode& mode) { return (mode.*member).standard_error; });
-    add(name + " 95 % low" + unit, [&](const Mode& mode) { return (mode.*member).low; });
-    add(name + " 95 % high" + unit, [&](const Mode& mode) { return (mode.*member).high; });
+  const auto add_estimate = [&](const std::string& name, const std::string& unit,
+                                Estimate NaturalMode::*member) {
+    add(name + unit, [&](const NaturalMode& mode) { return (mode.*member).value; });
+    add(name + " standard error" + unit,
+        [&](const NaturalMode& mode) { return (mode.*member).standard_error; });
+    add(name + " 95 % low" + unit, [&](const NaturalMode& mode) { return (mode.*member).low; });
+    add(name + " 95 % high" + unit, [&](const NaturalMode& mode) { return (mode.*member).high; });
   };
-  add_estimate("frequency", " (Hz)", &Mode::frequency);
-  add_estimate("damping ratio", "", &Mode::damping_ratio);
-  add("participation",
-      [](const Mode& mode) { return mode.participation.value_or(std::numeric_limits<double>::quiet_NaN()); });
+  add_estimate("frequency", " (Hz)", &NaturalMode::frequency);
+  add_estimate("damping ratio", "", &NaturalMode::damping_ratio);
+  add("participation", [](const NaturalMode& mode) {
+    return mode.participation.value_or(std::numeric_limits<double>::quiet_NaN());
+  });
   for (std::size_t i = 0; i < result.names.size(); ++i) {
-    add(result.names[i] + " re", [&](const Mode& mode) { return mode.shape[i].real(); });
-    add(result.names[i] + " im", [&](const Mode& mode) { return mode.shape[i].imag(); });
+    add(result.names[i] + " re", [&](const NaturalMode& mode) { return mode.shape[i].real(); });
+    add(result.names[i] + " im", [&](const NaturalMode& mode) { return mode.shape[i].imag(); });
   }
   if (!result.modes.empty() && !result.modes.front().methods.empty())
     for (std::size_t k = 0; k < result.modes.front().methods.size(); ++k) {
@@ -417,9 +420,9 @@ std::string modes_csv(const ModesResult& result) {
         return value.value_or(std::numeric_limits<double>::quiet_NaN());
       };
       add("frequency by " + method + " (Hz)",
-          [&](const Mode& mode) { return number_of(mode.methods[k].frequency()); });
+          [&](const NaturalMode& mode) { return number_of(mode.methods[k].frequency()); });
       add("damping ratio by " + method,
-          [&](const Mode& mode) { return number_of(mode.methods[k].damping_ratio()); });
+          [&](const NaturalMode& mode) { return number_of(mode.methods[k].damping_ratio()); });
     }
   std::string out;
   append_csv(out, csv_columns(table), {}, true);

@@ -37,7 +37,10 @@ Figure network_figure(const NetworkRun& run) {
   std::vector<double> t = run.states.t;
   for (double& each : t) each /= time.seconds;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
-    Curve curve{.x = t, .role = family_role(k, drawn.size()), .name = run.network.masses[drawn[k]].name};
+    Curve curve;
+    curve.x = t;
+    curve.role = family_role(k, drawn.size());
+    curve.name = run.network.masses[drawn[k]].name;
     for (const double x : run.states.x[drawn[k]]) curve.y.push_back(x / length.metres);
     panel.curves.push_back(std::move(curve));
   }

@@ -47,9 +47,9 @@ LinearNetwork linearised(const Network& network) {
   return linear;
 }
 
-NaturalModes natural_modes(const LinearNetwork& network) {
+UndampedModes undamped_modes(const LinearNetwork& network) {
   const std::size_t n = network.size;
-  NaturalModes modes{n, std::vector<double>(n), std::vector<double>(n * n)};
+  UndampedModes modes{n, std::vector<double>(n), std::vector<double>(n * n)};
   if (n == 1) {
     modes.squares[0] = network.stiffness[0] / network.mass[0];
     modes.shapes[0] = 1;
@@ -69,7 +69,7 @@ NaturalModes natural_modes(const LinearNetwork& network) {
   return modes;
 }
 
-std::vector<double> modal_damping(const LinearNetwork& network, const NaturalModes& modes) {
+std::vector<double> modal_damping(const LinearNetwork& network, const UndampedModes& modes) {
   constexpr double alike = 1e-13;
   const std::size_t n = network.size;
   const Seen shapes = seen(modes.shapes, n);
@@ -85,7 +85,7 @@ std::vector<double> modal_damping(const LinearNetwork& network, const NaturalMod
   return result;
 }
 
-NetworkByModes::NetworkByModes(const Network& network, const NaturalModes& modes,
+NetworkByModes::NetworkByModes(const Network& network, const UndampedModes& modes,
                                const std::vector<double>& damping)
     : NetworkSystem<>(network), modes_(modes), weights_(modes.shapes) {
   const std::size_t n = modes.size;

@@ -28,29 +28,29 @@ State<double> slopes_at_rest(const Oscillator<double>& law);
 LinearNetwork linearised(const Network& network);
 
 /// The natural modes of K x = w^2 M x.
-struct NaturalModes {
+struct UndampedModes {
   std::size_t size = 0;
   std::vector<double> squares;  // [1/s^2] w^2, rising
   std::vector<double> shapes;   ///< one column a mode, its largest component 1; rows stand after each other
 };
 
-NaturalModes natural_modes(const LinearNetwork& network);
+UndampedModes undamped_modes(const LinearNetwork& network);
 
 /// Of each mode the damping 2 b [1/s] in q'' + 2 b q' + w^2 q; empty where damping ties modes together.
-std::vector<double> modal_damping(const LinearNetwork& network, const NaturalModes& modes);
+std::vector<double> modal_damping(const LinearNetwork& network, const UndampedModes& modes);
 
 /// A linear network whose damping leaves its modes apart: each moves as one oscillator, by its closed form.
 /// Of one mass with one link it is that oscillator's, to the bit.
 class NetworkByModes : public NetworkSystem<> {
  public:
   /// damping: not empty (modal_damping).
-  NetworkByModes(const Network& network, const NaturalModes& modes, const std::vector<double>& damping);
+  NetworkByModes(const Network& network, const UndampedModes& modes, const std::vector<double>& damping);
 
   /// The state at t of the motion through y0 at t0; the times are numbers.
   State<MassVector> propagate(const MassVector& t0, const MassVector& t, const State<MassVector>& y0) const;
 
  private:
-  NaturalModes modes_;
+  UndampedModes modes_;
   std::vector<LinearLaw<double>> laws_;
   std::vector<double> weights_;  ///< of each mass in each mode's coordinate, as the shapes
   std::vector<std::pair<std::size_t, HarmonicForce<double>>> drives_;

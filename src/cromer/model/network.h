@@ -25,7 +25,7 @@ inline constexpr std::size_t ground = std::numeric_limits<std::size_t>::max();
 
 /// A mass or, in a network of angles, a moment of inertia.
 struct NetworkMass {
-  std::string name;
+  std::string name{};
   double mass = 1;                // [kg] or [kg m^2], > 0
   State<double> start{};          // [m], [m/s], or [rad], [rad/s]
   HarmonicDrive<double> drive{};  // [N] or [N m]
@@ -40,8 +40,8 @@ struct NetworkLink {
 /// At least one mass; every link holds at least one.
 struct Network {
   bool angles = false;  ///< masses are moments of inertia, positions angles
-  std::vector<NetworkMass> masses;
-  std::vector<NetworkLink> links;
+  std::vector<NetworkMass> masses{};
+  std::vector<NetworkLink> links{};
 };
 
 /// The terms of all links, and a spring.

@@ -23,34 +23,34 @@ struct Described<ModeByMethod> {
 };
 
 template <>
-struct Described<Mode> {
-  static constexpr std::string_view name = "Mode";
+struct Described<NaturalMode> {
+  static constexpr std::string_view name = "NaturalMode";
   static constexpr auto entries =
       members(field(
                   "frequency",
-                  [](const Mode& m) {
+                  [](const NaturalMode& m) {
                     return Parameter{"frequency", m.frequency, "Hz"};
                   },
                   "", "|eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest"),
               field(
                   "damping_ratio",
-                  [](const Mode& m) {
+                  [](const NaturalMode& m) {
                     return Parameter{"damping_ratio", m.damping_ratio, "1"};
                   },
                   "", "minus the eigenvalue's real part over its size; null without a frequency"),
               field(
                   "shape",
-                  [](const Mode& m) {
+                  [](const NaturalMode& m) {
                     std::vector<Pair> shape;
                     for (const std::complex<double>& each : m.shape)
                       shape.push_back({each.real(), each.imag()});
                     return shape;
                   },
                   "", "of each of `names`, as [re, im]; the largest is 1"),
-              field("participation", &Mode::participation, "",
+              field("participation", &NaturalMode::participation, "",
                     "effective modal mass over the whole mass, for ground that shakes all the same; null for "
                     "recordings"),
-              field("methods", &Mode::methods, "", "what each method really simulates of it"));
+              field("methods", &NaturalMode::methods, "", "what each method really simulates of it"));
 };
 
 template <>

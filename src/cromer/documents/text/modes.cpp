@@ -34,7 +34,7 @@ std::string shapes_text(const ModesResult& result) {
   for (std::size_t j = 0; j < result.modes.size(); ++j) rows[0].push_back(fmt::format("mode {}", j + 1));
   for (std::size_t i = 0; i < result.names.size(); ++i) {
     rows.push_back({result.names[i]});
-    for (const Mode& mode : result.modes) rows.back().push_back(component_text(mode.shape[i]));
+    for (const NaturalMode& mode : result.modes) rows.back().push_back(component_text(mode.shape[i]));
   }
   return "\n" + text_table(rows, 1, rows[0].size());
 }
@@ -50,7 +50,7 @@ std::string methods_text(const ModesResult& result) {
   const auto number = [](const std::optional<double>& value) { return value ? number_or_dash(*value) : "-"; };
   for (std::size_t j = 0; j < result.modes.size(); ++j)
     for (const ModeByMethod& by : result.modes[j].methods) {
-      const Mode& mode = result.modes[j];
+      const NaturalMode& mode = result.modes[j];
       rows.push_back({fmt::format("{}", j + 1), by.method, fmt::format("{:.6g}", by.step),
                       number(by.frequency()), off(by.frequency(), mode.frequency.value),
                       number(by.damping_ratio()), off(by.damping_ratio(), mode.damping_ratio.value),
@@ -64,11 +64,11 @@ std::string methods_text(const ModesResult& result) {
 
 std::string modes_text(const ModesResult& result) {
   bool any = false;
-  for (const Mode& mode : result.modes) any = any || mode.participation;
+  for (const NaturalMode& mode : result.modes) any = any || mode.participation;
   std::vector<std::vector<std::string>> rows{{"mode", "frequency (Hz)", "damping ratio"}};
   if (any) rows[0].emplace_back("participation");
   for (std::size_t j = 0; j < result.modes.size(); ++j) {
-    const Mode& mode = result.modes[j];
+    const NaturalMode& mode = result.modes[j];
     rows.push_back({fmt::format("{}", j + 1), number_with_interval(mode.frequency),
                     number_with_interval(mode.damping_ratio)});
     if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");

@@ -38,7 +38,7 @@ struct ModeByMethod {
   std::optional<double> damping_ratio() const;
 };
 
-struct Mode {
+struct NaturalMode {
   Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; not a number where nothing pulls back
   Estimate damping_ratio{};                   ///< not a number where the frequency is 0 or none
   std::vector<std::complex<double>> shape{};  ///< its largest component 1
@@ -48,8 +48,8 @@ struct Mode {
 
 struct ModesResult {
   std::string file;
-  std::vector<std::string> names;  ///< of masses, or of channels: the components of shapes
-  std::vector<Mode> modes;         ///< by rising frequency
+  std::vector<std::string> names{};  ///< of masses, or of channels: the components of shapes
+  std::vector<NaturalMode> modes{};  ///< by rising frequency
   std::vector<Notice> notices{};
 };
 

@@ -96,7 +96,7 @@ std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& mod
 }
 
 /// What the method makes of each mode. Modes that damping leaves apart are oscillators by themselves.
-void add_method(std::vector<Mode>& into, const std::string& name, const ModesOptions& options,
+void add_method(std::vector<NaturalMode>& into, const std::string& name, const ModesOptions& options,
                 const Network& network, const std::vector<ComplexMode>& modes, bool apart,
                 std::vector<Notice>& notices) {
   const MethodSettings settings = settings_of(options);
@@ -173,7 +173,7 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
                  {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};
   const LinearNetwork linear = linearised(network);
   const std::vector<ComplexMode> modes = complex_modes(linear);
-  const bool apart = !modal_damping(linear, natural_modes(linear)).empty();
+  const bool apart = !modal_damping(linear, undamped_modes(linear)).empty();
 
   ModesResult result{.file = file, .notices = notices_on(network)};
   for (const NetworkMass& mass : network.masses) result.names.push_back(mass.name);

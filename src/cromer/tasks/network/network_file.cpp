@@ -17,7 +17,7 @@ namespace {
 struct Number {
   std::string key;
   double* target;
-  std::string unit, with_radians{};
+  std::string unit{}, with_radians{};
   Range range = Range::any;
 };
 
@@ -37,7 +37,7 @@ bool take(TomlReader& toml, const Number& number) {
     toml.fail(number.key, Notice{"key_takes_one_value", {{"key", number.key}}});
     return true;
   }
-  const Option option{number.key, number.target, number.unit, number.range};
+  const Option option{number.key, number.target, number.unit, number.range, "", "", ""};
   Result<void> good = assign(option, texts.front());
   if (!good && !number.with_radians.empty()) {
     Option other = option;
@@ -50,9 +50,9 @@ bool take(TomlReader& toml, const Number& number) {
 }
 
 struct ReadMass {
-  NetworkMass mass;
+  NetworkMass mass{};
   bool angle = false;
-  Place place;
+  Place place{};
 };
 
 ReadMass read_mass(TomlReader& toml) {
@@ -82,9 +82,9 @@ std::string unit_of_torque(const CoefficientInfo& info, bool radians) {
 }
 
 struct ReadLink {
-  NetworkLink link;
-  std::string from, to;
-  Place place;
+  NetworkLink link{};
+  std::string from{}, to{};
+  Place place{};
 };
 
 ReadLink read_link(TomlReader& toml, bool angles) {
@@ -117,7 +117,7 @@ ReadLink read_link(TomlReader& toml, bool angles) {
 }
 
 /// The places of the masses by their names, with checks of what holds for all of them.
-Result<std::map<std::string, std::size_t>> places_of(const std::vector<ReadMass>& masses) {
+Result<std::map<std::string, std::size_t>> mass_places(const std::vector<ReadMass>& masses) {
   std::map<std::string, std::size_t> places;
   for (const ReadMass& read : masses) {
     if (!places.emplace(read.mass.name, places.size()).second)
@@ -127,8 +127,8 @@ Result<std::map<std::string, std::size_t>> places_of(const std::vector<ReadMass>
   return places;
 }
 
-Result<std::size_t> place_of(const std::string& name, const std::map<std::string, std::size_t>& places,
-                             const Place& link) {
+Result<std::size_t> place_named(const std::string& name, const std::map<std::string, std::size_t>& places,
+                                const Place& link) {
   if (name == "ground") return ground;
   if (const auto found = places.find(name); found != places.end()) return found->second;
   std::vector<std::string_view> names{"ground"};
@@ -156,7 +156,7 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
   if (tables->masses.empty()) return Error{"network_without_masses", {{"file", file}}};
   auto masses = read_tables<ReadMass>(tables->masses, file, read_mass);
   if (!masses) return masses.error();
-  const auto places = places_of(*masses);
+  const auto places = mass_places(*masses);
   if (!places) return places.error();
 
   Network network{.angles = masses->front().angle};
@@ -166,7 +166,8 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
   for (ReadMass& read : *masses) network.masses.push_back(std::move(read.mass));
   std::vector<bool> held(network.masses.size());
   for (ReadLink& read : *links) {
-    const auto from = place_of(read.from, *places, read.place), to = place_of(read.to, *places, read.place);
+    const auto from = place_named(read.from, *places, read.place),
+               to = place_named(read.to, *places, read.place);
     if (!from) return from.error();
     if (!to) return to.error();
     if (*from == *to) return read.place.error(Notice{"link_to_itself", {{"name", read.from}}});

@@ -42,7 +42,7 @@ struct Periods {
 
 Periods periods_of(const Network& network) {
   Periods periods;
-  const NaturalModes modes = natural_modes(linearised(network));
+  const UndampedModes modes = undamped_modes(linearised(network));
   for (const double square : modes.squares) {
     if (!(square > 1e-13 * modes.squares.back())) continue;
     const double period = 2 * std::numbers::pi / std::sqrt(square);
@@ -180,7 +180,7 @@ Outcome solved(const M& method, const NetworkRun& run, Recorder& record, const W
   const StepControl control(run.step, M::info.is_adaptive() ? run.tolerance : StepControl::default_tolerance);
   if constexpr (M::info.is_exact()) {
     const LinearNetwork linear = linearised(run.network);
-    const NaturalModes modes = natural_modes(linear);
+    const UndampedModes modes = undamped_modes(linear);
     if (const std::vector<double> damping = modal_damping(linear, modes); !damping.empty())
       return solve(NetworkByModes(run.network, modes, damping), method, interval, start, control, record,
                    watch);

@@ -38,15 +38,15 @@ struct NetworkEnergy {
 struct NetworkRun {
   std::string file;
   Network network;
-  std::string method;
+  std::string method{};
   double step = 0;       // [s]
   double until = 0;      // [s]
   double tolerance = 0;  ///< as given, or what the method takes by default
-  Outcome outcome;
-  NetworkStates states;
-  std::vector<State<double>> last;        ///< of each mass, at outcome.t
+  Outcome outcome{};
+  NetworkStates states{};
+  std::vector<State<double>> last{};      ///< of each mass, at outcome.t
   std::optional<NetworkEnergy> energy{};  ///< if the kept states are dense enough
-  Notice message;                         ///< why it ended early; empty if it did not
+  Notice message{};                       ///< why it ended early; empty if it did not
   std::vector<Notice> notices{};
 
   bool ok() const { return outcome.status == Status::reached_end; }
