@@ -1,6 +1,6 @@
 // Cromer: the oscillator on a spring, from a recording to its law of motion and back.
 //
-// Seven verbs: read, fit, simulate, compare, methods, response_spectrum, sweep. Arrays go in as spans of
+// Eight verbs: read, fit, simulate, compare, methods, modes, response_spectrum, sweep. Arrays go in as spans of
 // doubles in SI units, results come out as plain structs. A bad argument gives an Error in a Result. How a
 // computation went is a status in its result; what else there is to know stands in its notices. Nothing
 // throws, except the standard library when memory runs out, and value() of an Error. Every call depends on
@@ -12,6 +12,7 @@
 #include <cromer/drive.h>       // IWYU pragma: export
 #include <cromer/fit.h>         // IWYU pragma: export
 #include <cromer/methods.h>     // IWYU pragma: export
+#include <cromer/modes.h>       // IWYU pragma: export
 #include <cromer/notice.h>      // IWYU pragma: export
 #include <cromer/oscillator.h>  // IWYU pragma: export
 #include <cromer/quantity.h>    // IWYU pragma: export

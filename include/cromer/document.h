@@ -7,6 +7,7 @@
 #include <cromer/export.h>
 #include <cromer/fit.h>
 #include <cromer/methods.h>
+#include <cromer/modes.h>
 #include <cromer/notice.h>
 #include <cromer/simulate.h>
 #include <cromer/spectrum.h>
@@ -21,17 +22,20 @@ CROMER_API std::string json(const LawFit& fit, Language language = Language::eng
 CROMER_API std::string json(const Comparison& comparison, Language language = Language::english);
 CROMER_API std::string json(const ResponseSpectrum& spectrum, Language language = Language::english);
 CROMER_API std::string json(const FrequencyResponse& response, Language language = Language::english);
+CROMER_API std::string json(const Modes& modes, Language language = Language::english);
 /// With the kept states, or without them.
 CROMER_API std::string json(const Simulation& simulation, bool with_states = true,
                             Language language = Language::english);
 
 /// A table with a header row; every number reads back as the same double. A fit: one row, with its numbers,
 /// their standard errors and 95 % intervals. A comparison: the measured and simulated motions. A simulation:
-/// its states. "" of a result that no call has filled, and of a spectrum that was interrupted.
+/// its states. Modes: a row for each. "" of a result that no call has filled, and of a spectrum that was
+/// interrupted.
 CROMER_API std::string csv(const LawFit& fit);
 CROMER_API std::string csv(const Comparison& comparison);
 CROMER_API std::string csv(const ResponseSpectrum& spectrum);
 CROMER_API std::string csv(const FrequencyResponse& response);
+CROMER_API std::string csv(const Modes& modes);
 CROMER_API std::string csv(const Simulation& simulation);
 
 /// The program's figure of the result as an SVG document. "" of a result that no call has filled, and of one

@@ -4,16 +4,16 @@
     fit["decay_rate"].value, fit.law, fit.at(t)
 
 Arguments are SI numbers or texts with a unit; arrays are one-dimensional. The verbs are read, fit, simulate,
-compare, methods, spectrum and sweep.
+compare, methods, modes, spectrum and sweep.
 """
 
 from ._core import InputError
 from ._core import version as __version__
 from ._estimate import Estimate
-from ._results import (Comparison, CromerWarning, Curve, Fits, FitWarning, LawFit, Methods, NoSuccess, Notice,
+from ._results import (Comparison, CromerWarning, Curve, Fits, FitWarning, LawFit, Methods, Mode, Modes, NoSuccess, Notice,
                        Recognition, Recording, Residual, Run, Runs, Spectrum, Sweep, Trajectory)
-from ._verbs import compare, fit, fit_all, methods, read, simulate, spectrum, sweep
+from ._verbs import compare, fit, fit_all, methods, modes, read, simulate, spectrum, sweep
 
-__all__ = ["Comparison", "CromerWarning", "Curve", "Estimate", "FitWarning", "Fits", "InputError", "LawFit", "Methods",
-           "NoSuccess", "Notice", "Recognition", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
-           "__version__", "compare", "fit", "fit_all", "methods", "read", "simulate", "spectrum", "sweep"]
+__all__ = ["Comparison", "CromerWarning", "Curve", "Estimate", "FitWarning", "Fits", "InputError", "LawFit", "Methods", "Mode",
+           "Modes", "NoSuccess", "Notice", "Recognition", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
+           "__version__", "compare", "fit", "fit_all", "methods", "modes", "read", "simulate", "spectrum", "sweep"]

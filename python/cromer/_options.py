@@ -162,6 +162,14 @@ class MethodsOptions(TypedDict, total=False):
     markdown: bool
 
 
+class ModesOptions(TypedDict, total=False):
+    method: Union[str, Sequence[str]]
+    step: Value
+    beta: Value
+    gamma: Value
+    rho_inf: Value
+
+
 class SweepOptions(TypedDict, total=False):
     mass: Grid
     stiffness: Grid
@@ -376,6 +384,13 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "decimal": ("str", "decimal mark, \".\" or \",\" [found]"),
         "skip_bad_rows": ("bool", "leave out rows with a word in a number column [such a row is an error]"),
         "markdown": ("bool", "print the table as docs/methods.md has it"),
+    },
+    "modes": {
+        "method": ("Union[str, Sequence[str]]", "a name from `cromer methods`; may be given several times [none]"),
+        "step": ("Value", "[s] time step of the methods; must be positive"),
+        "beta": ("Value", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
+        "gamma": ("Value", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
+        "rho_inf": ("Value", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
     },
     "sweep": {
         "mass": ("Grid", "[kg] mass m; must be positive [1 kg]"),

@@ -633,6 +633,62 @@ class Methods(Result, Sequence[Dict[str, Any]]):
         return f"Methods: {', '.join(self.names)}"
 
 
+class Mode:
+    """A mode: `frequency` [Hz] and `damping_ratio` with their errors (0 of a network, which is known), the complex
+    `shape` of shape (names,), its largest 1, `participation` (effective modal mass over the whole, None of a
+    recording), and `methods`, what each really simulates ("method", "step", "frequency", "damping_ratio", "stable",
+    "in_words")."""
+
+    def __init__(self, document: Dict[str, Any]) -> None:
+        self.frequency = _estimate("frequency", document["frequency"])
+        self.damping_ratio = _estimate("damping_ratio", document["damping_ratio"])
+        self.shape = np.array([complex(re, im) for re, im in document["shape"]])
+        self.participation: Optional[float] = document["participation"]
+        self.methods: List[Dict[str, Any]] = document["methods"]
+
+    def __repr__(self) -> str:
+        return f"Mode: {self.frequency.value:.6g} Hz, damping ratio {self.damping_ratio.value:.6g}"
+
+
+class Modes(Result, Sequence[Mode]):
+    """The modes of a network, by rising frequency; `names` of the masses are those of the components of shapes."""
+
+    @overload
+    def __getitem__(self, index: int) -> Mode: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Mode]: ...
+    def __getitem__(self, index: Union[int, slice]) -> Union[Mode, List[Mode]]:
+        rows = self._document["modes"]
+        return Mode(rows[index]) if not isinstance(index, slice) else [Mode(each) for each in rows[index]]
+
+    def __len__(self) -> int:
+        return len(self._document["modes"])
+
+    @property
+    def names(self) -> List[str]:
+        """The names of the masses."""
+        return list(self._document["names"])
+
+    @property
+    def frequency(self) -> Numbers:
+        """Of each mode [Hz]."""
+        return np.array([each.frequency.value for each in self])
+
+    @property
+    def damping_ratio(self) -> Numbers:
+        """Of each mode."""
+        return np.array([each.damping_ratio.value for each in self])
+
+    def to_pandas(self) -> Any:
+        """A row for each mode, without shapes."""
+        import pandas
+        return pandas.DataFrame({"frequency": self.frequency, "damping_ratio": self.damping_ratio,
+                                 "participation": [each.participation for each in self]})
+
+    def __repr__(self) -> str:
+        return f"Modes: {', '.join(f'{each:.4g}' for each in self.frequency)} Hz"
+
+
 class Recognition(Result, Sequence[Dict[str, Any]]):
     """Which method made a run: the nearest first ("method", "same_map", "step", "distance", "decay_rate_added",
     "frequency_shift"). `verdict` is "made", "the_law" (no error of a method shows), "other_law" or "none"."""

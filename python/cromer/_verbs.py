@@ -12,9 +12,9 @@ import numpy as np
 
 from ._arguments import arrays_of, request_of
 from ._core import Answer, InputError, Progress, call
-from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ReadOptions, SimulateOptions,
-                       SpectrumOptions, SweepOptions)
-from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Recognition, Recording, Run, Runs, Spectrum, Sweep, told
+from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ModesOptions, ReadOptions,
+                       SimulateOptions, SpectrumOptions, SweepOptions)
+from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Modes, Recognition, Recording, Run, Runs, Spectrum, Sweep, told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -279,6 +279,27 @@ def methods(*, recognise: "Union[None, str, os.PathLike[str]]" = None, language:
     """
     answer = call("methods", request_of({**options, "recognise": recognise, "language": language}, "methods"), {})
     made = Methods(answer) if recognise is None else Recognition(answer)
+    told(made, answer, strict, made.to_dict().get("message", ""))
+    return made
+
+
+@_documented
+def modes(file: "Union[str, os.PathLike[str]]", *, language: Optional[str] = None, strict: bool = False,
+          **options: "Unpack[ModesOptions]") -> Modes:
+    """The modes of a network of masses: natural frequencies, damping ratios, shapes; and what methods make of them.
+
+    Parameters
+    ----------
+    file : str or path
+        The network, a TOML file of masses and links (docs/networks.md).
+    {options}
+
+    Returns
+    -------
+    Modes
+    """
+    answer = call("modes", request_of({**options, "file": file, "language": language}, "modes"), {})
+    made = Modes(answer)
     told(made, answer, strict, made.to_dict().get("message", ""))
     return made
 

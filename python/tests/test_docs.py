@@ -44,7 +44,7 @@ def test_each_snippet_runs(page, monkeypatch, tmp_path, program):
 
 
 def test_every_verb_has_its_section_of_arguments():
-    for verb in ("read", "fit", "fit_all", "simulate", "compare", "methods", "spectrum", "sweep"):
+    for verb in ("read", "fit", "fit_all", "simulate", "compare", "methods", "modes", "spectrum", "sweep"):
         said = getattr(cromer, verb).__doc__
         assert "Parameters\n----------" in said and "{options}" not in said, verb
         section = said.split("----------\n")[1].split("\n\n")[0].splitlines()

@@ -88,6 +88,27 @@ def test_a_run_is_recognised(tmp_path):
         cromer.methods(recognise=path, mass=0.2, stiffness=17, strict=True)
 
 
+def test_modes_of_a_network_are_those_of_its_matrices(tmp_path):
+    path = tmp_path / "chain.toml"
+    path.write_text("".join(f'[[mass]]\nname = "m{i}"\nmass = {i + 1}\n' for i in range(3)) +
+                    "".join(f'[[link]]\nfrom = "{a}"\nto = "{b}"\nstiffness = 9\n'
+                            for a, b in [("ground", "m0"), ("m0", "m1"), ("m1", "m2")]))
+    modes = cromer.modes(path, method=["euler-cromer", "newmark"], step=0.1)
+    mass, stiffness = np.array([1, 2, 3]), 9 * np.array([[2, -1, 0], [-1, 2, -1], [0, -1, 1]])
+    squares, shapes = np.linalg.eigh(stiffness / np.sqrt(np.outer(mass, mass)))
+    assert np.allclose(modes.frequency, np.sqrt(squares) / (2 * np.pi)) and np.allclose(modes.damping_ratio, 0)
+    assert modes.names == ["m0", "m1", "m2"] and len(modes) == 3
+    for j, mode in enumerate(modes):
+        shape = shapes[:, j] / np.sqrt(mass)
+        assert np.allclose(mode.shape, shape / shape[np.argmax(np.abs(shape))])
+        swings = 2 / 0.1 * np.arctan(np.sqrt(squares[j]) * 0.1 / 2)  # average acceleration
+        assert mode.methods[1]["frequency"] == pytest.approx(swings / (2 * np.pi), rel=1e-9)
+    assert sum(mode.participation for mode in modes) == pytest.approx(1)
+    assert "participation" in str(modes) and "mode" in modes.to_csv()
+    with pytest.raises(cromer.InputError, match="no mass"):
+        path.write_text(path.read_text().replace('to = "m2"', 'to = "m9"'))
+        cromer.modes(path)
+
 
 def test_a_sweep_is_the_closed_form():
     w = np.linspace(1, 5, 50)

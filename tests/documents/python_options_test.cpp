@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cromer/documents/text.h"
+#include "cromer/tasks/modes/modes.h"
 #include "tests/support/expect_in.h"
 
 namespace cromer::core {
@@ -91,6 +92,7 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
   append<SimulateOptions>(types, table, "simulate", "SimulateOptions", "method");
   append<CompareOptions>(types, table, "compare", "CompareOptions", "method");
   append<RecogniseOptions>(types, table, "methods", "MethodsOptions", "recognise");
+  append<ModesOptions>(types, table, "modes", "ModesOptions");
   append<SweepOptions>(types, table, "sweep", "SweepOptions");
   append<SpectrumOptions>(types, table, "spectrum", "SpectrumOptions", "periods");
   expect_in("python/cromer/_options.py",

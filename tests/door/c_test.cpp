@@ -274,8 +274,8 @@ TEST(CallC, ARefusalIsData) {
   EXPECT_EQ(said["values"], json({{"argument", "mas"}, {"verb", "fit"}, {"near", "mass"}}));
   const json verbs = document(call("swim", "{}"));
   EXPECT_EQ(verbs["message"],
-            "there is no verb \"swim\"; there are read, fit, simulate, compare, methods, spectrum and sweep");
-  EXPECT_EQ(verbs["values"]["verbs"].size(), 7u);
+            "there is no verb \"swim\"; there are read, fit, simulate, compare, methods, modes, spectrum and sweep");
+  EXPECT_EQ(verbs["values"]["verbs"].size(), 8u);
   const json nested = document(call("fit", R"({"mass": ""})", made.arrays()));
   EXPECT_EQ(nested["code"], "option_is_wrong");
   EXPECT_EQ(nested["values"]["what"]["code"], "value_is_empty");

@@ -731,6 +731,32 @@ std::vector<std::string> lines_of(const std::string& document) {
   return lines;
 }
 
+TEST(DoorModes, OfANetworkInAFile) {
+  const std::string frame = std::string(CROMER_SOURCE_DIR) + "/data/networks/frame.toml";
+  const auto found = cromer::modes(frame, {.method = {"newmark"}, .step = 0.02});
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_THAT(found->names, testing::ElementsAre("floor 1", "floor 2", "roof"));
+  ASSERT_EQ(found->modes.size(), 3u);
+  double shares = 0;
+  for (const cromer::Mode& mode : found->modes) {
+    EXPECT_GT(mode.frequency.value, 2);
+    EXPECT_EQ(mode.frequency.standard_error, 0);
+    EXPECT_EQ(mode.shape.size(), 3u);
+    ASSERT_EQ(mode.methods.size(), 1u);
+    EXPECT_LT(*mode.methods[0].frequency, mode.frequency.value);
+    EXPECT_TRUE(mode.methods[0].stable);
+    shares += *mode.participation;
+  }
+  EXPECT_NEAR(shares, 1, 1e-3);
+  EXPECT_THAT(cromer::json(*found), HasSubstr("\"participation\""));
+  EXPECT_EQ(lines_of(cromer::csv(*found)).size(), 4u);
+  EXPECT_EQ(cromer::json(cromer::Modes{}), "");
+  const auto refused = cromer::modes(frame, {.method = {"newmark"}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(), "method needs a step");
+  EXPECT_FALSE(cromer::modes("nowhere.toml"));
+}
+
 TEST(DoorDocument, TablesBeginWithTheirHeader) {
   const auto run = cromer::simulate({.stiffness = 4}, {.step = 0.1, .until = 1});
   const auto states = lines_of(cromer::csv(*run));

@@ -25,6 +25,7 @@
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/network/network_file.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
@@ -361,6 +362,22 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   return {};
 }
 
+Result<void> modes_verb(Call& call, cromer_result& result) {
+  ModesOptions options;
+  const auto file = call.take_text("file");
+  if (!file) return file.error();
+  if (file->empty()) return Error{Notice{"no_file"}, "file"};
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  const auto network = open_network(*file);
+  if (!network) return network.error();
+  auto found = network_modes(*network, *file, options);
+  if (!found) return found.error();
+  found->notices = in_arguments(std::move(found->notices));
+  result.document = to_json(*found, call.voice());
+  result.found = *std::move(found);
+  return {};
+}
+
 Result<SpectrumResult> response_spectrum_of(Call& call, const SpectrumOptions& options,
                                             const std::string& file, double spacing) {
   if (!call.has_array("acceleration")) {
@@ -475,9 +492,9 @@ struct Verb {
   Result<void> (*run)(Call& call, cromer_result& result);
 };
 
-constexpr Verb verbs[] = {{"read", read_verb},       {"fit", fit_verb},         {"simulate", simulate_verb},
-                          {"compare", compare_verb}, {"methods", methods_verb}, {"spectrum", spectrum_verb},
-                          {"sweep", sweep_verb}};
+constexpr Verb verbs[] = {{"read", read_verb},         {"fit", fit_verb},         {"simulate", simulate_verb},
+                          {"compare", compare_verb},   {"methods", methods_verb}, {"modes", modes_verb},
+                          {"spectrum", spectrum_verb}, {"sweep", sweep_verb}};
 
 /// The request, or where it ceases to be JSON.
 Result<Request> request_of(std::string_view text) {

@@ -38,6 +38,10 @@ std::string json(const FrequencyResponse& response, Language language) {
   return response.detail ? core::to_json(*response.detail, true, voice_of(language)) : "";
 }
 
+std::string json(const Modes& modes, Language language) {
+  return modes.detail ? core::to_json(*modes.detail, voice_of(language)) : "";
+}
+
 std::string json(const Simulation& simulation, bool with_states, Language language) {
   return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
 }
@@ -55,6 +59,8 @@ std::string csv(const ResponseSpectrum& spectrum) {
 std::string csv(const FrequencyResponse& response) {
   return response.detail ? core::sweep_csv(*response.detail, core::no_command) : "";
 }
+
+std::string csv(const Modes& modes) { return modes.detail ? core::modes_csv(*modes.detail) : ""; }
 
 std::string csv(const Simulation& simulation) {
   return simulation.detail ? core::simulate_csv(*simulation.detail, core::no_command) : "";

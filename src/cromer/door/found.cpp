@@ -49,6 +49,12 @@ struct Writer {
     return has_no_form();
   }
 
+  Result<std::string> operator()(const ModesResult& result) const {
+    if (form == "text") return modes_text(result);
+    if (form == "csv") return modes_csv(result);
+    return has_no_form();
+  }
+
   Result<std::string> operator()(const SpectrumResult& result) const {
     if (form == "text") return spectrum_text(result);
     if (result.interrupted) return Error{"no_result"};

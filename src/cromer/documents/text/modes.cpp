@@ -10,11 +10,11 @@
 namespace cromer::core {
 namespace {
 
-std::string number_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-"; }
+std::string known_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-"; }
 
 /// With its 95 % interval where it is not known exactly.
 std::string number_with_interval(const Estimate& estimate) {
-  if (!(estimate.standard_error > 0)) return number_or_dash(estimate.value);
+  if (!(estimate.standard_error > 0)) return known_or_dash(estimate.value);
   return fmt::format("{:.6g} ({})", estimate.value, interval_text(estimate.low, estimate.high));
 }
 
@@ -47,7 +47,7 @@ std::string methods_text(const ModesResult& result) {
   const auto off = [](const std::optional<double>& value, double asked) {
     return value && asked != 0 && std::isfinite(asked) ? percent_off(*value / asked - 1) : "";
   };
-  const auto number = [](const std::optional<double>& value) { return value ? number_or_dash(*value) : "-"; };
+  const auto number = [](const std::optional<double>& value) { return value ? known_or_dash(*value) : "-"; };
   for (std::size_t j = 0; j < result.modes.size(); ++j)
     for (const ModeByMethod& by : result.modes[j].methods) {
       const NaturalMode& mode = result.modes[j];

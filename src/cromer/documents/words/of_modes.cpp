@@ -69,6 +69,8 @@ constexpr Entry entries[] = {
     {"option_not_of_networks", error,
      "{option:option} does not go with {--network}: the file says what moves",
      "{option:option} geht nicht mit {--network}: die Datei sagt, was sich bewegt"},
+    {"network_without_hdf5", error, "{--output}: {file}: the states of a network go into .csv or .json",
+     "{--output}: {file}: die Zustände eines Netzes kommen in .csv oder .json"},
     {"network_not_alone", error, "{--network} does not go with {--over}",
      "{--network} geht nicht mit {--over}"},
     // Modes.

@@ -13,9 +13,9 @@
 namespace cromer::core {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-Result<void> check_options(ModesOptions options) {
+Result<void> check_modes_options(ModesOptions options) {
   for (const auto& option : options_of(options))
     if (auto good = check(option); !good) return good;
   for (const std::string& method : options.method) {
@@ -72,7 +72,7 @@ EffectiveNetwork effective_network_of(const M& method, const Network& network,
     if constexpr (carries)
       for (std::size_t i = 0; i < n; ++i) method.carried(memory).first[i] = from[2 * n + i] / (h * h);
     const Trial<MassVector> trial = method.step(system, 0.0, h, y, memory);
-    std::vector<double> to(from.size(), none);
+    std::vector<double> to(from.size(), not_known);
     if (!trial.converged) return to;
     for (std::size_t i = 0; i < n; ++i) {
       to[i] = trial.y.x.first[i];
@@ -167,7 +167,7 @@ std::optional<double> ModeByMethod::damping_ratio() const {
 
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options) {
-  if (auto good = check_options(options); !good) return good.error();
+  if (auto good = check_modes_options(options); !good) return good.error();
   if (network.masses.size() > most_masses_for_modes)
     return Error{"too_many_masses_for_modes",
                  {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};
@@ -180,11 +180,11 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
   int free = 0, falling = 0;
   for (const ComplexMode& mode : modes) {
     const LinearLaw<double> law = mode.law();
-    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : none;
+    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : not_known;
     free += law.stiffness == 0;
     falling += law.stiffness < 0;
     result.modes.push_back({.frequency = exactly(w / (2 * std::numbers::pi)),
-                            .damping_ratio = exactly(w > 0 ? law.decay_rate / w : none),
+                            .damping_ratio = exactly(w > 0 ? law.decay_rate / w : not_known),
                             .shape = mode.shape,
                             .participation = participation(linear, mode)});
   }

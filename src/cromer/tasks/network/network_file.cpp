@@ -30,7 +30,7 @@ Notice reason_of(const Error& error) {
 }
 
 /// True if the key is there.
-bool take(TomlReader& toml, const Number& number) {
+bool take_value(TomlReader& toml, const Number& number) {
   if (!toml.has(number.key)) return false;
   const std::vector<std::string> texts = toml.values(number.key);
   if (texts.size() != 1) {
@@ -62,15 +62,16 @@ ReadMass read_mass(TomlReader& toml) {
     toml.fail(Notice{"mass_without_name"});
   else if (mass.name = toml.text("name"); mass.name.empty() || mass.name == "ground")
     toml.fail("name", Notice{"mass_name_is_no_name", {{"name", mass.name}}});
-  const bool weighs = take(toml, {"mass", &mass.mass, "kg", "", Range::positive});
-  read.angle = take(toml, {"inertia", &mass.mass, "kg m^2", "", Range::positive});
+  const bool weighs = take_value(toml, {"mass", &mass.mass, "kg", "", Range::positive});
+  read.angle = take_value(toml, {"inertia", &mass.mass, "kg m^2", "", Range::positive});
   if (weighs == read.angle)
     toml.fail(Notice{weighs ? "mass_and_inertia" : "mass_or_inertia", {{"name", mass.name}}});
-  take(toml, {"position", &mass.start.x, read.angle ? "rad" : "m"});
-  take(toml, {"velocity", &mass.start.v, read.angle ? "rad/s" : "m/s"});
-  take(toml, {"drive_amplitude", &mass.drive.amplitude, read.angle ? "N m" : "N", "", Range::not_negative});
-  take(toml, {"drive_frequency", &mass.drive.frequency, "rad/s", "", Range::not_negative});
-  take(toml, {"drive_phase", &mass.drive.phase, "rad"});
+  take_value(toml, {"position", &mass.start.x, read.angle ? "rad" : "m"});
+  take_value(toml, {"velocity", &mass.start.v, read.angle ? "rad/s" : "m/s"});
+  take_value(toml,
+             {"drive_amplitude", &mass.drive.amplitude, read.angle ? "N m" : "N", "", Range::not_negative});
+  take_value(toml, {"drive_frequency", &mass.drive.frequency, "rad/s", "", Range::not_negative});
+  take_value(toml, {"drive_phase", &mass.drive.phase, "rad"});
   return read;
 }
 
@@ -97,9 +98,10 @@ ReadLink read_link(TomlReader& toml, bool angles) {
       const std::string key = with_underscores(info.option);
       double& value = law.*T::template members<double>[i];
       // The other coefficients of an inner state shape its force alone.
-      const bool there = take(toml, {key, &value, angles ? unit_of_torque(info, false) : unit_of(info),
-                                     angles && info.length != 0 ? unit_of_torque(info, true) : "",
-                                     info.sign == Sign::not_negative ? Range::not_negative : Range::any});
+      const bool there =
+          take_value(toml, {key, &value, angles ? unit_of_torque(info, false) : unit_of(info),
+                            angles && info.length != 0 ? unit_of_torque(info, true) : "",
+                            info.sign == Sign::not_negative ? Range::not_negative : Range::any});
       any = any || (there && i == 0);
     }
   });
@@ -110,8 +112,8 @@ ReadLink read_link(TomlReader& toml, bool angles) {
                                                  {{"rule", constraint(Range::not_negative)},
                                                   {"value", law.damping},
                                                   {"unit", unit_of(Viscous::coefficients[0])}}}}}});
-  take(toml, {"static_friction", &law.static_friction, angles ? "N m" : "N", "", Range::not_negative});
-  take(toml, {"hysteresis_exponent", &law.hysteresis_exponent, "", "", Range::at_least_one});
+  take_value(toml, {"static_friction", &law.static_friction, angles ? "N m" : "N", "", Range::not_negative});
+  take_value(toml, {"hysteresis_exponent", &law.hysteresis_exponent, "", "", Range::at_least_one});
   if (!any) toml.fail(Notice{"link_without_term"});
   return read;
 }

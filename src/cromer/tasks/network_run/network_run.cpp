@@ -61,7 +61,7 @@ Result<void> check_law(const Network& network, const std::string& file) {
   return {};
 }
 
-Result<void> check_exact(const Network& network, const std::string& file) {
+Result<void> check_exact_network(const Network& network, const std::string& file) {
   const Law law = law_of(network).without(linear_terms);
   for (std::size_t i = 0; i < term_count; ++i)
     if (law.has(i)) return Error{"exact_of_linear_networks", {{"file", file}, {"term", term_infos[i].name}}};
@@ -88,7 +88,7 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   if (auto good = check_law(run.network, run.file); !good) return good;
   if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
   if (run.method == "exact")
-    if (auto good = check_exact(run.network, run.file); !good) return good;
+    if (auto good = check_exact_network(run.network, run.file); !good) return good;
 
   if (!options.step || !options.until) {
     if (run.network.masses.size() > most_masses_for_modes)
