@@ -77,14 +77,14 @@ int run_simulate(const Arguments& arguments) {
   OverOptions over;
   const std::vector<Option> of_over = options_of(over);
   syntax.options.insert(syntax.options.end(), of_over.begin(), of_over.end());
-  add_output_options(syntax.options, output, {.provenance = true, .panels = true},
-                     "the kept states as .csv, .json or .h5");
   std::string network;
   syntax.options.push_back(
       {"network", &network, "", Range::any,
        "file (.toml) of masses and links that run in place of one oscillator; the options "
        "of the integration go with it, but one method",
        "none", "A network of masses"});
+  add_output_options(syntax.options, output, {.provenance = true, .panels = true},
+                     "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   std::vector<TypedOption> typed;
   if (const auto status = parse(syntax, arguments, files, &typed)) return *status;

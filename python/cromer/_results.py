@@ -676,7 +676,7 @@ class Modes(Result, Sequence[Mode]):
 
     @property
     def damping_ratio(self) -> Numbers:
-        """Of each mode."""
+        """Of each mode [1]."""
         return np.array([each.damping_ratio.value for each in self])
 
     def to_pandas(self) -> Any:

@@ -182,6 +182,18 @@ TEST(Modes, SayWhereAMethodIsUnstable) {
   EXPECT_EQ(in_words(found.notices[0]), "euler-cromer with a step of 0.3 s is unstable on this network");
 }
 
+TEST(Modes, OfANetworkThatGrowsByItselfAreNoFaultOfTheMethod) {
+  Network network = chain(2, 0);
+  network.links[1].law.damping = -0.1;
+  network.links[1].law.van_der_pol = 3;
+  const ModesResult found = modes_of(network, {.method = {"rk4"}, .step = 0.01});
+  EXPECT_LT(found.modes[1].damping_ratio.value, -0.01);
+  EXPECT_NEAR(*found.modes[1].methods[0].damping_ratio(), found.modes[1].damping_ratio.value, 1e-6);
+  EXPECT_FALSE(found.modes[1].methods[0].effect.stable);
+  ASSERT_EQ(found.notices.size(), 1u);
+  EXPECT_EQ(found.notices[0].code, "modes_of_small_motions");
+}
+
 TEST(Modes, AreLinearisedAboutRestAndThatIsSaid) {
   Network network = chain(2, 0);
   const ModesResult linear = modes_of(network);

@@ -14,11 +14,13 @@ using Shape = std::vector<std::complex<double>>;
 Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 void scale_to_largest(Shape& shape) {
-  std::complex<double> largest = 0;
-  for (const auto& each : shape)
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < shape.size(); ++i)
     // Of two as large the first: rounding must not choose.
-    if (std::abs(each) > std::abs(largest) * (1 + 1e-9)) largest = each;
-  for (auto& each : shape) each /= largest;
+    if (std::abs(shape[i]) > std::abs(shape[largest]) * (1 + 1e-9)) largest = i;
+  const std::complex<double> unit = shape[largest];
+  for (auto& each : shape) each /= unit;
+  shape[largest] = 1;
 }
 
 /// The roots of z^2 + 2 b z + s.

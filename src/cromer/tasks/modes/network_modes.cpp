@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -135,7 +136,12 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
     notices.push_back(Notice{"method_finds_no_solution", {{"method", name}, {"step", h}}});
     return;
   }
-  if (!stable) notices.push_back(Notice{"method_unstable_on_network", {{"method", name}, {"step", h}}});
+  // A network that grows by itself is to grow at any step.
+  const bool grows = std::any_of(modes.begin(), modes.end(), [](const ComplexMode& mode) {
+    return mode.law().decay_rate < 0 || mode.law().stiffness < 0;
+  });
+  if (!stable && !grows)
+    notices.push_back(Notice{"method_unstable_on_network", {{"method", name}, {"step", h}}});
   for (std::size_t j = 0; j < modes.size(); ++j)
     into[j].methods.push_back({name, h, effects[j], effect_notice(effects[j], modes[j].law())});
 }
