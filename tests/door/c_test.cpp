@@ -274,7 +274,8 @@ TEST(CallC, ARefusalIsData) {
   EXPECT_EQ(said["values"], json({{"argument", "mas"}, {"verb", "fit"}, {"near", "mass"}}));
   const json verbs = document(call("swim", "{}"));
   EXPECT_EQ(verbs["message"],
-            "there is no verb \"swim\"; there are read, fit, simulate, compare, methods, modes, spectrum and sweep");
+            "there is no verb \"swim\"; there are read, fit, simulate, compare, methods, modes, spectrum and "
+            "sweep");
   EXPECT_EQ(verbs["values"]["verbs"].size(), 8u);
   const json nested = document(call("fit", R"({"mass": ""})", made.arrays()));
   EXPECT_EQ(nested["code"], "option_is_wrong");
@@ -306,9 +307,9 @@ TEST(CallC, RefusesInGermanWhereAsked) {
   const auto message = [](const Answer& answer) { return document(answer)["message"].get<std::string>(); };
   EXPECT_EQ(message(call("fit", R"({"language": "de"})")),
             "für fit fehlt eine Aufnahme: bitte die Felder t und y oder eine Datei angeben");
-  EXPECT_EQ(
-      message(call("swim", R"({"language": "de"})")),
-      "das Verb „swim“ gibt es nicht; es gibt read, fit, simulate, compare, methods, spectrum und sweep");
+  EXPECT_EQ(message(call("swim", R"({"language": "de"})")),
+            "das Verb „swim“ gibt es nicht; es gibt read, fit, simulate, compare, methods, modes, spectrum "
+            "und sweep");
   EXPECT_THAT(message(call("fit", R"({"language": "de", "mass": "5 N"})", made.arrays())),
               HasSubstr("„5 N“ ist eine Kraft"));
   expect_refused(call("fit", R"({"language": "fr"})", made.arrays()), "language",

@@ -14,7 +14,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 Result<void> check_modes_options(ModesOptions options) {
   for (const auto& option : options_of(options))
@@ -73,7 +73,7 @@ EffectiveNetwork effective_network_of(const M& method, const Network& network,
     if constexpr (carries)
       for (std::size_t i = 0; i < n; ++i) method.carried(memory).first[i] = from[2 * n + i] / (h * h);
     const Trial<MassVector> trial = method.step(system, 0.0, h, y, memory);
-    std::vector<double> to(from.size(), not_known);
+    std::vector<double> to(from.size(), no_number);
     if (!trial.converged) return to;
     for (std::size_t i = 0; i < n; ++i) {
       to[i] = trial.y.x.first[i];
@@ -186,11 +186,11 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
   int free = 0, falling = 0;
   for (const ComplexMode& mode : modes) {
     const LinearLaw<double> law = mode.law();
-    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : not_known;
+    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : no_number;
     free += law.stiffness == 0;
     falling += law.stiffness < 0;
     result.modes.push_back({.frequency = exactly(w / (2 * std::numbers::pi)),
-                            .damping_ratio = exactly(w > 0 ? law.decay_rate / w : not_known),
+                            .damping_ratio = exactly(w > 0 ? law.decay_rate / w : no_number),
                             .shape = mode.shape,
                             .participation = participation(linear, mode)});
   }
