@@ -76,10 +76,11 @@ std::vector<double> modal_damping(const LinearNetwork& network, const UndampedMo
   const Matrix damping = shapes.transpose() * seen(network.damping, n) * shapes;
   const Eigen::Map<const Eigen::VectorXd> mass(network.mass.data(), index(n));
   const Matrix masses = shapes.transpose() * mass.asDiagonal() * shapes;
+  const double rounding = alike * damping.diagonal().cwiseAbs().maxCoeff();
   std::vector<double> result;
   for (Eigen::Index j = 0; j < index(n); ++j) {
     for (Eigen::Index i = 0; i < j; ++i)
-      if (std::abs(damping(i, j)) > alike * std::sqrt(std::abs(damping(i, i) * damping(j, j)))) return {};
+      if (std::abs(damping(i, j)) > rounding) return {};
     result.push_back(damping(j, j) / masses(j, j));
   }
   return result;
