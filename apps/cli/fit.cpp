@@ -18,6 +18,7 @@
 #include "cromer/report/file.h"
 #include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/open_recording.h"
 #include "fit_files.h"
 #include "message.h"
@@ -134,6 +135,35 @@ Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<M
   return answer;
 }
 
+/// `cromer fit --network`, from the file to the exit status.
+int run_network_fit(const std::string& network_file, const std::vector<std::string>& files,
+                    const FitOptions& options, const OutputOptions& output,
+                    const std::vector<TypedOption>& given, const std::vector<Option>& of_task) {
+  for (const auto& [name, text] : given)
+    if (std::any_of(of_task.begin(), of_task.end(),
+                    [&, &typed = name](const Option& o) { return o.name == typed; }) &&
+        !is_fit_option_of_networks(name))
+      return refuse(Error{"fit_option_not_of_networks", {{"option", name}}});
+  if (files.size() != 1) return refuse(Error{"network_fit_of_one_file", {{"files", files.size()}}});
+  const auto network = open_network_file(network_file);
+  if (!network) return refuse(network.error());
+  const auto recording = open_recording(files.front(), options.read);
+  if (!recording) return refuse(recording.error());
+  const Watch watch = watching(output.quiet);
+  const auto fitted = fit_network(*recording, *network, network_file, options, watch);
+  clear_progress();
+  if (!fitted) return refuse(fitted.error());
+  Answer answer{.text = [&] { return network_fit_text(*fitted); },
+                .json = [&] { return to_json(*fitted); },
+                .csv = [&] { return network_fit_csv(*fitted); },
+                .figure = [&] { return network_fit_figure(*fitted); },
+                .notices = fitted->notices,
+                .good = fitted->succeeded()};
+  if (!fitted->message.empty())
+    answer.failures.push_back(fmt::format("{}: {}", fitted->file, in_words(fitted->message)));
+  return give(answer, output);
+}
+
 }  // namespace
 
 int run_fit(const Arguments& arguments) {
@@ -152,10 +182,12 @@ int run_fit(const Arguments& arguments) {
       .example =
           "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
           "s\" --plot fit.svg\n"
-          "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
+          "  cromer fit rig.csv --force-column Force --hold-out \"25 %\"\n"
+          "  cromer fit pendulums.csv --network pendulums.toml"};
   SpringOptions spring;
   const auto of_spring = static_options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
+  const std::vector<Option> of_task = syntax.options;
   add_output_options(syntax.options, output, {},
                      "a table with a row for each recording as .csv, or the document as .json");
   std::string motion;
@@ -163,8 +195,14 @@ int run_fit(const Arguments& arguments) {
       {"motion", &motion, "", Range::any,
        "the motion sample by sample as .csv: t, measured, fitted x and v, energy, residual", "none",
        "Output"});
+  std::string network;
+  syntax.options.push_back({"network", &network, "", Range::any,
+                            "file (.toml) of masses and links whose values \"?\" are found, from a recording "
+                            "with a column for each mass",
+                            "none", "A network of masses"});
   std::vector<std::string> files;
-  if (const auto status = parse(syntax, arguments, files)) return *status;
+  std::vector<TypedOption> given;
+  if (const auto status = parse(syntax, arguments, files, &given)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error());
   if (auto good = check_masses(spring); !good) return refuse(good.error());
   if (!options.mass.empty() && (spring.mass_line || spring.held))
@@ -173,6 +211,10 @@ int run_fit(const Arguments& arguments) {
   const auto found = recording_files(files);
   if (!found) return refuse(found.error());
   if (auto good = check_outputs(output, found->files); !good) return refuse(good.error());
+  if (!network.empty()) {
+    if (!motion.empty()) return refuse(Error{"fit_option_not_of_networks", {{"option", "motion"}}});
+    return run_network_fit(network, found->files, options, output, given, of_task);
+  }
   if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error());
   if (spring.held && !motion.empty())
     return refuse("--motion has no meaning with --static: a mass at rest has no motion");

@@ -1,7 +1,7 @@
 // Cromer: the oscillator on a spring, from a recording to its law of motion and back.
 //
-// Eight verbs: read, fit, simulate, compare, methods, modes, response_spectrum, sweep. Arrays go in as spans of
-// doubles in SI units, results come out as plain structs. A bad argument gives an Error in a Result. How a
+// Eight verbs: read, fit, simulate, compare, methods, modes, response_spectrum, sweep. Arrays go in as spans
+// of doubles in SI units, results come out as plain structs. A bad argument gives an Error in a Result. How a
 // computation went is a status in its result; what else there is to know stands in its notices. Nothing
 // throws, except the standard library when memory runs out, and value() of an Error. Every call depends on
 // its arguments alone (read_file on the file as well) and may run in any thread.

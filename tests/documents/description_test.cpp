@@ -8,6 +8,7 @@
 #include "apps/web/core/described.h"
 #include "cromer/documents/described/describe.h"
 #include "cromer/documents/described/modes.h"
+#include "cromer/documents/described/network_fit.h"
 #include "cromer/documents/described/network_run.h"
 #include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
@@ -251,9 +252,9 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
           table<FittedRecording>("fit") + table<CompareResult>("compare") +
           table<DescribedRun>("simulate: each of `runs[]`") +
           table<MethodRow>("methods: each of `methods[]`") +
-          table<NetworkDocument>("simulate with a network") + table<ModesResult>("modes") +
-          table<RecogniseResult>("methods with a run to recognise") + table<InspectedFile>("inspect") +
-          table<SweepDocument>("sweep") +
+          table<NetworkDocument>("simulate with a network") + table<FittedNetwork>("fit with a network") +
+          table<ModesResult>("modes") + table<RecogniseResult>("methods with a run to recognise") +
+          table<InspectedFile>("inspect") + table<SweepDocument>("sweep") +
           table<SpectrumDocument>("spectrum; of many recordings each of `motions[]`, with its `files`, or "
                                   "`files` and `message` alone") +
           table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));

@@ -388,6 +388,25 @@ std::string network_csv(const NetworkRun& run, const std::string& command) {
   return out;
 }
 
+std::string network_fit_csv(const FittedNetwork& fitted) {
+  std::string out;
+  const auto cell = [](const double& value) { return std::span<const double>(&value, 1); };
+  const Network& network = fitted.asked.network;
+  for (std::size_t l = 0; l < network.links.size(); ++l)
+    for (const auto& [name, estimate, unit] : fitted.found_of(l)) {
+      const CsvColumn columns[] = {{"from", name_of(network, network.links[l].from)},
+                                   {"to", name_of(network, network.links[l].to)},
+                                   {"parameter", name},
+                                   {"value", cell(estimate.value)},
+                                   {"standard error", cell(estimate.standard_error)},
+                                   {"95 % low", cell(estimate.low)},
+                                   {"95 % high", cell(estimate.high)},
+                                   {"unit", unit}};
+      append_csv(out, columns, {}, out.empty());
+    }
+  return out;
+}
+
 std::string modes_csv(const ModesResult& result) {
   NamedColumns table;
   const auto add = [&](std::string header, const auto& value) {

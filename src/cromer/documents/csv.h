@@ -12,6 +12,7 @@
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -56,6 +57,9 @@ std::string motion_csv(std::span<const FittedRecording> fits);
 /// The kept states: "t (s)", then x and v of each mass by its name, "floor 1 x (m),floor 1 v (m/s)", and last
 /// "energy (J)".
 std::string network_csv(const NetworkRun& run, const std::string& command);
+
+/// A row for each value found of a link.
+std::string network_fit_csv(const FittedNetwork& fitted);
 
 /// A row for each mode: frequency and damping ratio with their standard errors and 95 % intervals, the
 /// participation, the real and the imaginary part of its shape at each name, and what each method makes of

@@ -9,6 +9,7 @@
 #include "cromer/documents/described/inspect.h"
 #include "cromer/documents/described/methods.h"
 #include "cromer/documents/described/modes.h"
+#include "cromer/documents/described/network_fit.h"
 #include "cromer/documents/described/network_run.h"
 #include "cromer/documents/described/recognise.h"
 #include "cromer/documents/described/simulate.h"
@@ -54,6 +55,12 @@ std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice)
   Json document = json_of(NetworkDocument{run, with_states}, voice);
   if (!run.message.empty()) document["message"] = said(run.message, voice);
   return to_text(document, with_states);
+}
+
+std::string to_json(const FittedNetwork& fitted, const Voice& voice) {
+  Json document = json_of(fitted, voice);
+  if (!fitted.message.empty()) document["message"] = said(fitted.message, voice);
+  return to_text(document);
 }
 
 std::string to_json(const ModesResult& result, const Voice& voice) { return to_text(json_of(result, voice)); }

@@ -12,6 +12,7 @@
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -30,6 +31,9 @@ std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {})
 /// {"method", "masses": [...], "links": [...], ...}, with "message" if the run ended early. `with_states`
 /// adds the kept states, all on one line.
 std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice = {});
+
+/// {"links": [...], "masses": [...], ...}, with "message" if the fit did not succeed.
+std::string to_json(const FittedNetwork& fitted, const Voice& voice = {});
 
 /// {"names": [...], "modes": [...], ...}
 std::string to_json(const ModesResult& result, const Voice& voice = {});

@@ -11,6 +11,7 @@
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
@@ -85,6 +86,9 @@ std::string modes_text(const ModesResult& result);
 
 /// Where each mass is at the end, and where the energy went.
 std::string network_text(const NetworkRun& run);
+
+/// The values found of a network's links, and what is left of each column.
+std::string network_fit_text(const FittedNetwork& fitted);
 
 /// Which method made the rows, and a table of the nearest.
 std::string recognise_text(const RecogniseResult& result);

@@ -31,9 +31,9 @@ struct ReadFile {
 };
 
 /// monostate: nothing yet, or a refusal.
-using Found =
-    std::variant<std::monostate, ReadFile, std::vector<FittedRecording>, SimulateResult,
-                 std::vector<CompareResult>, ListedMethods, RecogniseResult, ModesResult, SpectrumResult, SweepResult>;
+using Found = std::variant<std::monostate, ReadFile, std::vector<FittedRecording>, SimulateResult,
+                           std::vector<CompareResult>, ListedMethods, RecogniseResult, ModesResult,
+                           SpectrumResult, SweepResult>;
 
 inline constexpr const char* no_command = "";  ///< nothing to say of where the numbers come from
 

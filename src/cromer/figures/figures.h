@@ -9,6 +9,7 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -29,6 +30,9 @@ Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel
 /// The positions of all masses against time, a curve for each; of more than six the first, the last and some
 /// between.
 Figure network_figure(const NetworkRun& run);
+
+/// What each mass did, measured and fitted: of many masses the first ones.
+Figure network_fit_figure(const FittedNetwork& fitted);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three

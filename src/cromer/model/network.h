@@ -44,6 +44,11 @@ struct Network {
   std::vector<NetworkLink> links{};
 };
 
+/// "ground", or the mass' name.
+inline std::string name_of(const Network& network, std::size_t end) {
+  return end == ground ? "ground" : network.masses[end].name;
+}
+
 /// The terms of all links, and a spring.
 inline Law law_of(const Network& network) {
   Law law = law_with<Spring>;

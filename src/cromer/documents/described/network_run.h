@@ -50,8 +50,7 @@ struct LinkOfRun {
   std::size_t place;
 
   std::string end(std::size_t NetworkLink::*which) const {
-    const std::size_t mass = of.run.network.links[place].*which;
-    return mass == ground ? "ground" : of.run.network.masses[mass].name;
+    return name_of(of.run.network, of.run.network.links[place].*which);
   }
   std::optional<double> of_energy(double (*number)(const EnergyBalance&)) const {
     return of.run.energy ? std::optional(number(of.run.energy->of_links[place])) : std::nullopt;

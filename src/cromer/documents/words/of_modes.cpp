@@ -73,6 +73,60 @@ constexpr Entry entries[] = {
      "{--output}: {file}: die Zustände eines Netzes kommen in .csv oder .json"},
     {"network_not_alone", error, "{--network} does not go with {--over}",
      "{--network} geht nicht mit {--over}"},
+    // Fits.
+    {"fit_option_not_of_networks", error,
+     "{option:option} does not go with {--network}: the network's file says what is fitted",
+     "{option:option} geht nicht mit {--network}: die Datei des Netzes sagt, was gesucht wird"},
+    {"network_fit_of_one_file", error, "{--network} is fitted to one recording, and there are {files}",
+     "{--network} wird an eine Aufnahme angepasst, und es sind {files}"},
+    {"value_is_open", error,
+     "{key} is \"?\": fit with {--network} finds it from a recording; here it needs a value",
+     "{key} ist \"?\": fit mit {--network} findet es aus einer Aufnahme; hier braucht es einen Wert"},
+    {"network_seeks_nothing", error,
+     "{file}: no value is open: write stiffness = \"?\" for each value that a fit is to find",
+     "{file}: kein Wert ist offen: bitte stiffness = \"?\" für jeden Wert schreiben, den der Fit finden "
+     "soll"},
+    {"too_much_sought", error,
+     "{file}: {sought:value is|values are} open; with {masses:mass|masses} at most {most} are found from one "
+     "recording",
+     "{file}: {sought:Wert ist|Werte sind} offen; bei {masses:Masse|Massen} werden höchstens {most} aus "
+     "einer "
+     "Aufnahme gefunden"},
+    {"columns_for_masses", error,
+     "{file}: {columns:column|columns} of the motion ({names}), and the network has {masses:mass|masses}: "
+     "each "
+     "mass needs its column, in the order of the network's file",
+     "{file}: {columns:Spalte|Spalten} der Bewegung ({names}), und das Netz hat {masses:Masse|Massen}: jede "
+     "Masse braucht ihre Spalte, in der Reihenfolge der Datei des Netzes"},
+    {"network_of_another_quantity", error,
+     "{file}: the columns are of the quantity {quantity}; masses need columns of positions, moments of "
+     "inertia "
+     "columns of angles",
+     "{file}: die Spalten sind von der Größe {quantity}; Massen brauchen Spalten von Orten, Trägheitsmomente "
+     "Spalten von Winkeln"},
+    {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
+     "{file} hat {runs} Läufe: bitte mit {--run} einen wählen"},
+    {"value_of_link", clause, "{value} of {from}–{to}", "{value} von {from}–{to}"},
+    {"network_record_too_short", error,
+     "the record is too short: it needs one and a half periods of the slowest mass, and three samples for "
+     "each "
+     "number that is sought",
+     "die Aufnahme ist zu kurz: sie braucht anderthalb Perioden der langsamsten Masse und drei Messwerte für "
+     "jede gesuchte Zahl"},
+    {"network_explains_little", error,
+     "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
+     "or "
+     "a drive, or the columns stand in another order than the masses",
+     "das Netz erklärt nur {percent:.2g} % der Varianz von „{column}“: ihm fehlt eine Verbindung, ein Term "
+     "oder "
+     "ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen"},
+    {"network_values_undetermined", error,
+     "the record tells these values in combination only, not each by itself: {values}; give one of them",
+     "die Aufnahme sagt diese Werte nur zusammen, nicht jeden für sich: {values}; bitte einen davon angeben"},
+    {"network_not_converged", error, "the fit has not converged after {iterations:iteration|iterations}",
+     "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert"},
+    {"network_value_may_be_zero", worth_knowing, "{what} may be 0: its interval holds 0",
+     "{what} kann 0 sein: 0 liegt in seinem Intervall"},
     // Modes.
     {"modes_of_small_motions", worth_knowing,
      "the modes are those of small motions about rest: the law is not linear ({terms:and})",

@@ -86,7 +86,14 @@ struct ReadLink {
   NetworkLink link{};
   std::string from{}, to{};
   Place place{};
+  std::vector<OpenValue> open{};  ///< their link is not set yet
 };
+
+bool is_open(TomlReader& toml, const std::string& key) {
+  if (!toml.has(key)) return false;
+  const std::vector<std::string> texts = toml.values(key);
+  return texts.size() == 1 && texts.front() == "?";
+}
 
 ReadLink read_link(TomlReader& toml, bool angles) {
   ReadLink read{.from = toml.text("from", "ground"), .to = toml.text("to", "ground"), .place = toml.place()};
@@ -96,7 +103,16 @@ ReadLink read_link(TomlReader& toml, bool angles) {
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const CoefficientInfo& info = T::coefficients[i];
       const std::string key = with_underscores(info.option);
-      double& value = law.*T::template members<double>[i];
+      const auto member = T::template members<double>[i];
+      double& value = law.*member;
+      if (i == 0 && smooth_terms.has<T>() && is_open(toml, key)) {
+        read.open.push_back({{.member = member, .never_negative = info.sign != Sign::any},
+                             key,
+                             angles ? unit_of_torque(info, false) : unit_of(info),
+                             toml.place_of_key(key)});
+        any = true;
+        return;
+      }
       // The other coefficients of an inner state shape its force alone.
       const bool there =
           take_value(toml, {key, &value, angles ? unit_of_torque(info, false) : unit_of(info),
@@ -145,7 +161,7 @@ Result<std::size_t> place_named(const std::string& name, const std::map<std::str
 
 bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
 
-Result<Network> read_network(std::string_view bytes, const std::string& file) {
+Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
   if (!parsed) return not_toml(parsed, file);
   struct Tables {
@@ -161,7 +177,8 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
   const auto places = mass_places(*masses);
   if (!places) return places.error();
 
-  Network network{.angles = masses->front().angle};
+  NetworkFile whole{.network = {.angles = masses->front().angle}};
+  Network& network = whole.network;
   auto links = read_tables<ReadLink>(tables->links, file,
                                      [&](TomlReader& toml) { return read_link(toml, network.angles); });
   if (!links) return links.error();
@@ -177,6 +194,10 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
     read.link.to = *to;
     for (const std::size_t end : {*from, *to})
       if (end != ground) held[end] = true;
+    for (OpenValue& open : read.open) {
+      open.value.link = network.links.size();
+      whole.open.push_back(std::move(open));
+    }
     network.links.push_back(read.link);
   }
   const auto loose = std::find(held.begin(), held.end(), false);
@@ -186,13 +207,39 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
         Notice{"mass_without_link",
                {{"name", network.masses[static_cast<std::size_t>(loose - held.begin())].name}}});
   }
-  return network;
+  return whole;
 }
 
-Result<Network> open_network(const std::string& path) {
+Result<NetworkFile> open_network_file(const std::string& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  return read_network(*bytes, path);
+  return read_network_file(*bytes, path);
+}
+
+namespace {
+
+Result<Network> without_open(Result<NetworkFile> read) {
+  if (!read) return read.error();
+  if (read->open.empty()) return std::move(read->network);
+  const OpenValue& first = read->open.front();
+  return first.place.error(Notice{"value_is_open", {{"key", first.key}}});
+}
+
+}  // namespace
+
+Result<Network> read_network(std::string_view bytes, const std::string& file) {
+  return without_open(read_network_file(bytes, file));
+}
+
+Result<Network> open_network(const std::string& path) { return without_open(open_network_file(path)); }
+
+Result<void> check_terms(const Network& network, const std::string& file) {
+  const Law law = law_of(network);
+  for (const Law refused : {law_with<Friction>, law_with<Hysteresis>})
+    for (std::size_t i = 0; i < term_count; ++i)
+      if (refused.has(i) && law.has(i))
+        return Error{"term_not_in_networks", {{"file", file}, {"term", term_infos[i].name}}};
+  return {};
 }
 
 }  // namespace cromer::core

@@ -8,13 +8,16 @@
 //   [[link]]
 //   from = "ground"        # or a mass
 //   to = "floor 1"
-//   stiffness = "1.1e6 N/m"  # any term of the law by the name of its option
+//   stiffness = "1.1e6 N/m"  # any term of the law by the name of its option; "?" where a fit finds it
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "cromer/identify/network/fit_network.h"
 #include "cromer/model/network.h"
+#include "cromer/read/place.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
@@ -22,8 +25,27 @@ namespace cromer::core {
 /// Whether a name is that of a network's file, and not that of a recording: it ends in .toml.
 bool is_network_file(std::string_view path);
 
+/// A value that a file leaves open.
+struct OpenValue {
+  SoughtValue value{};
+  std::string key{}, unit{};  ///< "stiffness", "N/m"
+  Place place{};
+};
+
+struct NetworkFile {
+  Network network{};
+  std::vector<OpenValue> open{};  ///< 0 in the network
+};
+
 /// An Error names file, line, column and cure.
+Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file);
+Result<NetworkFile> open_network_file(const std::string& path);
+
+/// The same where no value may be open.
 Result<Network> read_network(std::string_view bytes, const std::string& file);
 Result<Network> open_network(const std::string& path);
+
+/// An Error names a term whose motion is not followed in a network.
+Result<void> check_terms(const Network& network, const std::string& file);
 
 }  // namespace cromer::core

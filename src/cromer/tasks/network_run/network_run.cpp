@@ -13,6 +13,7 @@
 #include "cromer/model/network_system.h"
 #include "cromer/run/solve.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network/network_file.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/early_end.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
@@ -52,15 +53,6 @@ Periods periods_of(const Network& network) {
   return periods;
 }
 
-Result<void> check_law(const Network& network, const std::string& file) {
-  const Law law = law_of(network);
-  for (const Law refused : {law_with<Friction>, law_with<Hysteresis>})
-    for (std::size_t i = 0; i < term_count; ++i)
-      if (refused.has(i) && law.has(i))
-        return Error{"term_not_in_networks", {{"file", file}, {"term", term_infos[i].name}}};
-  return {};
-}
-
 Result<void> check_exact_network(const Network& network, const std::string& file) {
   const Law law = law_of(network).without(linear_terms);
   for (std::size_t i = 0; i < term_count; ++i)
@@ -85,7 +77,7 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
   run.method = options.method.empty() ? "euler-cromer" : options.method.front();
   if (auto good = check_method_name(run.method); !good) return good;
-  if (auto good = check_law(run.network, run.file); !good) return good;
+  if (auto good = check_terms(run.network, run.file); !good) return good;
   if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
   if (run.method == "exact")
     if (auto good = check_exact_network(run.network, run.file); !good) return good;

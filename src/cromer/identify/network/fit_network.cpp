@@ -1,0 +1,462 @@
+#include "cromer/identify/network/fit_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cromer/analysis/complex_modes.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/methods/rk4.h"
+#include "cromer/model/law_force.h"
+#include "cromer/model/linear_network.h"
+#include "cromer/model/network_system.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Level and scatter of a column, without its missing values.
+struct Spread {
+  double mean = 0, deviation = 0;
+  std::size_t count = 0;
+};
+
+Spread spread_of(std::span<const double> y) {
+  Spread s;
+  for (const double each : y)
+    if (!std::isnan(each)) s.mean += each, ++s.count;
+  if (s.count == 0) return s;
+  s.mean /= static_cast<double>(s.count);
+  for (const double each : y)
+    if (!std::isnan(each)) s.deviation += (each - s.mean) * (each - s.mean);
+  s.deviation = std::sqrt(s.deviation / static_cast<double>(s.count));
+  return s;
+}
+
+/// The usual time [s] from one upward crossing of the mean to the next, of the column that crosses it least
+/// often; the whole record where none does twice. Within a fifth of its scatter a value is at neither side.
+double slowest_period(const NetworkRecord& record, const std::vector<Spread>& spreads) {
+  double longest = 0;
+  for (std::size_t i = 0; i < record.y.size(); ++i) {
+    int side = 0;
+    std::vector<double> up;
+    for (std::size_t n = 0; n < record.t.size(); ++n) {
+      const double off = record.y[i][n] - spreads[i].mean;
+      const int now = off > 0.2 * spreads[i].deviation ? 1 : off < -0.2 * spreads[i].deviation ? -1 : side;
+      if (side < 0 && now > 0) up.push_back(record.t[n]);
+      side = now;
+    }
+    if (up.size() > 1)
+      longest = std::max(longest, (up.back() - up.front()) / static_cast<double>(up.size() - 1));
+  }
+  return longest > 0 ? longest : record.t.back() - record.t.front();
+}
+
+/// The force of a law [N] on what it pulls back, and of its part that a coefficient of 1 has.
+double force_of(const Oscillator<double>& law, double u, double rate) {
+  const Law present = law_of(law);
+  return resisting_force<any_terms>(law, present, u, rate) + restoring_force<any_terms>(law, present, u);
+}
+
+/// The equations of motion, weighed by windows and summed: the first guess of the coefficients.
+class EquationsOfMotion {
+ public:
+  EquationsOfMotion(const Network& network, const std::vector<SoughtValue>& sought,
+                    const NetworkRecord& record, const std::vector<Spread>& spreads)
+      : network_(network), sought_(sought), record_(record), spreads_(spreads) {}
+
+  /// False where the record tells less.
+  bool solve_for(std::vector<double>& values, double period) const {
+    const std::size_t samples = record_.t.size();
+    const double step = (record_.t.back() - record_.t.front()) / static_cast<double>(samples - 1);
+    const auto wanted = static_cast<std::size_t>(std::max(12.0, 2 * period / step));
+    const std::size_t length = std::min(samples, wanted), hop = std::max<std::size_t>(1, length / 4);
+    NormalEquations sums;
+    sums.size = static_cast<int>(sought_.size() + network_.masses.size());
+    for (std::size_t first = 0; first + length <= samples; first += hop) add_window(sums, first, length);
+    const LinearFit fit = solve(sums, 1e-10);
+    if (!fit.ok) return false;
+    for (std::size_t i = 0; i < sought_.size(); ++i) values[i] = fit.x[i];
+    return true;
+  }
+
+ private:
+  /// m x'' + pulls = drive, each of it times w and summed over the window; derivatives of x and of u in a
+  /// viscous force go over to w.
+  void add_window(NormalEquations& sums, std::size_t first, std::size_t length) const {
+    const std::span<const double> t = record_.t.subspan(first, length);
+    const double half = (t.back() - t.front()) / 2, middle = t.front() + half;
+    const std::size_t masses = network_.masses.size();
+    std::vector<std::vector<double>> rows(masses, std::vector<double>(sought_.size() + masses));
+    std::vector<double> right(masses);
+    for (std::size_t n = 1; n + 1 < length; ++n) {
+      const double s = (t[n] - middle) / half, q = std::max(0.0, 1 - s * s);
+      const double share = (t[n + 1] - t[n - 1]) / 2;
+      const double w = share * q * q * q * q, slope = share * -8 * s * q * q * q / half;
+      const double bend = share * 8 * q * q * (6 * s * s - q) / (half * half);
+      for (std::size_t i = 0; i < masses; ++i) {
+        const double x = at(i, first + n);
+        if (std::isnan(x)) return;
+        const HarmonicDrive<double>& drive = network_.masses[i].drive;
+        right[i] += w * drive.amplitude * std::cos(drive.frequency * t[n] + drive.phase) -
+                    network_.masses[i].mass * x * bend;
+        rows[i][sought_.size() + i] += w;
+      }
+      for (std::size_t l = 0; l < network_.links.size(); ++l) {
+        const NetworkLink& link = network_.links[l];
+        const double u = across(link, first + n);
+        const double rate =
+            (across(link, first + n + 1) - across(link, first + n - 1)) / (t[n + 1] - t[n - 1]);
+        if (std::isnan(rate)) return;
+        Oscillator<double> known = link.law;
+        known.damping = 0;
+        pull(link, force_of(known, u, rate) * w - link.law.damping * u * slope,
+             [&](std::size_t i, double force) { right[i] -= force; });
+        for (std::size_t j = 0; j < sought_.size(); ++j) {
+          if (sought_[j].link != l) continue;
+          Oscillator<double> one{.stiffness = 0.0};
+          one.*sought_[j].member = 1;
+          const bool viscous = one.damping == 1;
+          pull(link, viscous ? -u * slope : force_of(one, u, rate) * w,
+               [&](std::size_t i, double force) { rows[i][j] += force; });
+        }
+      }
+    }
+    for (std::size_t i = 0; i < masses; ++i) {
+      for (double& each : rows[i]) each /= network_.masses[i].mass;
+      sums.add_row(rows[i], right[i] / network_.masses[i].mass);
+    }
+  }
+
+  /// A link's force pulls back the mass that it ends at, and pulls on the one that it begins at.
+  template <class Add>
+  static void pull(const NetworkLink& link, double force, const Add& add) {
+    if (link.to != ground) add(link.to, force);
+    if (link.from != ground) add(link.from, -force);
+  }
+  double at(std::size_t mass, std::size_t n) const { return record_.y[mass][n] - spreads_[mass].mean; }
+  double across(const NetworkLink& link, std::size_t n) const {
+    const double end = link.to == ground ? 0 : at(link.to, n);
+    return link.from == ground ? end : end - at(link.from, n);
+  }
+
+  const Network& network_;
+  const std::vector<SoughtValue>& sought_;
+  const NetworkRecord& record_;
+  const std::vector<Spread>& spreads_;
+};
+
+/// Positions of all masses, mass by mass, at the record's times.
+using Positions = std::vector<std::vector<double>>;
+
+/// From state to state through the times; ends where a state is not finite.
+template <class Move>
+Positions positions_through(std::span<const double> t, State<MassVector> y, const Move& move) {
+  Positions x(y.x.first.size(), std::vector<double>(t.size(), nan));
+  for (std::size_t n = 0; n < t.size(); ++n) {
+    if (n > 0) y = move(t[n - 1], t[n], y);
+    if (!std::isfinite(value_of(y.x) + value_of(y.v))) break;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i][n] = y.x.first[i];
+  }
+  return x;
+}
+
+Positions positions_of(const Network& network, std::span<const double> t, double longest_step) {
+  const State<MassVector> start = start_of(network);
+  if (linear_terms.contains(law_of(network))) {
+    const NetworkByExponential exact(network);
+    return positions_through(t, start, [&](double from, double to, const State<MassVector>& y) {
+      return exact.propagate(from, to, y);
+    });
+  }
+  const NetworkSystem<> system(network);
+  const Rk4 method;
+  NoMemory none;
+  return positions_through(t, start, [&](double from, double to, State<MassVector> y) {
+    const double steps = std::max(1.0, std::ceil((to - from) / longest_step)), h = (to - from) / steps;
+    for (double i = 0; i < steps; ++i) y = method.step(system, from + i * h, h, y, none).y;
+    return y;
+  });
+}
+
+/// Trajectories with their derivatives by all parameters: values sought, then of each mass its position,
+/// velocity and offset.
+class NetworkMotions {
+ public:
+  NetworkMotions(const Network& network, const std::vector<SoughtValue>& sought, const NetworkRecord& record,
+                 const std::vector<Spread>& spreads, const std::vector<double>& scale, double period)
+      : network_(network),
+        sought_(sought),
+        record_(record),
+        spreads_(spreads),
+        scale_(scale),
+        period_(period) {
+    weight_.assign(masses(), 0);
+    for (std::size_t i = 0; i < masses(); ++i)
+      if (spreads_[i].deviation > 0) weight_[i] = 1 / (spreads_[i].deviation * spreads_[i].deviation);
+  }
+
+  std::size_t masses() const { return network_.masses.size(); }
+  int size() const { return static_cast<int>(sought_.size() + 3 * masses()); }
+  std::size_t state(std::size_t mass) const { return sought_.size() + 3 * mass; }
+
+  Network network_at(const Parameters& p) const {
+    Network network = network_;
+    for (std::size_t j = 0; j < sought_.size(); ++j)
+      network.links[sought_[j].link].law.*sought_[j].member = p[j];
+    for (std::size_t i = 0; i < masses(); ++i) network.masses[i].start = {p[state(i)], p[state(i) + 1]};
+    return network;
+  }
+
+  /// Drives go by the time of the record.
+  Positions at(const Parameters& p, std::size_t samples) const {
+    return positions_of(network_at(p), record_.t.first(samples), longest_step_);
+  }
+
+  NormalEquations equations(const Parameters& p, std::size_t samples, const Watch& watch) const {
+    NormalEquations sums;
+    sums.size = size();
+    const Positions x = at(p, samples);
+    std::vector<Positions> slope;
+    for (int j = 0; j < size(); ++j) {
+      if (is_offset(j)) {
+        slope.emplace_back();
+        continue;
+      }
+      const double change = change_of(p, j);
+      Parameters more = p, less = p;
+      more[j] += change;
+      less[j] -= change;
+      Positions up = at(more, samples);
+      const Positions down = at(less, samples);
+      for (std::size_t i = 0; i < masses(); ++i)
+        for (std::size_t n = 0; n < samples; ++n) up[i][n] = (up[i][n] - down[i][n]) / (2 * change);
+      slope.push_back(std::move(up));
+      if (watch.interrupted()) break;
+    }
+    std::vector<double> row(static_cast<std::size_t>(size()));
+    if (slope.size() < row.size()) {
+      sums.sum_of_squares = nan;
+      return sums;
+    }
+    for (std::size_t i = 0; i < masses(); ++i) {
+      const double root = std::sqrt(weight_[i]);
+      for (std::size_t n = 0; n < samples; ++n) {
+        if (std::isnan(record_.y[i][n])) continue;
+        for (std::size_t j = 0; j < row.size(); ++j)
+          row[j] = root * (is_offset(static_cast<int>(j)) ? (j == state(i) + 2 ? 1.0 : 0.0) : slope[j][i][n]);
+        sums.add_row(row, root * (record_.y[i][n] - p[state(i) + 2] - x[i][n]));
+      }
+    }
+    return sums;
+  }
+
+  /// Weighs each column by what is left of it.
+  void weigh(const std::vector<FittedColumn>& columns) {
+    for (std::size_t i = 0; i < masses(); ++i)
+      if (const double rms = columns[i].rms; rms > 1e-9 * spreads_[i].deviation) weight_[i] = 1 / (rms * rms);
+  }
+  /// Steps short beside the fastest mode, where there is no closed form.
+  void step_for(const Parameters& p) {
+    const std::vector<ComplexMode> modes = complex_modes(linearised(network_at(p)));
+    const double fastest = std::sqrt(std::abs(modes.back().law().stiffness));
+    longest_step_ = 0.05 / std::max(fastest, 2 * std::numbers::pi / period_);
+  }
+
+ private:
+  bool is_offset(int j) const {
+    const auto place = static_cast<std::size_t>(j);
+    return place >= sought_.size() && (place - sought_.size()) % 3 == 2;
+  }
+  double change_of(const Parameters& p, int j) const {
+    const auto place = static_cast<std::size_t>(j);
+    if (place < sought_.size()) return 1e-5 * std::max(std::abs(p[j]), scale_[place]);
+    double largest = 0;
+    for (const Spread& spread : spreads_) largest = std::max(largest, spread.deviation);
+    const bool velocity = (place - sought_.size()) % 3 == 1;
+    return 1e-4 * largest * (velocity ? 2 * std::numbers::pi / period_ : 1);
+  }
+
+  Network network_;
+  const std::vector<SoughtValue>& sought_;
+  const NetworkRecord& record_;
+  const std::vector<Spread>& spreads_;
+  std::vector<double> weight_, scale_;  ///< of columns; of changes of values, where these are 0
+  double period_, longest_step_ = HUGE_VAL;
+};
+
+/// A straight line through the first samples of a column: where it begins, and how fast.
+State<double> beginning_of(std::span<const double> t, std::span<const double> y) {
+  NormalEquations sums;
+  sums.size = 3;
+  for (std::size_t n = 0; n < t.size(); ++n)
+    if (const double s = t[n] - t[0]; !std::isnan(y[n])) sums.add_row(std::array{1.0, s, s * s}, y[n]);
+  const LinearFit fit = solve(sums);
+  return fit.ok ? State<double>{fit.x[0], fit.x[1]} : State<double>{};
+}
+
+/// What is left of each column, and how much that is.
+void put_residuals(NetworkFit& fit, const NetworkMotions& motions, const Parameters& p,
+                   const NetworkRecord& record, const std::vector<Spread>& spreads) {
+  const Positions x = motions.at(p, record.t.size());
+  fit.columns.assign(motions.masses(), {});
+  for (std::size_t i = 0; i < motions.masses(); ++i) {
+    FittedColumn& column = fit.columns[i];
+    double squares = 0;
+    for (std::size_t n = 0; n < record.t.size(); ++n) {
+      column.residual.push_back(record.y[i][n] - p[motions.state(i) + 2] - x[i][n]);
+      if (!std::isnan(column.residual[n])) squares += column.residual[n] * column.residual[n];
+    }
+    column.rms = std::sqrt(squares / static_cast<double>(spreads[i].count));
+    column.explained = 1 - std::pow(column.rms / spreads[i].deviation, 2);
+  }
+}
+
+/// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
+/// all columns and modes.
+double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
+  const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
+  const std::vector<ComplexMode> modes = complex_modes(linearised(fit.network));
+  double widest = 1;
+  for (const FittedColumn& column : fit.columns) {
+    std::vector<double> r = column.residual;
+    std::erase_if(r, [](double each) { return std::isnan(each); });
+    const std::vector<double> rho = autocorrelations(r, first_lags(r.size()));
+    for (const ComplexMode& mode : modes) {
+      const double angle = std::sqrt(std::abs(mode.law().stiffness)) * step;
+      if (angle < std::numbers::pi) widest = std::max(widest, correlation_factor(r, rho, angle));
+    }
+  }
+  return widest;
+}
+
+/// The values that the normal equations do not tell by themselves: without one of them the others are told.
+std::vector<std::size_t> undetermined_of(const NormalEquations& equations, std::size_t sought) {
+  if (ScaledCholesky(equations.matrix, equations.size, 0, all_free).ok()) return {};
+  std::vector<std::size_t> some, all;
+  for (std::size_t j = 0; j < sought; ++j) {
+    all.push_back(j);
+    auto free = all_free;
+    free[j] = false;
+    if (ScaledCholesky(equations.matrix, equations.size, 0, free).ok()) some.push_back(j);
+  }
+  return some.empty() ? all : some;
+}
+
+void put_estimates(NetworkFit& fit, const std::vector<SoughtValue>& sought, const NetworkMotions& motions,
+                   const NormalEquations& equations, const Parameters& p, const NetworkRecord& record,
+                   std::size_t samples) {
+  fit.independent_samples = static_cast<double>(samples) / widening_of(fit, record);
+  const double degrees = std::max(1.0, fit.independent_samples - equations.size);
+  const double variance = equations.sum_of_squares / degrees, t = student_95(degrees);
+  const SquareMatrix covariance = inverse(equations.matrix, equations.size);
+  const auto estimate_of = [&](std::size_t j) {
+    const double error = std::sqrt(variance * covariance[j][j]);
+    return make_estimate(p[j], std::isfinite(error) ? error : nan, t);
+  };
+  for (std::size_t j = 0; j < sought.size(); ++j) {
+    fit.values.push_back(estimate_of(j));
+    if (sought[j].never_negative) fit.values.back().low = std::max(fit.values.back().low, 0.0);
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    FittedColumn& column = fit.columns[i];
+    column.position = estimate_of(motions.state(i));
+    column.velocity = estimate_of(motions.state(i) + 1);
+    column.offset = estimate_of(motions.state(i) + 2);
+  }
+}
+
+}  // namespace
+
+std::size_t most_sought(std::size_t masses) {
+  const std::size_t all = max_parameters;
+  return all > 3 * masses ? all - 3 * masses : 0;
+}
+
+NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& sought,
+                       const NetworkRecord& record, const Watch& watch) {
+  NetworkFit fit{.network = network};
+  std::vector<Spread> spreads;
+  std::size_t samples = 0;
+  for (const std::span<const double> y : record.y) {
+    spreads.push_back(spread_of(y));
+    samples += spreads.back().count;
+    if (!(spreads.back().deviation > 0)) {
+      fit.status = FitStatus::no_oscillation;
+      return fit;
+    }
+  }
+  const double period = slowest_period(record, spreads);
+  std::vector<double> values(sought.size());
+  const std::size_t parameters = sought.size() + 3 * network.masses.size();
+  if (samples < 3 * parameters || record.t.back() - record.t.front() < 1.5 * period ||
+      !EquationsOfMotion(network, sought, record, spreads).solve_for(values, period)) {
+    fit.status = FitStatus::too_short;
+    return fit;
+  }
+
+  std::vector<double> scale;
+  Parameters p{};
+  LeastSquaresOptions options;
+  for (std::size_t j = 0; j < sought.size(); ++j) {
+    scale.push_back(std::abs(values[j]));
+    p[j] = sought[j].never_negative ? std::max(values[j], 0.0) : values[j];
+    if (sought[j].never_negative) options.lower[j] = 0;
+  }
+  NetworkMotions motions(network, sought, record, spreads, scale, period);
+  const auto within = [&](double duration) {
+    const auto end = std::upper_bound(record.t.begin(), record.t.end(), record.t.front() + duration);
+    return static_cast<std::size_t>(end - record.t.begin());
+  };
+  for (std::size_t i = 0; i < record.y.size(); ++i) {
+    const std::size_t first = std::max<std::size_t>(4, within(period / 6));
+    const auto [x, v] = beginning_of(record.t.first(first), record.y[i].first(first));
+    p[motions.state(i)] = x - spreads[i].mean;
+    p[motions.state(i) + 1] = v;
+    p[motions.state(i) + 2] = spreads[i].mean;
+  }
+
+  // Over its beginning first: far from the start, trajectories of wrong values are out of phase.
+  LeastSquaresSummary found;
+  found.parameters = p;
+  constexpr double first_periods = 3;
+  const auto fit_through = [&](std::size_t end) {
+    options.residuals = static_cast<int>(std::min<std::size_t>(samples, 1u << 30));
+    options.scale = std::sqrt(static_cast<double>(samples));
+    motions.step_for(found.parameters);
+    found = minimise([&](const Parameters& at) { return motions.equations(at, end, watch); },
+                     found.parameters, options);
+    fit.iterations += found.iterations;
+  };
+  for (double duration = first_periods * period;; duration *= 2) {
+    const std::size_t end = within(duration);
+    fit_through(end);
+    if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
+    if (end == record.t.size() || watch.interrupted()) break;
+  }
+  // Columns have noise of their own.
+  for (int round = 0; round < 2 && !watch.interrupted(); ++round) {
+    put_residuals(fit, motions, found.parameters, record, spreads);
+    motions.weigh(fit.columns);
+    fit_through(record.t.size());
+  }
+  fit.network = motions.network_at(found.parameters);
+  put_residuals(fit, motions, found.parameters, record, spreads);
+  if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
+
+  fit.undetermined = undetermined_of(found.equations, sought.size());
+  put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
+  constexpr double enough = 0.5;
+  const bool explained = std::all_of(fit.columns.begin(), fit.columns.end(),
+                                     [](const FittedColumn& column) { return column.explained > enough; });
+  fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
+               : explained               ? FitStatus::converged
+                                         : FitStatus::too_noisy;
+  return fit;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,68 @@
+#include "cromer/read/channels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/base/add_once.h"
+#include "cromer/read/columns.h"
+
+namespace cromer::core {
+namespace {
+
+/// The times of all series; those that differ by less than a thousandth of a step are one.
+std::vector<double> common_times(const std::vector<Series>& all, double step) {
+  std::vector<double> times;
+  for (const Series& series : all) times.insert(times.end(), series.t.begin(), series.t.end());
+  std::sort(times.begin(), times.end());
+  times.erase(
+      std::unique(times.begin(), times.end(), [&](double a, double b) { return b - a < 1e-3 * step; }),
+      times.end());
+  return times;
+}
+
+/// The series' values at these times.
+Channel channel_of(const Series& series, const std::vector<double>& times, double step) {
+  Channel channel{.column = series.column, .resolution = series.resolution, .missing = times.size()};
+  channel.y.assign(times.size(), std::numeric_limits<double>::quiet_NaN());
+  auto aside = series.outliers.begin();
+  for (std::size_t n = 0, i = 0; n < series.t.size(); ++n) {
+    if (aside != series.outliers.end() && aside->t == series.t[n]) {
+      ++aside;
+      continue;
+    }
+    while (times[i] < series.t[n] - 1e-3 * step) ++i;
+    channel.y[i] = series.y[n];
+    --channel.missing;
+  }
+  return channel;
+}
+
+}  // namespace
+
+Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options) {
+  if (auto known = check_run(recording, run); !known) return known.error();
+  std::vector<Series> all;
+  Channels channels{.run = run};
+  for (const std::size_t j : motion_columns(recording, run)) {
+    auto series = take_series(recording, column_title(recording.table.columns[j]), run, options);
+    if (!series) return series.error();
+    for (const Notice& notice : series->notices) add_once(channels.notices, notice);
+    all.push_back(*std::move(series));
+  }
+  // Where no column is a motion by name, take_series says what there is.
+  if (all.empty()) {
+    auto only = take_series(recording, "", run, options);
+    if (!only) return only.error();
+    channels.notices = only->notices;
+    all.push_back(*std::move(only));
+  }
+  channels.quantity = all.front().quantity;
+  channels.rate = all.front().rate;
+  const double step = channels.rate > 0 ? 1 / channels.rate : 0;
+  channels.t = common_times(all, step);
+  for (const Series& series : all) channels.each.push_back(channel_of(series, channels.t, step));
+  return channels;
+}
+
+}  // namespace cromer::core

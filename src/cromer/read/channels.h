@@ -1,0 +1,35 @@
+// Columns of one kind that were recorded together.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+/// One of them.
+struct Channel {
+  std::string column{};     ///< as the file names it, with unit
+  std::vector<double> y{};  ///< in SI units, as long as the times; NaN where missing or set aside
+  double resolution = 0;    ///< rounding step of the values in SI, 0 if none is seen
+  std::size_t missing = 0;  ///< so many are NaN
+};
+
+/// At common times, which increase strictly.
+struct Channels {
+  std::string quantity{};  ///< of all: position, acceleration, ...
+  int run = 1;
+  std::vector<double> t{};  // [s] each time that one of them has a value at
+  double rate = 0;          // [1/s]
+  std::vector<Channel> each{};
+  std::vector<Notice> notices{};  ///< what take_series() says of them, said once
+};
+
+/// All motion_columns() of a run, each taken as take_series() takes it; samples that stick out are missing.
+/// An Error if there are none.
+Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options);
+
+}  // namespace cromer::core

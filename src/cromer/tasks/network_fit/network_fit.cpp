@@ -1,0 +1,163 @@
+#include "cromer/tasks/network_fit/network_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cromer/read/in_file.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr std::array fit_options{"run",         "from",      "to",      "rate",
+                                 "time-column", "delimiter", "decimal", "skip-bad-rows"};
+
+/// The samples from --from to --to, both included; an Error if fewer than two are left.
+Result<void> crop(Channels& channels, const FitOptions& options) {
+  const auto first = options.from ? std::lower_bound(channels.t.begin(), channels.t.end(), *options.from)
+                                  : channels.t.begin();
+  const auto last =
+      options.to ? std::upper_bound(channels.t.begin(), channels.t.end(), *options.to) : channels.t.end();
+  if (last - first < 2) {
+    const double from = options.from.value_or(channels.t.front()),
+                 to = options.to.value_or(channels.t.back());
+    return Error{"nothing_left_between",
+                 {{"from", from}, {"to", to}, {"first", channels.t.front()}, {"last", channels.t.back()}}};
+  }
+  const auto from = first - channels.t.begin(), to = last - channels.t.begin();
+  for (Channel& channel : channels.each) {
+    channel.y = {channel.y.begin() + from, channel.y.begin() + to};
+    channel.missing = static_cast<std::size_t>(
+        std::count_if(channel.y.begin(), channel.y.end(), [](double y) { return std::isnan(y); }));
+  }
+  channels.t = {first, last};
+  return {};
+}
+
+/// A column of positions, or of angles, for each mass.
+Result<void> check_columns(const Channels& channels, const NetworkFile& network, const std::string& file) {
+  std::vector<std::string> columns;
+  for (const Channel& channel : channels.each) columns.push_back(channel.column);
+  const std::size_t masses = network.network.masses.size();
+  if (channels.each.size() != masses)
+    return Error{"columns_for_masses",
+                 {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", masses}}};
+  const char* wanted = network.network.angles ? "angle" : "position";
+  if (!channels.quantity.empty() && channels.quantity != wanted)
+    return Error{"network_of_another_quantity",
+                 {{"file", file}, {"quantity", channels.quantity}, {"wanted", wanted}}};
+  for (const Channel& channel : channels.each)
+    if (channel.missing == channels.t.size())
+      return Error{in_file(
+          file, Notice{"column_without_values", {{"column", channel.column}, {"run", channels.run}}})};
+  return {};
+}
+
+Result<void> check_sought(const NetworkFile& network, const std::string& file) {
+  if (network.open.empty()) return Error{"network_seeks_nothing", {{"file", file}}};
+  const std::size_t masses = network.network.masses.size(), most = most_sought(masses);
+  if (network.open.size() > most)
+    return Error{"too_much_sought",
+                 {{"file", file}, {"sought", network.open.size()}, {"masses", masses}, {"most", most}}};
+  return {};
+}
+
+/// "stiffness of left–right"
+Notice value_of_link(const FittedNetwork& result, std::size_t value) {
+  const Network& network = result.asked.network;
+  const OpenValue& open = result.asked.open[value];
+  const NetworkLink& link = network.links[open.value.link];
+  return Notice{
+      "value_of_link",
+      {{"value", open.key}, {"from", name_of(network, link.from)}, {"to", name_of(network, link.to)}}};
+}
+
+/// Why the fit did not succeed.
+Notice reason_of(const FittedNetwork& result) {
+  switch (result.fit.status) {
+    case FitStatus::converged:
+      return {};
+    case FitStatus::too_short:
+      return Notice{"network_record_too_short"};
+    case FitStatus::no_oscillation: {
+      for (const Channel& channel : result.channels.each) {
+        double known = std::nan("");
+        const bool still = std::all_of(channel.y.begin(), channel.y.end(), [&](double y) {
+          if (std::isnan(known)) known = y;
+          return std::isnan(y) || y == known;
+        });
+        if (still) return Notice{"column_never_changes", {{"column", channel.column}}};
+      }
+      return Notice{"network_record_too_short"};
+    }
+    case FitStatus::too_noisy: {
+      const auto& columns = result.fit.columns;
+      const auto worst = std::min_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
+        return a.explained < b.explained;
+      });
+      return Notice{
+          "network_explains_little",
+          {{"column", result.channels.each[static_cast<std::size_t>(worst - columns.begin())].column},
+           {"percent", 100 * std::max(0.0, worst->explained)}}};
+    }
+    case FitStatus::undetermined: {
+      std::vector<Notice> values;
+      for (const std::size_t j : result.fit.undetermined) values.push_back(value_of_link(result, j));
+      return Notice{"network_values_undetermined", {{"values", values}}};
+    }
+    default:
+      return Notice{"network_not_converged", {{"iterations", result.fit.iterations}}};
+  }
+}
+
+void add_doubts(FittedNetwork& result) {
+  for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
+    const Estimate& found = result.fit.values[j];
+    if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
+      result.notices.push_back(Notice{"network_value_may_be_zero", {{"what", value_of_link(result, j)}}});
+  }
+}
+
+}  // namespace
+
+std::vector<Parameter> FittedNetwork::found_of(std::size_t link) const {
+  std::vector<Parameter> found;
+  for (std::size_t j = 0; j < fit.values.size(); ++j)
+    if (asked.open[j].value.link == link)
+      found.push_back({asked.open[j].key, fit.values[j], asked.open[j].unit});
+  return found;
+}
+
+bool is_fit_option_of_networks(std::string_view option) {
+  return std::find(fit_options.begin(), fit_options.end(), option) != fit_options.end();
+}
+
+Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile& network,
+                                  const std::string& network_file, const FitOptions& options,
+                                  const Watch& watch) {
+  if (auto good = check_terms(network.network, network_file); !good) return good.error();
+  if (auto good = check_sought(network, network_file); !good) return good.error();
+  if (const std::size_t several = runs(recording).size(); several > 1 && !options.run)
+    return Error{"network_fit_of_one_run", {{"file", recording.file}, {"runs", several}}};
+  auto channels = take_channels(recording, options.run.value_or(1), options.read);
+  if (!channels) return channels.error();
+  FittedNetwork result{.file = recording.file,
+                       .network_file = network_file,
+                       .channels = *std::move(channels),
+                       .asked = network};
+  if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
+  if (auto good = crop(result.channels, options); !good) return good.error();
+  result.notices = recording.notices;
+  result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
+
+  NetworkRecord record{result.channels.t, {}};
+  for (const Channel& channel : result.channels.each) record.y.emplace_back(channel.y);
+  std::vector<SoughtValue> sought;
+  for (const OpenValue& each : network.open) sought.push_back(each.value);
+  result.fit = fit_network(network.network, sought, record, watch);
+  result.message = reason_of(result);
+  add_doubts(result);
+  return result;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,130 @@
+// Fits of networks: which columns, which values, and what is refused. The estimator's own tests are in
+// tests/identify.
+#include "cromer/tasks/network_fit/network_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/tasks/open_recording.h"
+#include "tests/support/shared_data.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::HasSubstr;
+
+/// Two pendulums without a value between them.
+std::string pendulums(const std::string& coupling = "\"?\"") {
+  return R"(
+[[mass]]
+name = "left"
+inertia = "0.05 kg m²"
+[[mass]]
+name = "right"
+inertia = "0.05 kg m²"
+[[link]]
+to = "left"
+stiffness = "?"
+damping = "?"
+[[link]]
+to = "right"
+stiffness = "?"
+damping = "?"
+[[link]]
+from = "left"
+to = "right"
+stiffness = )" +
+         coupling + "\n";
+}
+
+NetworkFile file_of(const std::string& text) {
+  auto file = read_network_file(text, "n.toml");
+  EXPECT_TRUE(file.ok()) << in_words(file.error());
+  return file ? *file : NetworkFile{};
+}
+
+/// A recording of two columns that beat.
+std::string beats(const std::string& first = "Angle 1 (rad)", const std::string& second = "Angle 2 (rad)") {
+  std::string text = "Time (s)," + first + "," + second + "\n";
+  for (int n = 0; n < 1500; ++n) {
+    const double t = 0.02 * n, one = std::cos(4.43 * t), other = std::cos(4.6 * t);
+    text += std::to_string(t) + "," + std::to_string(0.1 * (one + other)) + "," +
+            std::to_string(0.1 * (one - other)) + "\n";
+  }
+  return text;
+}
+
+Result<FittedNetwork> fitted(const std::string& recording, const NetworkFile& file,
+                             const FitOptions& options = {}) {
+  const auto read = read_recording(recording, "swing.csv", options.read);
+  if (!read) return read.error();
+  return fit_network(*read, file, "n.toml", options);
+}
+
+std::string refusal(const std::string& recording, const NetworkFile& file, const FitOptions& options = {}) {
+  const auto result = fitted(recording, file, options);
+  return result ? in_words(result->message) : in_words(result.error());
+}
+
+// Two equal pendulums: their sum swings with k/I, their difference with (k + 2 kappa)/I.
+TEST(NetworkFit, FindsTheValuesThatAreOpen) {
+  const auto result = fitted(beats(), file_of(pendulums()));
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  EXPECT_TRUE(result->succeeded()) << in_words(result->message);
+  const double k = 0.05 * 4.43 * 4.43, kappa = 0.05 * (4.6 * 4.6 - 4.43 * 4.43) / 2;
+  const std::vector<Parameter> left = result->found_of(0), between = result->found_of(2);
+  ASSERT_EQ(left.size(), 2u);
+  ASSERT_EQ(between.size(), 1u);
+  EXPECT_EQ(left[0].name, "stiffness");
+  EXPECT_EQ(left[0].unit, "N m");
+  EXPECT_EQ(left[1].unit, "N m s");
+  EXPECT_NEAR(left[0].estimate.value, k, 1e-5 * k);
+  EXPECT_NEAR(between[0].estimate.value, kappa, 1e-3 * kappa);
+}
+
+TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {
+  const std::string path = data("networks/coupled_pendulums.csv");
+  SKIP_WITHOUT(path);
+  const auto recording = open_recording(path, {});
+  ASSERT_TRUE(recording.ok());
+  const auto result = fit_network(*recording, file_of(pendulums()), "n.toml", {});
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  const double truth[] = {0.981, 0.992, 0.031};
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Estimate k = result->found_of(l)[0].estimate;
+    EXPECT_NEAR(k.value, truth[l], 3 * k.standard_error) << l;
+    EXPECT_LT(k.standard_error, 1e-4 * truth[l]) << l;
+  }
+}
+
+TEST(NetworkFit, SaysWhatIsWrong) {
+  const NetworkFile file = file_of(pendulums());
+  EXPECT_THAT(refusal("Time (s),Angle 1 (rad)\n0,1\n1,2\n", file), HasSubstr("1 column of the motion"));
+  EXPECT_THAT(refusal(beats("Position 1 (m)", "Position 2 (m)"), file),
+              HasSubstr("columns are of the quantity position"));
+  NetworkFile nothing_open = file;
+  nothing_open.open.clear();
+  EXPECT_THAT(refusal(beats(), nothing_open), HasSubstr("no value is open"));
+  FitOptions late;
+  late.from = 100;
+  EXPECT_THAT(refusal(beats(), file, late), HasSubstr("no sample is left"));
+  FitOptions shortly;
+  shortly.to = 1;
+  EXPECT_THAT(refusal(beats(), file, shortly), HasSubstr("the record is too short"));
+  EXPECT_THAT(refusal(beats(), file_of(pendulums("\"?\"\n[[link]]\nfrom = \"right\"\nto = \"left\"\n"
+                                                 "stiffness = \"?\""))),
+              HasSubstr("in combination only"));
+}
+
+TEST(NetworkFit, OpenValuesAreNotRunAsTheyStand) {
+  const auto network = read_network(pendulums(), "n.toml");
+  ASSERT_FALSE(network.ok());
+  EXPECT_THAT(in_words(network.error()), HasSubstr("n.toml:10:13: stiffness is \"?\""));
+}
+
+}  // namespace
+}  // namespace cromer::core
