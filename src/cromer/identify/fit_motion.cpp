@@ -76,20 +76,6 @@ double amplitude_of(const Record& record, double w) {
   return sinusoid_amplitude(record.y) / std::pow(std::max(1e-300, w), record.derivative);
 }
 
-// From a first part to the whole record, twice as long each time.
-Parameters grow(const Problem& problem, const KnownMotion& known, double h) {
-  const Record& record = problem.record();
-  Parameters parameters = problem.fitted().pack(known.motion);
-  for (std::size_t samples = known.samples; samples < record.t.size(); samples *= 2) {
-    const Record part = record.first(samples);
-    LeastSquaresOptions settings = problem.settings(part);
-    settings.error_tolerance = 0.1;
-    settings.iteration_limit = 12;
-    parameters = minimise(problem.model(part, h), parameters, settings).parameters;
-  }
-  return parameters;
-}
-
 // Every n-th sample, at least twenty in a period; of a motion that is free or harmonically driven.
 struct Thinned {
   std::vector<double> t, y;
@@ -106,6 +92,36 @@ struct Thinned {
     record.y = y;
   }
 };
+
+/// A law is given up that leaves so many times the rms to beat: a part's least sum of squares is a bound on
+/// the whole record's.
+constexpr double given_up = 2;
+
+struct Grown {
+  Parameters parameters;
+  bool hopeless = false;
+};
+
+// From a first part to the whole record, twice as long each time.
+Grown grow(const Problem& problem, const KnownMotion& known, double h, double period) {
+  const Record& record = problem.record();
+  const LawFitOptions& options = problem.options();
+  Grown grown{problem.fitted().pack(known.motion)};
+  for (std::size_t samples = known.samples; samples < record.t.size(); samples *= 2) {
+    const Thinned part(record.first(samples), period, options.drive.kind);
+    LeastSquaresOptions settings = problem.settings(part.record);
+    settings.error_tolerance = 0.1;
+    settings.iteration_limit = 12;
+    const LeastSquaresSummary summary = minimise(problem.model(part.record, h), grown.parameters, settings);
+    grown.parameters = summary.parameters;
+    const double thinned = static_cast<double>(part.record.t.size()) / static_cast<double>(samples);
+    const double most = given_up * options.rms_to_beat;
+    grown.hopeless = summary.equations.sum_of_squares >
+                     most * most * thinned * static_cast<double>(record.t.size());
+    if (grown.hopeless) break;
+  }
+  return grown;
+}
 
 // Under a recorded force no step is longer than between two of its samples, or than half a radian.
 double recorded_step(double spacing, double w) { return w > 0 ? std::min(spacing, 0.5 / w) : spacing; }
@@ -211,11 +227,27 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   coarse.error_tolerance = roughly || steps.recorded() ? 1e-2 : 1e-1;
   if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
   coarse.residuals = static_cast<int>(thinned.record.t.size());
-  const Parameters start = grow(problem, known, found.h);
-  const LeastSquaresSummary summary = minimise(problem.model(thinned.record, found.h), start, coarse);
+  const Grown start = grow(problem, known, found.h, steps.period());
+  // What is only compared, and hopeless, is seen as it is.
+  const auto as_it_is = [&](const Parameters& parameters, LeastSquaresReason reason) {
+    LeastSquaresSummary& here = found.minimum.bounded;
+    here = {.reason = reason, .parameters = parameters, .equations = problem.model(found.h)(parameters)};
+    if (!std::isfinite(here.equations.sum_of_squares)) here.reason = LeastSquaresReason::not_finite;
+    found.minimum.free = here;
+    return found;
+  };
+  if (roughly && start.hopeless) return as_it_is(start.parameters, LeastSquaresReason::iteration_limit);
+  const LeastSquaresSummary summary =
+      minimise(problem.model(thinned.record, found.h), start.parameters, coarse);
   found.iterations = summary.iterations;
-  // By the rms: 1.2 times, squared.
-  const bool beaten = summary.equations.sum_of_squares > 1.44 * options.rms_to_beat * options.rms_to_beat * n;
+  const auto leaves = [&](double times) {
+    const double most = times * options.rms_to_beat;
+    return summary.equations.sum_of_squares > most * most * static_cast<double>(coarse.residuals);
+  };
+  constexpr double refined = 1.2;
+  const bool beaten = leaves(refined);
+  const bool settled = summary.reason == LeastSquaresReason::converged;
+  if (roughly && (leaves(given_up) || (beaten && settled))) return as_it_is(summary.parameters, summary.reason);
   if (roughly || beaten) {
     settings.error_tolerance = 1e-2;
     found.minimum = minimise_both(problem.model(found.h), summary.parameters, settings);

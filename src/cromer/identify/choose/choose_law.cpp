@@ -183,6 +183,9 @@ class LawSearch {
     if (tried(law) || too_many_terms(law) || watch_.interrupted()) return;
     LawFitOptions one = options_;
     one.law = law;
+    for (const LawFit& fit : candidates_)
+      if (fit.status == FitStatus::converged && fit.residual.rms > 0)
+        one.rms_to_beat = std::min(one.rms_to_beat, fit.residual.rms);
     LawFit fit = fit_motion(record_, one, known, watch_, true);
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
