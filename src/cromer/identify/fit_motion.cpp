@@ -116,8 +116,8 @@ Grown grow(const Problem& problem, const KnownMotion& known, double h, double pe
     grown.parameters = summary.parameters;
     const double thinned = static_cast<double>(part.record.t.size()) / static_cast<double>(samples);
     const double most = given_up * options.rms_to_beat;
-    grown.hopeless = summary.equations.sum_of_squares >
-                     most * most * thinned * static_cast<double>(record.t.size());
+    grown.hopeless =
+        summary.equations.sum_of_squares > most * most * thinned * static_cast<double>(record.t.size());
     if (grown.hopeless) break;
   }
   return grown;
@@ -247,7 +247,8 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   constexpr double refined = 1.2;
   const bool beaten = leaves(refined);
   const bool settled = summary.reason == LeastSquaresReason::converged;
-  if (roughly && (leaves(given_up) || (beaten && settled))) return as_it_is(summary.parameters, summary.reason);
+  if (roughly && (leaves(given_up) || (beaten && settled)))
+    return as_it_is(summary.parameters, summary.reason);
   if (roughly || beaten) {
     settings.error_tolerance = 1e-2;
     found.minimum = minimise_both(problem.model(found.h), summary.parameters, settings);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
@@ -115,8 +117,10 @@ std::optional<std::size_t> runner_up(const std::vector<LawFit>& candidates, std:
 // The fits of one record under one drive, and the choice among them as it grows.
 class LawSearch {
  public:
-  LawSearch(const Record& record, const LawFitOptions& options, const Watch& watch)
-      : record_(record), options_(options), watch_(watch) {}
+  /// `before`: fits of the same motion without some of its samples, or with more; each law begins at its own.
+  LawSearch(const Record& record, const LawFitOptions& options, const Watch& watch,
+            std::span<const LawFit> before = {})
+      : record_(record), options_(options), watch_(watch), before_(before) {}
 
   LawChoice among_free(double progress_end) {
     const Beginning beginning = begin_fit(record_, options_, watch_);
@@ -173,6 +177,12 @@ class LawSearch {
     return std::any_of(candidates_.begin(), candidates_.end(),
                        [&](const LawFit& fit) { return fit.law == law; });
   }
+  KnownMotion nearest(const Law& law, const KnownMotion& known) const {
+    for (const LawFit& fit : before_)
+      if (fit.law == law && fit.status == FitStatus::converged)
+        return {fit.motion, record_.t.size(), known.decay_rate};
+    return known;
+  }
   bool too_many_terms(const Law& law) const {
     LawFitOptions one = options_;
     one.law = law;
@@ -186,7 +196,7 @@ class LawSearch {
     for (const LawFit& fit : candidates_)
       if (fit.status == FitStatus::converged && fit.residual.rms > 0)
         one.rms_to_beat = std::min(one.rms_to_beat, fit.residual.rms);
-    LawFit fit = fit_motion(record_, one, known, watch_, true);
+    LawFit fit = fit_motion(record_, one, nearest(law, known), watch_, true);
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
@@ -419,6 +429,7 @@ class LawSearch {
   const Record& record_;
   const LawFitOptions& options_;
   const Watch& watch_;
+  std::span<const LawFit> before_;
   std::vector<LawFit> candidates_;
   std::vector<bool> fine_;
   std::size_t best_ = 0;
@@ -454,7 +465,8 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   return choice;
 }
 
-LawChoice choose_free(const Record& record, const LawFitOptions& options, const Watch& watch) {
+LawChoice choose_free(const Record& record, const LawFitOptions& options, const Watch& watch,
+                      std::span<const LawFit> before) {
   LawFitOptions viscous = options;
   viscous.law = law_of("viscous");
   if (refuse_record(record, viscous)) {
@@ -462,7 +474,7 @@ LawChoice choose_free(const Record& record, const LawFitOptions& options, const 
     return {fit, {fit}};
   }
   return record.t.size() > 5 * enough_samples ? choose_free_on_part(record, viscous, watch)
-                                              : LawSearch(record, viscous, watch).among_free(1);
+                                              : LawSearch(record, viscous, watch, before).among_free(1);
 }
 
 // One law of a driven motion, or the one that the record asks for, under one reading of its force.
@@ -491,13 +503,13 @@ LawChoice choose_driven(const Record& record, const LawFitOptions& options, cons
 }
 
 LawChoice choose_on(const Record& record, const LawFitOptions& options, const GivenLaw& given,
-                    const Watch& watch) {
+                    const Watch& watch, std::span<const LawFit> before) {
   if (options.drive.kind == DriveKind::recorded)
     return choose_reading(
         record, options, given,
         [&](const LawFitOptions& one) { return choose_driven(record, one, given, watch); }, watch);
   if (options.drive.kind == DriveKind::harmonic) return choose_driven(record, options, given, watch);
-  return choose_free(record, options, watch);
+  return choose_free(record, options, watch, before);
 }
 
 }  // namespace
@@ -508,8 +520,11 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
   // All candidates see the same samples: those that are no outliers from the chosen one.
   LawFitOptions every = options;
   every.every_sample = true;
-  const auto choose = [&](const Record& samples) {
-    LawChoice choice = choose_on(samples, every, given, watch);
+  double begun = record.t.front();
+  const auto choose = [&](const Record& samples, std::span<const LawFit> before = {}) {
+    // A motion is told by where it is at the first sample.
+    if (samples.t.front() != std::exchange(begun, samples.t.front())) before = {};
+    LawChoice choice = choose_on(samples, every, given, watch, before);
     if (!choice.rivals.empty()) choice.chosen.notices.push_back(choice.rivals);
     return choice;
   };
@@ -523,8 +538,9 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
         record, from, std::move(aside), [&](const Record& samples) { return fit_law(samples, one, watch); },
         residuals_of);
   };
-  const auto choose_without = [&](const WithoutOutliers<LawFit>& settled) {
-    return choose(KeptSamples(record, settled.aside, settled.residuals).record());
+  const auto choose_without = [&](const WithoutOutliers<LawFit>& settled,
+                                  std::span<const LawFit> before = {}) {
+    return choose(KeptSamples(record, settled.aside, settled.residuals).record(), before);
   };
   std::vector<std::size_t> aside;
   LawChoice choice;
@@ -541,7 +557,7 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
     const auto settled = settle(choice.chosen, choice.chosen.law, aside);
     if (settled.aside == aside) break;
     aside = settled.aside;
-    choice = choose_without(settled);
+    choice = choose_without(settled, choice.candidates);
   }
   choice.chosen.outliers = std::move(aside);
   return choice;

@@ -72,7 +72,12 @@ class PathStepper {
     else
       return {y, y};
   }
-  static void step(const System& system, double t, double h, Step& last) {
+  // Flat: what the method tells of its error, which nobody asks for, is then not computed. The page is small.
+#ifndef CROMER_PAGE
+  [[gnu::flatten, gnu::noinline]]
+#endif
+  static void
+  step(const System& system, double t, double h, Step& last) {
     const State<Real> y = last.to;
     if constexpr (std::is_same_v<Method, DormandPrince>) {
       Method{}.step(system, t, h, y, last);

@@ -249,7 +249,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
 }
 
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
-                                   const Watch& watch) {
+                                   const Watch& watch, double rms_to_beat) {
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Result<std::optional<Law>> law = law_of(options);
@@ -273,6 +273,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   }
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
+  settings.rms_to_beat = rms_to_beat;
   const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity)),
                       series.clock_error};
   describe_forced_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false,

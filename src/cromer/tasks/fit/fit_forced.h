@@ -2,6 +2,7 @@
 // driven, free, or two modes at once.
 #pragma once
 
+#include <cmath>
 #include <string_view>
 
 #include "cromer/tasks/fit/fit.h"
@@ -14,9 +15,9 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
                                    const FitOptions& options, const Watch& watch = {});
 
 /// Fits a motion under a harmonic drive. Its frequency is known, or searched for (--drive-frequency auto).
-/// Whether there is a drive at all is for check_drive to say.
+/// Whether there is a drive at all is for check_drive to say. `rms_to_beat` as in LawFitOptions.
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
-                                   const Watch& watch = {});
+                                   const Watch& watch = {}, double rms_to_beat = HUGE_VAL);
 
 /// Returns the free fit, or the same motion fitted as a driven one if it is one: the free law leaves
 /// structure in its residuals, and a steady oscillation that makes up much of the motion explains it better

@@ -37,8 +37,10 @@ double share_of_steady(const FittedRecording& driven) {
 }
 
 // A drive that explains next to nothing is no drive.
+constexpr double next_to_nothing = 0.9;
+
 bool drive_helps(const FittedRecording& driven, const FittedRecording& free) {
-  return driven.fit.residual.rms < 0.9 * free.fit.residual.rms;
+  return driven.fit.residual.rms < next_to_nothing * free.fit.residual.rms;
 }
 
 bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& free) {
@@ -160,7 +162,9 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   // motions. But a swing that feeds itself may be a driven one in disguise, of another law.
   const bool loses = !free.fit.law.shares(bounding_terms);
   if (loses) same.law = refused ? "viscous" : to_text(free.fit.law);
-  Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
+  // Where it surely explains next to nothing it is not refined: 1.05, by the 1.2 of LawFitOptions.
+  const double to_beat = loses && !refused ? 1.05 / 1.2 * next_to_nothing * free.fit.residual.rms : HUGE_VAL;
+  Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch, to_beat);
   if (!driven || watch.interrupted()) return free;
   MotionJudgement judgement = judged(free, *driven, false);
   const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
