@@ -103,6 +103,18 @@ TEST(FitNetwork, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(inside / static_cast<double>(all), 0.95, 0.04);
 }
 
+TEST(FitNetwork, SamplesMayBeMissing) {
+  const Network truth = pendulums();
+  Made data = made(truth, 2000, 0.02, 5e-4, 6);
+  for (std::size_t n = 0; n < 2000; n += 41) data.y[1][n] = std::nan("");
+  for (auto* values : {&data.t, &data.y[0], &data.y[1]})
+    values->erase(values->begin() + 700, values->begin() + 760);
+  const NetworkFit fit = fit_network(without(truth, springs_and_dampers), springs_and_dampers, data.record());
+  EXPECT_EQ(fit.status, FitStatus::converged);
+  for (std::size_t j = 0; j < fit.values.size(); ++j)
+    EXPECT_NEAR(fit.values[j].value, value(truth, springs_and_dampers[j]), 4 * fit.values[j].standard_error);
+}
+
 TEST(FitNetwork, FindsABentSpring) {
   const Network truth = pendulums(-9);
   std::vector<SoughtValue> sought = springs_and_dampers;

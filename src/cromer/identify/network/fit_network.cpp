@@ -62,18 +62,38 @@ double force_of(const Oscillator<double>& law, double u, double rate) {
   return resisting_force<any_terms>(law, present, u, rate) + restoring_force<any_terms>(law, present, u);
 }
 
+/// A column about its mean, values that are missing for no longer than `longest` [s] on the line between
+/// their neighbours.
+std::vector<double> filled(std::span<const double> t, std::span<const double> y, double mean,
+                           double longest) {
+  std::vector<double> whole(y.begin(), y.end());
+  for (double& each : whole) each -= mean;
+  for (std::size_t n = 1; n < whole.size(); ++n) {
+    if (!std::isnan(whole[n]) || std::isnan(whole[n - 1])) continue;
+    std::size_t next = n;
+    while (next < whole.size() && std::isnan(whole[next])) ++next;
+    if (next == whole.size() || t[next] - t[n - 1] > longest) continue;
+    const double slope = (whole[next] - whole[n - 1]) / (t[next] - t[n - 1]);
+    for (std::size_t i = n; i < next; ++i) whole[i] = whole[n - 1] + slope * (t[i] - t[n - 1]);
+  }
+  return whole;
+}
+
 /// The equations of motion, weighed by windows and summed: the first guess of the coefficients.
 class EquationsOfMotion {
  public:
   EquationsOfMotion(const Network& network, const std::vector<SoughtValue>& sought,
-                    const NetworkRecord& record, const std::vector<Spread>& spreads)
-      : network_(network), sought_(sought), record_(record), spreads_(spreads) {}
+                    const NetworkRecord& record, const std::vector<Spread>& spreads, double period)
+      : network_(network), sought_(sought), record_(record), period_(period) {
+    for (std::size_t i = 0; i < record.y.size(); ++i)
+      y_.push_back(filled(record.t, record.y[i], spreads[i].mean, longest_gap * period));
+  }
 
   /// False where the record tells less.
-  bool solve_for(std::vector<double>& values, double period) const {
+  bool solve_for(std::vector<double>& values) const {
     const std::size_t samples = record_.t.size();
     const double step = (record_.t.back() - record_.t.front()) / static_cast<double>(samples - 1);
-    const auto wanted = static_cast<std::size_t>(std::max(12.0, 2 * period / step));
+    const auto wanted = static_cast<std::size_t>(std::max(12.0, 2 * period_ / step));
     const std::size_t length = std::min(samples, wanted), hop = std::max<std::size_t>(1, length / 4);
     NormalEquations sums;
     sums.size = static_cast<int>(sought_.size() + network_.masses.size());
@@ -85,6 +105,8 @@ class EquationsOfMotion {
   }
 
  private:
+  static constexpr double longest_gap = 0.15;  // periods
+
   /// m x'' + pulls = drive, each of it times w and summed over the window; derivatives of x and of u in a
   /// viscous force go over to w.
   void add_window(NormalEquations& sums, std::size_t first, std::size_t length) const {
@@ -94,6 +116,7 @@ class EquationsOfMotion {
     std::vector<std::vector<double>> rows(masses, std::vector<double>(sought_.size() + masses));
     std::vector<double> right(masses);
     for (std::size_t n = 1; n + 1 < length; ++n) {
+      if (t[n + 1] - t[n - 1] > 2 * longest_gap * period_) return;
       const double s = (t[n] - middle) / half, q = std::max(0.0, 1 - s * s);
       const double share = (t[n + 1] - t[n - 1]) / 2;
       const double w = share * q * q * q * q, slope = share * -8 * s * q * q * q / half;
@@ -138,7 +161,7 @@ class EquationsOfMotion {
     if (link.to != ground) add(link.to, force);
     if (link.from != ground) add(link.from, -force);
   }
-  double at(std::size_t mass, std::size_t n) const { return record_.y[mass][n] - spreads_[mass].mean; }
+  double at(std::size_t mass, std::size_t n) const { return y_[mass][n]; }
   double across(const NetworkLink& link, std::size_t n) const {
     const double end = link.to == ground ? 0 : at(link.to, n);
     return link.from == ground ? end : end - at(link.from, n);
@@ -147,7 +170,8 @@ class EquationsOfMotion {
   const Network& network_;
   const std::vector<SoughtValue>& sought_;
   const NetworkRecord& record_;
-  const std::vector<Spread>& spreads_;
+  double period_;
+  std::vector<std::vector<double>> y_;
 };
 
 /// Positions of all masses, mass by mass, at the record's times.
@@ -394,7 +418,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   std::vector<double> values(sought.size());
   const std::size_t parameters = sought.size() + 3 * network.masses.size();
   if (samples < 3 * parameters || record.t.back() - record.t.front() < 1.5 * period ||
-      !EquationsOfMotion(network, sought, record, spreads).solve_for(values, period)) {
+      !EquationsOfMotion(network, sought, record, spreads, period).solve_for(values)) {
     fit.status = FitStatus::too_short;
     return fit;
   }
