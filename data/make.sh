@@ -41,3 +41,19 @@ awk 'BEGIN {
     printf "%.5f,%.4f\n", t, a + (t > 0.001 ? 3 * exp(-(t - 0.001) / 0.004) * sin(2 * pi * 900 * (t - 0.001)) : 0)
   }
 }' > ground/drop.csv
+
+# The floors of networks/frame.toml in gusts, five minutes of their accelerations: Euler-Cromer in steps of 1 ms.
+awk 'function gust() { state = (state * 16807) % 2147483647; return state / 2147483647 }
+BEGIN {
+  print "# synthetic: made by data/make.sh"
+  print "Time (s),Acceleration 1 (m/s^2),Acceleration 2 (m/s^2),Acceleration 3 (m/s^2)"
+  state = 19; h = 0.001
+  split("2000 2000 1500", m, " "); split("2.4e6 1.8e6 1.2e6", k, " "); split("3000 3000 1000", c, " ")
+  for (n = 0; n < 340000; ++n) {
+    if (n % 10 == 0) for (i = 1; i <= 3; ++i) push[i] = 400 * (gust() + gust() + gust() + gust() - 2)
+    for (i = 1; i <= 3; ++i) link[i] = k[i] * (x[i] - x[i - 1]) + c[i] * (v[i] - v[i - 1])
+    for (i = 1; i <= 3; ++i) { a[i] = (push[i] - link[i] + (i < 3 ? link[i + 1] : 0)) / m[i] }
+    for (i = 1; i <= 3; ++i) { v[i] += h * a[i]; x[i] += h * v[i] }
+    if (n >= 40000 && n % 50 == 0) printf "%.2f,%.4f,%.4f,%.4f\n", (n - 40000) * h, a[1], a[2], a[3]
+  }
+}' > networks/floors_in_wind.csv

@@ -1,9 +1,10 @@
-#include "cromer/tasks/modes/modes.h"
-
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
+#include "cromer/documents/words/words.h"
+#include "cromer/figures/figures.h"
+#include "cromer/tasks/modes_of_file.h"
 #include "cromer/tasks/network/network_file.h"
 #include "message.h"
 #include "output.h"
@@ -16,27 +17,31 @@ int run_modes(const Arguments& arguments) {
   OutputOptions output;
   Syntax syntax{.command = "modes",
                 .description =
-                    "The modes of a network of masses: natural frequencies, damping ratios and "
-                    "shapes; and what a method really simulates of each.",
+                    "The modes of a network of masses, or in a recording of several channels: natural "
+                    "frequencies, damping ratios and shapes; and what a method really simulates of each.",
                 .files = "FILE",
                 .options = options_of(options),
                 .example =
                     "  cromer modes data/networks/frame.toml\n"
-                    "  cromer modes data/networks/frame.toml --method newmark --step 0.02"};
-  add_output_options(syntax.options, output, {.plot = false}, "the modes as .csv or .json");
+                    "  cromer modes data/networks/frame.toml --method newmark --step 0.02\n"
+                    "  cromer modes data/networks/floors_in_wind.csv --plot modes.svg"};
+  add_output_options(syntax.options, output, {}, "the modes as .csv or .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   const std::string& file = files.front();
-  if (!is_network_file(file)) return refuse(Error{"not_a_network_file", {{"file", file}}});
-  const auto network = open_network(file);
-  if (!network) return refuse(network.error());
-  const auto result = network_modes(*network, file, options);
+  if (is_network_file(file) && !output.plot.empty())
+    return refuse(Error{"option_of_recordings", {{"option", "plot"}, {"file", file}}});
+  const auto result = modes_of_file(file, options);
   if (!result) return refuse(result.error());
   return give({.text = [&] { return modes_text(*result); },
                .json = [&] { return to_json(*result); },
                .csv = [&] { return modes_csv(*result); },
-               .notices = result->notices},
+               .figure = [&] { return modes_figure(*result); },
+               .failures = result->ok() ? std::vector<std::string>{}
+                                        : std::vector{file + ": " + in_words(result->message)},
+               .notices = result->notices,
+               .good = result->ok()},
               output);
 }
 

@@ -39,7 +39,7 @@ enum {
  * request: a JSON object (UTF-8; NULL or "" for {}) whose names are the options of the program with _ for -:
  * {"mass": "217.6 ± 0.3 g", "law": "auto"}. Numbers are SI, texts may have units, [0.2176, 0.0003] is a value
  * with its standard uncertainty; an option that has a grid or may be given several times takes a list. "file"
- * names the recording of read, fit, compare and spectrum, and the network of modes. "language" is the
+ * names the recording of read, fit, compare, modes and spectrum, or the network of modes. "language" is the
  * language of the document's sentences, "en" (if not given) or "de".
  *
  * Arrays in. fit: t [s], y [SI unit of "observed": position (if not given), angle, velocity,

@@ -1,4 +1,4 @@
-// The modes of a network of masses, and what methods really simulate of them.
+// The modes of a network of masses, and what methods really simulate of them; the modes in a recording.
 #pragma once
 
 #include <complex>
@@ -11,6 +11,7 @@
 #include <cromer/methods.h>
 #include <cromer/notice.h>
 #include <cromer/quantity.h>
+#include <cromer/read.h>
 #include <cromer/result.h>
 
 namespace cromer {
@@ -25,6 +26,12 @@ struct ModesOptions {
   std::optional<double> beta{};     // of newmark, 0 to 1; 1/4
   std::optional<double> gamma{};    // of newmark, 0 to 1; 1/2
   std::optional<double> rho_inf{};  // of generalized-alpha, 0 to 1; 0.8
+  // Of a recording:
+  std::optional<int> modes{};              ///< so many at most; all that are found
+  std::optional<double> from_frequency{};  // [rad/s] only modes between
+  std::optional<double> to_frequency{};    // [rad/s]
+  std::optional<Method> of_method{};       ///< that simulated it, with `step`: its share is taken out
+  ReadOptions read{};
 };
 
 /// What a method makes of a mode, from the eigenvalues of its own step.
@@ -40,19 +47,22 @@ struct Mode {
   Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; NaN where it falls away from rest
   Estimate damping_ratio{};                   ///< NaN without a frequency
   std::vector<std::complex<double>> shape{};  ///< of each name; the largest is 1
-  std::optional<double> participation{};      ///< effective modal mass over the whole
+  std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings
+  std::optional<double> participation{};            ///< effective modal mass over the whole; of networks
   std::vector<ModeByMethod> methods{};
 };
 
 struct Modes {
-  std::vector<std::string> names{};  ///< of the masses
+  std::vector<std::string> names{};  ///< of the masses, or of the channels
   std::vector<Mode> modes{};         ///< by rising frequency
   std::vector<Notice> notices{};     ///< what else there is to know
+  Notice message{};                  ///< why no modes were found in a recording; empty if some were
   std::shared_ptr<const core::ModesResult> detail{};
 };
 
-/// The modes of small motions about rest of the network in a file (docs/networks.md), of at most 500 masses.
-/// An Error names the argument, or what is wrong in which line of the file.
+/// The modes of small motions about rest of the network in a file that ends in .toml (docs/networks.md), of
+/// at most 500 masses; else those in a recording of several channels, with 95 % intervals. An Error names the
+/// argument, or what is wrong in which line of the file.
 CROMER_API Result<Modes> modes(const std::string& file, const ModesOptions& options = {});
 
 }  // namespace cromer

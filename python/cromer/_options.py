@@ -168,6 +168,15 @@ class ModesOptions(TypedDict, total=False):
     beta: Value
     gamma: Value
     rho_inf: Value
+    modes: int
+    from_frequency: Value
+    to_frequency: Value
+    of_method: str
+    rate: Value
+    time_column: str
+    delimiter: str
+    decimal: str
+    skip_bad_rows: bool
 
 
 class SweepOptions(TypedDict, total=False):
@@ -391,6 +400,15 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "beta": ("Value", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("Value", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("Value", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
+        "modes": ("int", "how many at most: those found at most orders of the model; must be at least 1 [all that are found]"),
+        "from_frequency": ("Value", "[rad/s] only modes from this frequency on; must not be negative [0]"),
+        "to_frequency": ("Value", "[rad/s] only modes up to this frequency; must be positive [half the rate]"),
+        "of_method": ("str", "the recording was simulated by this method with this step: its share is taken out [none]"),
+        "rate": ("Value", "[Hz] samples per second, 1e-6 to 1e12, for files without time [from the time column]"),
+        "time_column": ("str", "name of the time column [found]"),
+        "delimiter": ("str", "\",\", \";\", tab or blank [found]"),
+        "decimal": ("str", "decimal mark, \".\" or \",\" [found]"),
+        "skip_bad_rows": ("bool", "leave out rows with a word in a number column [such a row is an error]"),
     },
     "sweep": {
         "mass": ("Grid", "[kg] mass m; must be positive [1 kg]"),

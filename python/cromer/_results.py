@@ -635,14 +635,15 @@ class Methods(Result, Sequence[Dict[str, Any]]):
 
 class Mode:
     """A mode: `frequency` [Hz] and `damping_ratio` with their errors (0 of a network, which is known), the complex
-    `shape` of shape (names,), its largest 1, `participation` (effective modal mass over the whole, None of a
-    recording), and `methods`, what each really simulates ("method", "step", "frequency", "damping_ratio", "stable",
+    `shape` of shape (names,), its largest 1, `shape_standard_error` of its parts (empty of a network),
+    `participation` (effective modal mass over the whole, None of a recording), and `methods`, what each really simulates ("method", "step", "frequency", "damping_ratio", "stable",
     "in_words")."""
 
     def __init__(self, document: Dict[str, Any]) -> None:
         self.frequency = _estimate("frequency", document["frequency"])
         self.damping_ratio = _estimate("damping_ratio", document["damping_ratio"])
         self.shape = np.array([complex(re, im) for re, im in document["shape"]])
+        self.shape_standard_error = np.array([complex(re, im) for re, im in document["shape_standard_error"]])
         self.participation: Optional[float] = document["participation"]
         self.methods: List[Dict[str, Any]] = document["methods"]
 
@@ -651,7 +652,8 @@ class Mode:
 
 
 class Modes(Result, Sequence[Mode]):
-    """The modes of a network, by rising frequency; `names` of the masses are those of the components of shapes."""
+    """The modes of a network or in a recording, by rising frequency; `names` of the masses or channels are those of
+    the components of shapes."""
 
     @overload
     def __getitem__(self, index: int) -> Mode: ...
@@ -666,7 +668,7 @@ class Modes(Result, Sequence[Mode]):
 
     @property
     def names(self) -> List[str]:
-        """The names of the masses."""
+        """The names of the masses or channels."""
         return list(self._document["names"])
 
     @property

@@ -286,12 +286,13 @@ def methods(*, recognise: "Union[None, str, os.PathLike[str]]" = None, language:
 @_documented
 def modes(file: "Union[str, os.PathLike[str]]", *, language: Optional[str] = None, strict: bool = False,
           **options: "Unpack[ModesOptions]") -> Modes:
-    """The modes of a network of masses: natural frequencies, damping ratios, shapes; and what methods make of them.
+    """The modes of a network of masses, or in a recording of several channels: natural frequencies, damping ratios,
+    shapes; and what methods make of them.
 
     Parameters
     ----------
     file : str or path
-        The network, a TOML file of masses and links (docs/networks.md).
+        The network, a TOML file of masses and links, or the recording (docs/networks.md).
     {options}
 
     Returns

@@ -97,7 +97,7 @@ std::string spoken_again(const std::string& transcript) {
   const Folder folder;
   for (const char* name :
        {"/data/recording1.csv", "/data/recording2.csv", "/data/ground/shaking.csv", "/data/ground/drop.csv",
-        "/data/networks/pendulums.toml", "/data/networks/frame.toml"})
+        "/data/networks/pendulums.toml", "/data/networks/frame.toml", "/data/networks/floors_in_wind.csv"})
     folder.write(std::filesystem::path(name).filename(), bytes_of(CROMER_SOURCE_DIR + std::string(name)));
   for (const auto& file : std::filesystem::directory_iterator(folder_of_transcripts / "files"))
     folder.write(file.path().filename(), bytes_of(file.path()));

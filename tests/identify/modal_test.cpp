@@ -296,6 +296,22 @@ TEST(Modal, a_free_decay_is_known_as_one_and_its_modes_are_in_the_intervals) {
   EXPECT_GE(dampings, 20);
 }
 
+// Quadratic drag: the decay rate follows the amplitude, as of two swings of one frequency.
+TEST(Modal, one_swing_with_drag_is_one_mode) {
+  std::vector<double> y;
+  double size = 1;
+  for (int i = 0; i < 4000; ++i) {
+    y.push_back(size * std::cos(2 * std::numbers::pi * 1.4 * 0.02 * i));
+    size -= 0.02 * (0.005 * size + 0.05 * size * size);
+  }
+  ModalRecord record;
+  record.channels.emplace_back(y);
+  record.step = 0.02;
+  const auto modes = find_modes(record).modes;
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_NEAR(modes[0].frequency.value, 1.4, 0.001);
+}
+
 TEST(Modal, an_exact_decay_is_found_to_rounding) {
   const std::vector<TrueMode> truth{{1.0, 0.01, {1.0, {0.5, 0.1}}}, {2.7, 0.02, {-0.6, 1.0}}};
   const Channels channels = let_go(truth, {1, 0.4}, 1000, 0.04, 0, 1);

@@ -432,6 +432,13 @@ std::string modes_csv(const ModesResult& result) {
     add(result.names[i] + " re", [&](const NaturalMode& mode) { return mode.shape[i].real(); });
     add(result.names[i] + " im", [&](const NaturalMode& mode) { return mode.shape[i].imag(); });
   }
+  if (result.recording)
+    for (std::size_t i = 0; i < result.names.size(); ++i) {
+      add(result.names[i] + " re standard error",
+          [&](const NaturalMode& mode) { return mode.shape_error[i].real(); });
+      add(result.names[i] + " im standard error",
+          [&](const NaturalMode& mode) { return mode.shape_error[i].imag(); });
+    }
   if (!result.modes.empty() && !result.modes.front().methods.empty())
     for (std::size_t k = 0; k < result.modes.front().methods.size(); ++k) {
       const std::string& method = result.modes.front().methods[k].method;

@@ -25,7 +25,7 @@
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/tasks/fit/fitted_motion.h"
-#include "cromer/tasks/network/network_file.h"
+#include "cromer/tasks/modes_of_file.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
@@ -368,10 +368,9 @@ Result<void> modes_verb(Call& call, cromer_result& result) {
   if (!file) return file.error();
   if (file->empty()) return Error{Notice{"no_file"}, "file"};
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  const auto network = open_network(*file);
-  if (!network) return network.error();
-  auto found = network_modes(*network, *file, options);
+  auto found = modes_of_file(*file, options);
   if (!found) return found.error();
+  if (!found->ok()) result.status = CROMER_NO_SUCCESS;
   found->notices = in_arguments(std::move(found->notices));
   result.document = to_json(*found, call.voice());
   result.found = *std::move(found);

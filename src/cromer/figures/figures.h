@@ -9,6 +9,7 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/laid_over.h"
@@ -33,6 +34,10 @@ Figure network_figure(const NetworkRun& run);
 
 /// What each mass did, measured and fitted: of many masses the first ones.
 Figure network_fit_figure(const FittedNetwork& fitted);
+
+/// Of a recording: the singular values of its spectral matrix with the modes marked, over the stabilisation
+/// diagram.
+Figure modes_figure(const ModesResult& result);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
 /// against amplitude. A recording that could not be fitted shows its samples alone. More than three

@@ -47,6 +47,15 @@ struct Described<NaturalMode> {
                     return shape;
                   },
                   "", "of each of `names`, as [re, im]; the largest is 1"),
+              field(
+                  "shape_standard_error",
+                  [](const NaturalMode& m) {
+                    std::vector<Pair> errors;
+                    for (const std::complex<double>& each : m.shape_error)
+                      errors.push_back({each.real(), each.imag()});
+                    return errors;
+                  },
+                  "", "of the parts of `shape`, likewise; empty of a network"),
               field("participation", &NaturalMode::participation, "",
                     "effective modal mass over the whole mass, for ground that shakes all the same; null for "
                     "recordings"),
@@ -54,12 +63,67 @@ struct Described<NaturalMode> {
 };
 
 template <>
+struct Described<SpectralPeak> {
+  static constexpr std::string_view name = "SpectralPeak";
+  static constexpr auto entries = members(
+      field("frequency", &SpectralPeak::frequency, "Hz", "where it stands").known(),
+      field("prominence", &SpectralPeak::prominence, "", "its height over the median around it").known());
+};
+
+template <>
+struct Described<StabilityPole> {
+  static constexpr std::string_view name = "StabilityPole";
+  static constexpr auto entries = members(
+      field("order", &StabilityPole::order, "", "of the model"),
+      field("frequency", &StabilityPole::frequency, "Hz", "|eigenvalue|/2 pi").known(),
+      field("damping_ratio", &StabilityPole::damping_ratio, "", "of the pole").known(),
+      field("stable", &StabilityPole::stable, "",
+            "frequency within 1 %, damping ratio within a half and shape within a MAC of 0.95 of a pole of "
+            "the order before"));
+};
+
+template <>
+struct Described<ModalSource> {
+  static constexpr std::string_view name = "ModalSource";
+  static constexpr auto entries = members(
+      field(
+          "motion",
+          [](const ModalSource& s) {
+            return s.found.motion == ModalMotion::free_decay ? "free_decay" : "ambient";
+          },
+          "", "free_decay or ambient: whether it was let go, or random forces keep it moving"),
+      field("quantity", &ModalSource::quantity, "", "what the channels measure"),
+      field("unit", &ModalSource::unit, "", "SI unit of the channels"),
+      field("samples", &ModalSource::samples, "", "that all channels have"),
+      field("rate", &ModalSource::rate, "1/s", "samples per second").known(),
+      field("duration", &ModalSource::duration, "s", "from the first sample to the last").known(),
+      field("gaps", &ModalSource::gaps, "", "how many"),
+      field(
+          "highest_order", [](const ModalSource& s) { return s.found.highest_order; }, "",
+          "of the models; 0 if the recording is too short for any"),
+      field(
+          "peaks", [](const ModalSource& s) { return s.found.peaks; }, "",
+          "of the largest singular value of the spectral matrix (frequency domain decomposition)"),
+      field(
+          "poles", [](const ModalSource& s) { return s.found.poles; }, "",
+          "the stabilisation diagram: the poles of all orders"),
+      field("in_words", &ModalSource::words, "", "what kind of motion it is, and how its modes were found"));
+};
+
+template <>
 struct Described<ModesResult> {
   static constexpr std::string_view name = "Modes";
-  static constexpr auto entries =
-      members(field("file", &ModesResult::file, "", "the file"),
-              field("names", &ModesResult::names, "", "the masses, in the order of the components of shapes"),
-              field("modes", &ModesResult::modes, "", "by rising frequency"), notices(&ModesResult::notices));
+  static constexpr auto entries = members(
+      field("file", &ModesResult::file, "", "the file"),
+      field("names", &ModesResult::names, "",
+            "the masses or channels, in the order of the components of shapes"),
+      field("modes", &ModesResult::modes, "", "by rising frequency"),
+      field("recording", &ModesResult::recording, "", "what the modes were found in; null of a network"),
+      field(
+          "message", [](const ModesResult& r) { return r.ok() ? std::nullopt : std::optional(r.message); },
+          "", "why no mode was found")
+          .left_out(),
+      notices(&ModesResult::notices));
 };
 
 }  // namespace cromer::core

@@ -63,6 +63,7 @@ std::string methods_text(const ModesResult& result) {
 }  // namespace
 
 std::string modes_text(const ModesResult& result) {
+  if (!result.ok()) return "";
   bool any = false;
   for (const NaturalMode& mode : result.modes) any = any || mode.participation;
   std::vector<std::vector<std::string>> rows{{"mode", "frequency (Hz)", "damping ratio"}};
@@ -73,7 +74,8 @@ std::string modes_text(const ModesResult& result) {
                     number_with_interval(mode.damping_ratio)});
     if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");
   }
-  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + methods_text(result);
+  const std::string motion = result.recording ? "\n" + in_words(result.recording->words) + "\n" : "";
+  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + methods_text(result) + motion;
 }
 
 }  // namespace cromer::core

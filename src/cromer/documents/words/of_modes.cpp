@@ -34,8 +34,6 @@ constexpr Entry entries[] = {
      "der [[link]] verbindet „{name}“ mit sich selbst: bitte zwei Enden angeben"},
     {"link_without_term", error, "the link has no force: give it a term, such as stiffness = \"20 N/m\"",
      "der [[link]] hat keine Kraft: bitte einen Term angeben, etwa stiffness = \"20 N/m\""},
-    {"not_a_network_file", error, "{file}: the file of a network ends in .toml",
-     "{file}: die Datei eines Netzes endet auf .toml"},
     // Options.
     {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
@@ -45,6 +43,18 @@ constexpr Entry entries[] = {
      "{--method}: {method} wählt seine Schritte selbst"},
     {"too_many_masses_for_modes", error, "{file}: {masses} masses; modes are found for at most {most}",
      "{file}: {masses} Massen; Eigenschwingungen werden für höchstens {most} gesucht"},
+    {"option_of_recordings", error, "{file}: {option:option} is of recordings, and this is a network",
+     "{file}: {option:option} gilt für Aufzeichnungen, und dies ist ein Netz"},
+    {"method_of_networks", error,
+     "{file}: {--method} is of networks; if this recording was simulated, name its method by {--of-method}",
+     "{file}: {--method} gilt für Netze; wurde diese Aufzeichnung simuliert, bitte ihre Methode mit "
+     "{--of-method} nennen"},
+    {"step_needs_of_method", error, "{--step} of a recording needs the {--of-method} that took it",
+     "{--step} einer Aufzeichnung braucht die {--of-method}, die ihn machte"},
+    {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
+     "{--of-method} braucht den {--step}, den sie machte"},
+    {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
+     "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.
     {"term_not_in_networks", error, "{file}: {term} is not simulated in a network; leave it out",
      "{file}: {term} wird in einem Netz nicht simuliert; bitte weglassen"},
@@ -142,6 +152,73 @@ constexpr Entry entries[] = {
      "{modes:mode falls|modes fall} away from rest: a stiffness is negative there",
      "{modes:Eigenschwingung fällt|Eigenschwingungen fallen} von der Ruhelage weg: dort ist eine Steifigkeit "
      "negativ"},
+    // Of recordings.
+    {"modes_of_one_run", error,
+     "{file}: the file has {runs} runs; modes are sought in one: keep one run in a file of its own",
+     "{file}: die Datei hat {runs} Läufe; Eigenschwingungen werden in einem gesucht: bitte einen Lauf in "
+     "eine "
+     "eigene Datei schreiben"},
+    {"no_channel_moves", error, "{file}: no channel moves: each is constant or empty",
+     "{file}: kein Kanal bewegt sich: jeder ist konstant oder leer"},
+    {"too_few_samples_for_modes", error,
+     "{file}: {samples:sample|samples} are too few to look for modes: {fewest} at least",
+     "{file}: {samples:Messwert|Messwerte} sind zu wenig, um Eigenschwingungen zu suchen: mindestens "
+     "{fewest}"},
+    {"no_modes_found", error,
+     "no mode was found: no pole keeps its frequency, damping and shape as the model grows",
+     "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst"},
+    {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
+     "keine Eigenschwingung gefunden: die Aufzeichnung ist zu kurz für ihre langsamste Bewegung"},
+    {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
+     "{column} bleibt weg: der Wert ändert sich nie"},
+    {"channel_left_out_empty", wrong_if_ignored,
+     "{column} is left out: more than half of its values are missing",
+     "{column} bleibt weg: mehr als die Hälfte der Werte fehlt"},
+    {"samples_not_in_all_channels", worth_knowing,
+     "{samples:sample is|samples are} left out: some channel has no value there",
+     "{samples:Messwert bleibt|Messwerte bleiben} weg: dort hat ein Kanal keinen Wert"},
+    {"one_channel", worth_knowing, "there is one channel, {column}: modes have no shape",
+     "es gibt einen Kanal, {column}: Eigenschwingungen haben keine Form"},
+    {"clock_drifts", wrong_if_ignored,
+     "from the first third to the last the steps between samples change by {percent:.2g} %: if the sensor's "
+     "clock "
+     "drifts, frequencies are off by about as much",
+     "vom ersten zum letzten Drittel ändern sich die Abstände der Messwerte um {percent:.2g} %: läuft die "
+     "Uhr des "
+     "Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
+    {"modes_of_random_forces", clause,
+     "the motion does not decay from the first sample on: these are modes under random forces, by subspace "
+     "identification (orders to {order}, correlations over {reach:.3g} s)",
+     "die Bewegung klingt nicht vom ersten Messwert an ab: dies sind Eigenschwingungen unter zufälligen "
+     "Kräften, "
+     "durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über {reach:.3g} s)"},
+    {"modes_of_free_decay", clause,
+     "the motion decays from the first sample on, {percent:.3g} % of its power about the modes: these are "
+     "modes of a "
+     "free decay, by least squares",
+     "die Bewegung klingt vom ersten Messwert an ab, {percent:.3g} % ihrer Leistung um die Eigenfrequenzen: "
+     "dies sind "
+     "Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
+    {"few_decay_times", worth_knowing,
+     "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one would "
+     "make its "
+     "intervals surer",
+     "die Aufzeichnung enthält nur {times:.2g} Abklingzeiten der Eigenschwingung bei {frequency:.4g} Hz: "
+     "eine längere "
+     "macht ihre Vertrauensbereiche sicherer"},
+    {"peak_without_mode", worth_knowing,
+     "the spectrum has a peak at {frequency:.4g} Hz that is no mode: a machine may run there, or two modes "
+     "are "
+     "too close to be told apart",
+     "das Spektrum hat bei {frequency:.4g} Hz einen Gipfel, der keine Eigenschwingung ist: dort läuft "
+     "vielleicht "
+     "eine Maschine, oder zwei Eigenschwingungen liegen zu nah beieinander"},
+    {"no_law_before_method", wrong_if_ignored,
+     "no linear law simulated by {method} with a step of {step:.6g} s swings at {frequency:.6g} Hz as this "
+     "mode "
+     "does: it is given as recorded",
+     "kein lineares Gesetz schwingt, mit {method} und einem Schritt von {step:.6g} s simuliert, bei "
+     "{frequency:.6g} Hz wie diese Eigenschwingung: sie ist so angegeben, wie sie aufgezeichnet ist"},
     {"method_unstable_on_network", wrong_if_ignored,
      "{method} with a step of {step:.6g} s is unstable on this network",
      "{method} mit einem Schritt von {step:.6g} s ist auf diesem Netz instabil"},

@@ -294,6 +294,16 @@ std::vector<DecayingMode> describe_decay(const ModalRecord& record, const Eigen:
   return result;
 }
 
+// One swing whose frequency or damping changes with its amplitude looks like two on top of each other.
+bool is_double(const DecayingMode& mode, const std::vector<DecayingMode>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const DecayingMode& other) {
+    const double width = std::abs(mode.mode.eigenvalue.real()) + std::abs(other.mode.eigenvalue.real());
+    return other.certainty > mode.certainty &&
+           std::abs(other.mode.eigenvalue.imag() - mode.mode.eigenvalue.imag()) < width / 2 &&
+           modal_assurance(mode.mode.shape, other.mode.shape) > 0.9;
+  });
+}
+
 }  // namespace
 
 double decaying_share(const ModalRecord& record, const std::vector<std::complex<double>>& eigenvalues) {
@@ -330,9 +340,12 @@ FreeDecay fit_free_decay(const ModalRecord& record, std::vector<std::complex<dou
     std::vector<DecayingMode> found = describe_decay(record, values, weight, eigenvalues);
     eigenvalues.clear();
     result.modes.clear();
-    for (DecayingMode& each : found) {
-      if (!(each.certainty > 6 && each.mode.frequency.standard_error < 0.01 * each.mode.frequency.value))
-        continue;
+    std::vector<bool> doubles;
+    for (const DecayingMode& each : found) doubles.push_back(is_double(each, found));
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      DecayingMode& each = found[j];
+      const bool known = each.mode.frequency.standard_error < 0.01 * each.mode.frequency.value;
+      if (!(each.certainty > 6 && known) || doubles[j]) continue;
       eigenvalues.push_back(each.mode.eigenvalue);
       result.modes.push_back(std::move(each.mode));
     }

@@ -27,8 +27,9 @@ double decaying_share(const ModalRecord& record, const std::vector<std::complex<
 /// Least squares over all channels at once, each weighted by what is left of it, from these start values; at
 /// most most_decaying_modes of them. The amplitudes are solved for at each step (G. H. Golub & V. Pereyra,
 /// SIAM J. Numer. Anal. 10, 413 (1973); L. Kaufman, BIT 15, 49 (1975)). Intervals are those of the residuals'
-/// own correlation. A mode is left out whose frequency is not known to 1 %, or whose amplitude is less than
-/// six standard errors in each channel.
+/// own correlation. A mode is left out whose frequency is
+/// not known to 1 %, whose amplitude is less than six standard errors in each channel, or that has the shape
+/// of a surer one within the mean of their widths: that is one swing which is not linear.
 FreeDecay fit_free_decay(const ModalRecord& record, std::vector<std::complex<double>> eigenvalues);
 
 }  // namespace cromer::core

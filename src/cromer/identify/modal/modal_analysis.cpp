@@ -55,6 +55,9 @@ ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& setting
     if (decay.converged && decay.share > decays && !decay.modes.empty()) {
       result.motion = ModalMotion::free_decay;
       result.modes = std::move(decay.modes);
+      // Averages are for random forces: one long segment tells more modes apart.
+      result.spectrum = spectral_matrix(record, 1);
+      result.peaks = spectral_peaks(result.spectrum);
       return result;
     }
   }

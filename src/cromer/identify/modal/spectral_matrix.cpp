@@ -11,13 +11,14 @@
 namespace cromer::core {
 namespace {
 
-std::size_t segment_length(const ModalRecord& record) {
+std::size_t segment_length(const ModalRecord& record, std::size_t segments) {
   std::size_t longest = 0;
   for (std::size_t p = 0; p < record.starts.size(); ++p) {
     const std::size_t end = p + 1 < record.starts.size() ? record.starts[p + 1] : record.samples();
     longest = std::max(longest, end - record.starts[p]);
   }
-  constexpr std::size_t segments = 16, shortest = 16, most = 4096;
+  constexpr std::size_t shortest = 16;
+  const std::size_t most = segments > 1 ? 4096 : 65536;
   std::size_t length = shortest;
   while (2 * length <= most && 2 * length * segments <= record.samples() && 2 * length <= longest)
     length *= 2;
@@ -32,8 +33,9 @@ double median_of(std::vector<double> values) {
 
 }  // namespace
 
-SpectralMatrix spectral_matrix(const ModalRecord& record) {
-  const std::size_t length = segment_length(record), half = length / 2, channels = record.channels.size();
+SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments) {
+  const std::size_t length = segment_length(record, segments), half = length / 2,
+                    channels = record.channels.size();
   std::vector<double> window(length);
   double power = 0;
   for (std::size_t i = 0; i < length; ++i) {

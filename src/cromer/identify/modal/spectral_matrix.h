@@ -16,9 +16,9 @@ struct SpectralMatrix {
   double frequency(std::size_t k) const { return static_cast<double>(k) * step; }
 };
 
-/// By Welch's method with a Hann window: about 30 half-overlapping segments, none across a gap where the
-/// stretches are long enough.
-SpectralMatrix spectral_matrix(const ModalRecord& record);
+/// By Welch's method with a Hann window: half-overlapping segments, none across a gap where the stretches are
+/// long enough. Each is a power of two of samples, at most one in so many `segments` of the record.
+SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments = 16);
 
 struct SpectralPeak {
   double frequency = 0;   // [Hz] by a parabola through the logarithms

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "cromer/identify/modal/modal_analysis.h"
 #include "cromer/model/network.h"
 #include "cromer/notice.h"
 #include "cromer/quantity.h"
+#include "cromer/read/recording.h"
 #include "cromer/result.h"
 #include "cromer/tasks/methods/method_effect.h"
 #include "cromer/tasks/option/option.h"
@@ -22,6 +24,11 @@ struct ModesOptions {
   std::optional<double> step{};           // [s] > 0, with a method
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2 by default
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8 by default
+  // Of a recording:
+  std::optional<int> modes{};                              ///< so many at most; all by default
+  std::optional<double> from_frequency{}, to_frequency{};  // [rad/s] only modes between
+  std::string of_method{};                                 ///< that simulated it, with `step`; "" none
+  ReadOptions read{};
 };
 
 std::vector<Option> options_of(ModesOptions& options);
@@ -43,7 +50,19 @@ struct NaturalMode {
   Estimate damping_ratio{};                   ///< not a number where the frequency is 0 or none
   std::vector<std::complex<double>> shape{};  ///< its largest component 1
   std::optional<double> participation{};      ///< effective modal mass over the whole; of networks
+  std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings
   std::vector<ModeByMethod> methods{};
+};
+
+/// What the modes of a recording were found in.
+struct ModalSource {
+  std::string quantity, unit;  ///< of the channels: "acceleration", "m/s²"
+  std::size_t samples = 0;
+  double rate = 0;      // [1/s]
+  double duration = 0;  // [s]
+  std::size_t gaps = 0;
+  ModalAnalysis found;
+  Notice words{};  ///< what kind of motion it is, and how its modes were found; empty where there are none
 };
 
 struct ModesResult {
@@ -51,12 +70,21 @@ struct ModesResult {
   std::vector<std::string> names{};  ///< of masses, or of channels: the components of shapes
   std::vector<NaturalMode> modes{};  ///< by rising frequency
   std::vector<Notice> notices{};
+  std::optional<ModalSource> recording{};  ///< empty of a network
+  Notice message{};                        ///< why no modes were found; empty if some were
+
+  bool ok() const { return message.empty(); }
 };
 
 /// The modes of small motions about rest. An Error names option, value and constraint, or says that there are
 /// too many masses.
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options = {});
+
+/// The modes in a recording: all columns of one kind are its channels, those that a fit would take. With
+/// `of_method` they are those of the law that was simulated, without the method's share, and `methods` has
+/// what the recording itself shows. An Error says what is wrong with the options or the columns.
+Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {});
 
 /// The most masses whose modes are sought.
 inline constexpr std::size_t most_masses_for_modes = 500;

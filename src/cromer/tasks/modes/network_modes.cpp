@@ -8,38 +8,13 @@
 #include "cromer/methods/all.h"
 #include "cromer/methods/vector_newton.h"
 #include "cromer/model/network_system.h"
-#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/modes/modes_options.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
-Result<void> check_modes_options(ModesOptions options) {
-  for (const auto& option : options_of(options))
-    if (auto good = check(option); !good) return good;
-  for (const std::string& method : options.method) {
-    if (auto good = check_method_name(method); !good) return good;
-    if (find_method(method)->is_adaptive()) return Error{"method_without_steps", {{"method", method}}};
-  }
-  if (options.step && options.method.empty()) return Error{"step_needs_method"};
-  if (!options.step && !options.method.empty()) return Error{"method_needs_step"};
-  if (!options.step && (options.beta || options.gamma || options.rho_inf))
-    return Error{"option_needs_method_and_step",
-                 {{"option", options.rho_inf ? "rho-inf"
-                             : options.beta  ? "beta"
-                                             : "gamma"}}};
-  return {};
-}
-
-MethodSettings settings_of(const ModesOptions& options) {
-  MethodSettings settings;
-  settings.beta = options.beta.value_or(settings.beta);
-  settings.gamma = options.gamma.value_or(settings.gamma);
-  settings.rho_inf = options.rho_inf.value_or(settings.rho_inf);
-  return settings;
-}
 
 /// A number that is known.
 Estimate exactly(double value) { return {value, 0, value, value}; }
@@ -100,7 +75,7 @@ std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& mod
 void add_method(std::vector<NaturalMode>& into, const std::string& name, const ModesOptions& options,
                 const Network& network, const std::vector<ComplexMode>& modes, bool apart,
                 std::vector<Notice>& notices) {
-  const MethodSettings settings = settings_of(options);
+  const MethodSettings settings = method_settings_of(options);
   const double h = *options.step;
   std::vector<MethodEffect> effects(modes.size());
   bool stable = true;
@@ -174,6 +149,8 @@ std::optional<double> ModeByMethod::damping_ratio() const {
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options) {
   if (auto good = check_modes_options(options); !good) return good.error();
+  if (const std::string_view name = option_of_recordings(options); !name.empty())
+    return Error{"option_of_recordings", {{"option", name}, {"file", file}}};
   if (network.masses.size() > most_masses_for_modes)
     return Error{"too_many_masses_for_modes",
                  {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};

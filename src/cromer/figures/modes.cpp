@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/figures/figures.h"
+#include "cromer/report/palette.h"
+
+namespace cromer::core {
+namespace {
+
+/// Each singular value against frequency; of many channels the first ones.
+Panel spectrum_panel(const ModalSource& source) {
+  const SpectralMatrix& spectrum = source.found.spectrum;
+  Panel panel;
+  panel.title = "Spectrum of all channels";
+  const bool quotient = source.unit.find('/') != std::string::npos;
+  panel.y.name = fmt::format("singular value ({}²/Hz)", quotient ? "(" + source.unit + ")" : source.unit);
+  panel.y.logarithmic = true;
+  constexpr std::size_t most = 4;
+  // There are no more than segments that were averaged.
+  const std::size_t count = std::min(
+      {most, spectrum.singular.front().size(), static_cast<std::size_t>(std::max(1, spectrum.averages))});
+  constexpr const char* names[] = {"first", "second", "third", "fourth"};
+  for (std::size_t c = 0; c < count; ++c) {
+    Curve curve;
+    curve.role = family_role(c, count);
+    curve.name = names[c];
+    // What lies at frequency 0 is the mean, which was taken off.
+    for (std::size_t k = 1; k < spectrum.singular.size(); ++k) {
+      curve.x.push_back(spectrum.frequency(k));
+      curve.y.push_back(spectrum.singular[k][c]);
+    }
+    panel.curves.push_back(std::move(curve));
+  }
+  return panel;
+}
+
+/// The poles of all orders.
+Panel stabilisation_panel(const ModalSource& source) {
+  Panel panel;
+  panel.title = "Stabilisation diagram";
+  panel.y.name = "order of the model";
+  panel.y.low = 0;
+  panel.y.high = source.found.highest_order + 2;
+  Curve stable, others;
+  stable.role = "fitted";
+  stable.name = "stable";
+  stable.mark = Mark::dots;
+  others.role = "set-aside";
+  others.name = "not stable";
+  others.mark = Mark::crosses;
+  for (const StabilityPole& pole : source.found.poles) {
+    Curve& curve = pole.stable ? stable : others;
+    curve.x.push_back(pole.frequency);
+    curve.y.push_back(pole.order);
+  }
+  for (Curve* each : {&others, &stable})
+    if (!each->x.empty()) panel.curves.push_back(std::move(*each));
+  return panel;
+}
+
+/// A line for each mode. Words that would lie on each other stand together at the last of their lines.
+void mark_modes(Panel& panel, const std::vector<MeasuredMode>& modes) {
+  constexpr double width = 0.08;  // of a word, in panels
+  std::string words;
+  for (std::size_t j = 0; j < modes.size(); ++j) {
+    const double frequency = modes[j].frequency.value;
+    words += fmt::format("{}{:#.4g}", words.empty() ? "" : ", ", frequency);
+    const bool room =
+        j + 1 == modes.size() || modes[j + 1].frequency.value - frequency > width * panel.x.high;
+    panel.markers.push_back({frequency, room ? words + " Hz" : ""});
+    if (room) words.clear();
+  }
+}
+
+}  // namespace
+
+Figure modes_figure(const ModesResult& result) {
+  const ModalSource& source = *result.recording;
+  Figure figure;
+  figure.id = "modes";
+  figure.title = "Modes";
+  figure.caption =
+      fmt::format("{}: {} channels, {} modes.", result.file, result.names.size(), result.modes.size());
+  figure.size = FigureSize::wide;
+  figure.shared_x = true;
+  figure.panels.push_back(spectrum_panel(source));
+  if (!source.found.poles.empty()) figure.panels.push_back(stabilisation_panel(source));
+  const double lags = source.found.lag_step > 0 ? 0.5 / source.found.lag_step : source.rate;
+  for (Panel& panel : figure.panels) {
+    panel.x.name = "frequency {/:Italic f} (Hz)";
+    panel.x.low = 0;
+    panel.x.high = std::min(source.rate / 2, lags);
+  }
+  mark_modes(figure.panels.front(), source.found.modes);
+  return figure;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,224 @@
+// The modes in recordings: from the columns of a file to what is said of them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "cromer/methods/all.h"
+#include "cromer/tasks/methods/method_effect.h"
+#include "cromer/tasks/modes/law_before_method.h"
+#include "cromer/tasks/modes/modes.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+Recording recording_of(const std::string& bytes) {
+  auto recording = read_recording(bytes, "lab.csv", {});
+  EXPECT_TRUE(recording) << (recording ? "" : recording.error().message());
+  return recording ? *std::move(recording) : Recording{};
+}
+
+// Two pendulums: 0.7 and 0.73 Hz. `cells` writes what follows the time in each row.
+struct Swing {
+  std::complex<double> value;  // [1/s]
+  double first, second;        ///< amplitudes
+};
+
+std::complex<double> value_of(double frequency, double damping_ratio) {
+  const double w = full_turn * frequency;
+  return {-damping_ratio * w, w * std::sqrt(1 - damping_ratio * damping_ratio)};
+}
+
+std::string decay(const std::vector<Swing>& swings, const std::string& header,
+                  const std::function<std::string(std::size_t, double, double)>& cells,
+                  std::size_t samples = 2400, double step = 0.05) {
+  std::string out = header + "\n";
+  for (std::size_t i = 0; i < samples; ++i) {
+    double first = 0, second = 0;
+    for (const Swing& each : swings) {
+      const double x = std::exp(each.value * (static_cast<double>(i) * step)).real();
+      first += each.first * x;
+      second += each.second * x;
+    }
+    out += fmt::format("{:.6g},{}\n", static_cast<double>(i) * step, cells(i, first, second));
+  }
+  return out;
+}
+
+const std::vector<Swing> pendulums{{value_of(0.7, 0.002), 0.06, 0.05}, {value_of(0.73, 0.002), 0.05, -0.06}};
+const std::string two_angles = "Time (s),Angle 1 (rad),Angle 2 (rad)";
+std::string both(std::size_t, double first, double second) {
+  return fmt::format("{:.17g},{:.17g}", first, second);
+}
+
+std::vector<std::string> codes(const ModesResult& result) {
+  std::vector<std::string> all;
+  for (const Notice& notice : result.notices) all.push_back(notice.code);
+  return all;
+}
+
+ModesResult modes_in(const std::string& bytes, const ModesOptions& options = {}) {
+  auto result = recording_modes(recording_of(bytes), options);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message());
+  return result ? *std::move(result) : ModesResult{};
+}
+
+std::string refusal(const std::string& bytes, const ModesOptions& options = {}) {
+  const auto result = recording_modes(recording_of(bytes), options);
+  return result ? "" : result.error().notice.code;
+}
+
+TEST(RecordingModes, pendulums_that_were_let_go) {
+  const ModesResult result = modes_in(decay(pendulums, two_angles, both));
+  ASSERT_TRUE(result.ok());
+  EXPECT_THAT(result.names, testing::ElementsAre("Angle 1 (rad)", "Angle 2 (rad)"));
+  EXPECT_THAT(codes(result), testing::IsEmpty());
+  ASSERT_EQ(result.modes.size(), 2u);
+  EXPECT_NEAR(result.modes[0].frequency.value, 0.7, 1e-9);
+  EXPECT_NEAR(result.modes[1].frequency.value, 0.73, 1e-9);
+  EXPECT_NEAR(result.modes[0].shape[1].real(), 5.0 / 6, 1e-7);
+  EXPECT_NEAR(result.modes[1].shape[0].real(), -5.0 / 6, 1e-7);
+  ASSERT_TRUE(result.recording);
+  EXPECT_EQ(result.recording->words.code, "modes_of_free_decay");
+  EXPECT_EQ(result.recording->quantity, "angle");
+  EXPECT_EQ(result.recording->samples, 2400u);
+  EXPECT_NEAR(result.recording->rate, 20, 1e-9);
+}
+
+TEST(RecordingModes, a_channel_that_is_still_or_empty_is_left_out_and_named) {
+  const ModesResult still = modes_in(decay(pendulums, two_angles + ",Angle 3 (rad)",
+                                           [](auto i, auto a, auto b) { return both(i, a, b) + ",0.25"; }));
+  EXPECT_THAT(codes(still), testing::Contains("channel_left_out_still"));
+  EXPECT_EQ(still.names.size(), 2u);
+  const ModesResult empty =
+      modes_in(decay(pendulums, two_angles + ",Angle 3 (rad)",
+                     [](auto i, auto a, auto b) { return both(i, a, b) + (i == 7 ? ",0.1" : ",NaN"); }));
+  EXPECT_THAT(codes(empty), testing::Contains("channel_left_out_empty"));
+  EXPECT_EQ(empty.names.size(), 2u);
+  EXPECT_EQ(refusal(decay(pendulums, two_angles, [](auto, auto, auto) { return "0.25,0.5"; })),
+            "no_channel_moves");
+}
+
+TEST(RecordingModes, one_channel_has_modes_without_shapes_and_says_so) {
+  const ModesResult result = modes_in(decay(pendulums, "Time (s),Angle (rad)", [](auto, auto first, auto) {
+    return fmt::format("{:.17g}", first);
+  }));
+  EXPECT_THAT(codes(result), testing::Contains("one_channel"));
+  ASSERT_EQ(result.modes.size(), 2u);
+  EXPECT_NEAR(result.modes[1].frequency.value, 0.73, 1e-9);
+}
+
+TEST(RecordingModes, samples_that_a_channel_lacks_are_left_out_of_all) {
+  const ModesResult result = modes_in(decay(pendulums, two_angles, [](auto i, double first, double second) {
+    return i >= 500 && i < 560 ? fmt::format("{:.17g},", first) : both(i, first, second);
+  }));
+  EXPECT_THAT(codes(result), testing::Contains("samples_not_in_all_channels"));
+  EXPECT_EQ(result.recording->samples, 2340u);
+  EXPECT_EQ(result.recording->gaps, 1u);
+  ASSERT_EQ(result.modes.size(), 2u);
+  EXPECT_NEAR(result.modes[0].frequency.value, 0.7, 1e-9);
+}
+
+TEST(RecordingModes, a_clock_that_drifts_is_named) {
+  std::string bytes = two_angles + "\n";
+  double t = 0;
+  for (std::size_t i = 0; i < 2400; ++i) {
+    const auto x = [&](std::size_t k) {
+      return std::exp(pendulums[k].value * (static_cast<double>(i) * 0.05)).real();
+    };
+    bytes += fmt::format("{:.9g},{:.9g},{:.9g}\n", t, 0.06 * x(0) + 0.05 * x(1), 0.05 * x(0) - 0.06 * x(1));
+    t += 0.05 * (1 + 0.01 * static_cast<double>(i) / 2400);
+  }
+  EXPECT_THAT(codes(modes_in(bytes)), testing::Contains("clock_drifts"));
+  EXPECT_THAT(codes(modes_in(decay(pendulums, two_angles, both))),
+              testing::Not(testing::Contains("clock_drifts")));
+}
+
+TEST(RecordingModes, noise_has_none_and_says_so) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  const ModesResult result = modes_in(decay(
+      pendulums, two_angles, [&](auto i, auto, auto) { return both(i, normal(random), normal(random)); }));
+  EXPECT_FALSE(result.ok());
+  EXPECT_EQ(result.message.code, "no_modes_found");
+  EXPECT_TRUE(result.modes.empty());
+}
+
+TEST(RecordingModes, bad_options_are_refused) {
+  const std::string bytes = decay(pendulums, two_angles, both);
+  EXPECT_EQ(refusal(bytes, {.method = {"newmark"}, .step = 0.01}), "method_of_networks");
+  EXPECT_EQ(refusal(bytes, {.of_method = "newmark"}), "of_method_needs_step");
+  EXPECT_EQ(refusal(bytes, {.step = 0.01}), "step_needs_of_method");
+  EXPECT_EQ(refusal(bytes, {.step = 0.01, .of_method = "dormand-prince"}), "method_without_steps");
+  EXPECT_EQ(refusal(bytes, {.from_frequency = 3, .to_frequency = 2}), "frequencies_reversed");
+  EXPECT_EQ(refusal(decay(pendulums, two_angles, both, 39)), "too_few_samples_for_modes");
+  Network network;
+  network.masses.push_back({.name = "a"});
+  EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");
+}
+
+TEST(RecordingModes, the_law_before_a_method_is_what_the_method_was_given) {
+  const double h = 0.05, frequency = 1.5, damping_ratio = 0.03;
+  const LinearLaw<double> law{.decay_rate = damping_ratio * full_turn * frequency,
+                              .stiffness = std::pow(full_turn * frequency, 2)};
+  int methods = 0;
+  for (const MethodInfo& info : method_infos) {
+    if (!info.takes_fixed_steps()) continue;
+    const EffectiveOscillator seen = effective_oscillator_of(info.name, {}, law, h);
+    const double w = std::hypot(*seen.decay_rate, *seen.angular_frequency);
+    const auto before = law_before_method(info.name, {}, h, w / full_turn, *seen.decay_rate / w);
+    ASSERT_TRUE(before) << info.name;
+    EXPECT_NEAR(before->frequency, frequency, 1e-9) << info.name;
+    EXPECT_NEAR(before->damping_ratio, damping_ratio, 1e-9) << info.name;
+    ++methods;
+  }
+  EXPECT_GT(methods, 8);
+  // Average acceleration swings at pi/h at most.
+  EXPECT_FALSE(law_before_method("newmark", {}, h, 0.6 / h, 0.01));
+}
+
+TEST(RecordingModes, the_share_of_the_method_that_simulated_it_is_taken_out_and_named) {
+  const double h = 0.1;
+  const auto simulated = [&](double frequency, double damping_ratio) {
+    const double w = full_turn * frequency;
+    const EffectiveOscillator seen =
+        effective_oscillator_of("newmark", {}, {.decay_rate = damping_ratio * w, .stiffness = w * w}, h);
+    return std::complex<double>(-*seen.decay_rate, *seen.angular_frequency);
+  };
+  const std::vector<Swing> swings{{simulated(0.7, 0.002), 0.06, 0.05}, {simulated(1.9, 0.01), 0.05, -0.06}};
+  const ModesResult result =
+      modes_in(decay(swings, two_angles, both, 2400, h), {.step = h, .of_method = "newmark"});
+  ASSERT_EQ(result.modes.size(), 2u);
+  EXPECT_NEAR(result.modes[0].frequency.value, 0.7, 1e-8);
+  EXPECT_NEAR(result.modes[0].damping_ratio.value, 0.002, 1e-8);
+  EXPECT_NEAR(result.modes[1].frequency.value, 1.9, 1e-8);
+  EXPECT_NEAR(result.modes[1].damping_ratio.value, 0.01, 1e-8);
+  ASSERT_EQ(result.modes[1].methods.size(), 1u);
+  EXPECT_NEAR(*result.modes[1].methods[0].frequency(), std::abs(swings[1].value) / full_turn, 1e-9);
+  EXPECT_LT(*result.modes[1].methods[0].frequency(), 0.95 * 1.9);
+}
+
+// ../shared/data/networks, as a stranger would.
+TEST(RecordingModes, shear_frame) {
+  std::ifstream file(CROMER_SOURCE_DIR "/../shared/data/networks/shear_frame.csv");
+  if (!file) GTEST_SKIP() << "no ../shared/data";
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  const ModesResult result = modes_in(bytes.str());
+  EXPECT_EQ(result.recording->words.code, "modes_of_random_forces");
+  ASSERT_EQ(result.modes.size(), 4u);
+  EXPECT_NEAR(result.modes[3].frequency.value, 8.3831, 0.006 * 8.3831);
+  EXPECT_EQ(result.recording->quantity, "acceleration");
+}
+
+}  // namespace
+}  // namespace cromer::core
