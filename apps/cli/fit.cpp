@@ -183,7 +183,7 @@ int run_fit(const Arguments& arguments) {
           "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
           "s\" --plot fit.svg\n"
           "  cromer fit rig.csv --force-column Force --hold-out \"25 %\"\n"
-          "  cromer fit pendulums.csv --network pendulums.toml"};
+          "  cromer fit pendulums.csv --network data/networks/pendulums_open.toml"};
   SpringOptions spring;
   const auto of_spring = static_options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());

@@ -13,7 +13,7 @@ namespace cromer::core {
 namespace {
 
 /// The values that are not missing, in one unit.
-Curve curve_of(const std::vector<double>& t, const std::vector<double>& y, double seconds, double unit) {
+Curve known_curve(const std::vector<double>& t, const std::vector<double>& y, double seconds, double unit) {
   Curve curve;
   for (std::size_t n = 0; n < t.size(); ++n) {
     if (std::isnan(y[n])) continue;
@@ -23,7 +23,7 @@ Curve curve_of(const std::vector<double>& t, const std::vector<double>& y, doubl
   return curve;
 }
 
-LengthUnit unit_of(bool angles, double largest) {
+LengthUnit unit_for(bool angles, double largest) {
   if (!angles) return length_unit(largest);
   return largest < 0.02 ? LengthUnit{"mrad", 1e-3} : LengthUnit{"rad", 1};
 }
@@ -47,7 +47,7 @@ Figure network_fit_figure(const FittedNetwork& fitted) {
     largest = std::max(largest, largest_known(channels.each[i].y));
     rest = std::max(rest, largest_known(fitted.fit.columns[i].residual));
   }
-  const LengthUnit length = unit_of(angles, largest), small = unit_of(angles, rest);
+  const LengthUnit length = unit_for(angles, largest), small = unit_for(angles, rest);
   const TimeUnit time = time_unit(channels.t.back());
   const std::string of_time = fmt::format("time {{/:Italic t}} ({})", time.symbol);
 
@@ -65,11 +65,11 @@ Figure network_fit_figure(const FittedNetwork& fitted) {
     Panel panel;
     panel.x.name = of_time;
     panel.y.name = fmt::format("{} ({})", name, length.symbol);
-    panel.curves.push_back(curve_of(channels.t, channels.each[i].y, time.seconds, length.metres));
+    panel.curves.push_back(known_curve(channels.t, channels.each[i].y, time.seconds, length.metres));
     panel.curves.back().role = family_role(i, drawn);
     figure.panels.push_back(std::move(panel));
     residual.curves.push_back(
-        curve_of(channels.t, fitted.fit.columns[i].residual, time.seconds, small.metres));
+        known_curve(channels.t, fitted.fit.columns[i].residual, time.seconds, small.metres));
     residual.curves.back().role = family_role(i, drawn);
     residual.curves.back().name = name;
   }

@@ -20,13 +20,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Level and scatter of a column, without its missing values.
-struct Spread {
+struct ColumnSpread {
   double mean = 0, deviation = 0;
   std::size_t count = 0;
 };
 
-Spread spread_of(std::span<const double> y) {
-  Spread s;
+ColumnSpread column_spread(std::span<const double> y) {
+  ColumnSpread s;
   for (const double each : y)
     if (!std::isnan(each)) s.mean += each, ++s.count;
   if (s.count == 0) return s;
@@ -39,7 +39,7 @@ Spread spread_of(std::span<const double> y) {
 
 /// The usual time [s] from one upward crossing of the mean to the next, of the column that crosses it least
 /// often; the whole record where none does twice. Within a fifth of its scatter a value is at neither side.
-double slowest_period(const NetworkRecord& record, const std::vector<Spread>& spreads) {
+double slowest_period(const NetworkRecord& record, const std::vector<ColumnSpread>& spreads) {
   double longest = 0;
   for (std::size_t i = 0; i < record.y.size(); ++i) {
     int side = 0;
@@ -83,7 +83,7 @@ std::vector<double> filled(std::span<const double> t, std::span<const double> y,
 class EquationsOfMotion {
  public:
   EquationsOfMotion(const Network& network, const std::vector<SoughtValue>& sought,
-                    const NetworkRecord& record, const std::vector<Spread>& spreads, double period)
+                    const NetworkRecord& record, const std::vector<ColumnSpread>& spreads, double period)
       : network_(network), sought_(sought), record_(record), period_(period) {
     for (std::size_t i = 0; i < record.y.size(); ++i)
       y_.push_back(filled(record.t, record.y[i], spreads[i].mean, longest_gap * period));
@@ -212,7 +212,7 @@ Positions positions_of(const Network& network, std::span<const double> t, double
 class NetworkMotions {
  public:
   NetworkMotions(const Network& network, const std::vector<SoughtValue>& sought, const NetworkRecord& record,
-                 const std::vector<Spread>& spreads, const std::vector<double>& scale, double period)
+                 const std::vector<ColumnSpread>& spreads, const std::vector<double>& scale, double period)
       : network_(network),
         sought_(sought),
         record_(record),
@@ -300,7 +300,7 @@ class NetworkMotions {
     const auto place = static_cast<std::size_t>(j);
     if (place < sought_.size()) return 1e-5 * std::max(std::abs(p[j]), scale_[place]);
     double largest = 0;
-    for (const Spread& spread : spreads_) largest = std::max(largest, spread.deviation);
+    for (const ColumnSpread& spread : spreads_) largest = std::max(largest, spread.deviation);
     const bool velocity = (place - sought_.size()) % 3 == 1;
     return 1e-4 * largest * (velocity ? 2 * std::numbers::pi / period_ : 1);
   }
@@ -308,7 +308,7 @@ class NetworkMotions {
   Network network_;
   const std::vector<SoughtValue>& sought_;
   const NetworkRecord& record_;
-  const std::vector<Spread>& spreads_;
+  const std::vector<ColumnSpread>& spreads_;
   std::vector<double> weight_, scale_;  ///< of columns; of changes of values, where these are 0
   double period_, longest_step_ = HUGE_VAL;
 };
@@ -325,7 +325,7 @@ State<double> beginning_of(std::span<const double> t, std::span<const double> y)
 
 /// What is left of each column, and how much that is.
 void put_residuals(NetworkFit& fit, const NetworkMotions& motions, const Parameters& p,
-                   const NetworkRecord& record, const std::vector<Spread>& spreads) {
+                   const NetworkRecord& record, const std::vector<ColumnSpread>& spreads) {
   const Positions x = motions.at(p, record.t.size());
   fit.columns.assign(motions.masses(), {});
   for (std::size_t i = 0; i < motions.masses(); ++i) {
@@ -404,10 +404,10 @@ std::size_t most_sought(std::size_t masses) {
 NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& sought,
                        const NetworkRecord& record, const Watch& watch) {
   NetworkFit fit{.network = network};
-  std::vector<Spread> spreads;
+  std::vector<ColumnSpread> spreads;
   std::size_t samples = 0;
   for (const std::span<const double> y : record.y) {
-    spreads.push_back(spread_of(y));
+    spreads.push_back(column_spread(y));
     samples += spreads.back().count;
     if (!(spreads.back().deviation > 0)) {
       fit.status = FitStatus::no_oscillation;

@@ -73,7 +73,7 @@ Notice value_of_link(const FittedNetwork& result, std::size_t value) {
 }
 
 /// Why the fit did not succeed.
-Notice reason_of(const FittedNetwork& result) {
+Notice why_no_success(const FittedNetwork& result) {
   switch (result.fit.status) {
     case FitStatus::converged:
       return {};
@@ -155,7 +155,7 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
   std::vector<SoughtValue> sought;
   for (const OpenValue& each : network.open) sought.push_back(each.value);
   result.fit = fit_network(network.network, sought, record, watch);
-  result.message = reason_of(result);
+  result.message = why_no_success(result);
   add_doubts(result);
   return result;
 }
