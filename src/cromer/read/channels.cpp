@@ -45,20 +45,28 @@ Result<Channels> take_channels(const Recording& recording, int run, const ReadOp
   std::vector<Series> all;
   Channels channels{.run = run};
   for (const std::size_t j : motion_columns(recording, run)) {
-    auto series = take_series(recording, column_title(recording.table.columns[j]), run, options);
+    const Column& column = recording.table.columns[j];
+    if (std::none_of(column.values.begin(), column.values.end(), [](double y) { return std::isfinite(y); })) {
+      all.emplace_back().column = column_title(column);
+      continue;
+    }
+    auto series = take_series(recording, column_title(column), run, options);
     if (!series) return series.error();
     for (const Notice& notice : series->notices) add_once(channels.notices, notice);
     all.push_back(*std::move(series));
   }
-  // Where no column is a motion by name, take_series says what there is.
-  if (all.empty()) {
+  auto first = std::find_if(all.begin(), all.end(), [](const Series& series) { return !series.t.empty(); });
+  if (first == all.end()) {
+    // Where no column is a motion by name, take_series says what there is.
     auto only = take_series(recording, "", run, options);
     if (!only) return only.error();
     channels.notices = only->notices;
-    all.push_back(*std::move(only));
+    all.assign(1, *std::move(only));
+    first = all.begin();
   }
-  channels.quantity = all.front().quantity;
-  channels.rate = all.front().rate;
+  channels.quantity = first->quantity;
+  channels.unit = unit_of(*first);
+  channels.rate = first->rate;
   const double step = channels.rate > 0 ? 1 / channels.rate : 0;
   channels.t = common_times(all, step);
   for (const Series& series : all) channels.each.push_back(channel_of(series, channels.t, step));

@@ -21,6 +21,7 @@ struct Channel {
 /// At common times, which increase strictly.
 struct Channels {
   std::string quantity{};  ///< of all: position, acceleration, ...
+  std::string unit{};      ///< of the values below
   int run = 1;
   std::vector<double> t{};  // [s] each time that one of them has a value at
   double rate = 0;          // [1/s]
@@ -28,8 +29,8 @@ struct Channels {
   std::vector<Notice> notices{};  ///< what take_series() says of them, said once
 };
 
-/// All motion_columns() of a run, each taken as take_series() takes it; samples that stick out are missing.
-/// An Error if there are none.
+/// All motion_columns() of a run, each taken as take_series() takes it; samples that stick out are missing,
+/// and all of a column without values. An Error if there are none.
 Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options);
 
 }  // namespace cromer::core

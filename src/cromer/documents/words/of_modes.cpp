@@ -44,13 +44,13 @@ constexpr Entry entries[] = {
     {"too_many_masses_for_modes", error, "{file}: {masses} masses; modes are found for at most {most}",
      "{file}: {masses} Massen; Eigenschwingungen werden für höchstens {most} gesucht"},
     {"option_of_recordings", error, "{file}: {option:option} is of recordings, and this is a network",
-     "{file}: {option:option} gilt für Aufzeichnungen, und dies ist ein Netz"},
+     "{file}: {option:option} gilt für Aufnahmeen, und dies ist ein Netz"},
     {"method_of_networks", error,
      "{file}: {--method} is of networks; if this recording was simulated, name its method by {--of-method}",
-     "{file}: {--method} gilt für Netze; wurde diese Aufzeichnung simuliert, bitte ihre Methode mit "
+     "{file}: {--method} gilt für Netze; wurde diese Aufnahme simuliert, bitte ihre Methode mit "
      "{--of-method} nennen"},
     {"step_needs_of_method", error, "{--step} of a recording needs the {--of-method} that took it",
-     "{--step} einer Aufzeichnung braucht die {--of-method}, die ihn machte"},
+     "{--step} einer Aufnahme braucht die {--of-method}, die ihn machte"},
     {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
      "{--of-method} braucht den {--step}, den sie machte"},
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
@@ -112,7 +112,7 @@ constexpr Entry entries[] = {
      "{file}: the columns are of the quantity {quantity}; masses need columns of positions, moments of "
      "inertia "
      "columns of angles",
-     "{file}: die Spalten sind von der Größe {quantity}; Massen brauchen Spalten von Orten, Trägheitsmomente "
+     "{file}: die Spalten sind von einer anderen Größe; Massen brauchen Spalten von Orten, Trägheitsmomente "
      "Spalten von Winkeln"},
     {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
      "{file} hat {runs} Läufe: bitte mit {--run} einen wählen"},
@@ -121,7 +121,8 @@ constexpr Entry entries[] = {
      "the record is too short: it needs one and a half periods of the slowest mass, and three samples for "
      "each "
      "number that is sought",
-     "die Aufnahme ist zu kurz: sie braucht anderthalb Perioden der langsamsten Masse und drei Messwerte für "
+     "die Aufnahme ist zu kurz oder hat zu viele Lücken: sie braucht anderthalb Perioden der langsamsten "
+     "Masse und drei Messwerte für "
      "jede gesuchte Zahl"},
     {"network_explains_little", error,
      "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
@@ -132,7 +133,7 @@ constexpr Entry entries[] = {
      "ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen"},
     {"network_values_undetermined", error,
      "the record tells these values in combination only, not each by itself: {values}; give one of them",
-     "die Aufnahme sagt diese Werte nur zusammen, nicht jeden für sich: {values}; bitte einen davon angeben"},
+     "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
     {"network_not_converged", error, "the fit has not converged after {iterations:iteration|iterations}",
      "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert"},
     {"network_value_may_be_zero", worth_knowing, "{what} may be 0: its interval holds 0",
@@ -168,7 +169,7 @@ constexpr Entry entries[] = {
      "no mode was found: no pole keeps its frequency, damping and shape as the model grows",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst"},
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
-     "keine Eigenschwingung gefunden: die Aufzeichnung ist zu kurz für ihre langsamste Bewegung"},
+     "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,
@@ -203,7 +204,7 @@ constexpr Entry entries[] = {
      "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one would "
      "make its "
      "intervals surer",
-     "die Aufzeichnung enthält nur {times:.2g} Abklingzeiten der Eigenschwingung bei {frequency:.4g} Hz: "
+     "die Aufnahme enthält nur {times:.2g} Abklingzeiten der Eigenschwingung bei {frequency:.4g} Hz: "
      "eine längere "
      "macht ihre Vertrauensbereiche sicherer"},
     {"peak_without_mode", worth_knowing,

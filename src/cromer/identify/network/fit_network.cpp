@@ -56,7 +56,7 @@ double slowest_period(const NetworkRecord& record, const std::vector<ColumnSprea
   return longest > 0 ? longest : record.t.back() - record.t.front();
 }
 
-/// The force of a law [N] on what it pulls back, and of its part that a coefficient of 1 has.
+/// The force [N or N m] with which a law pulls back.
 double force_of(const Oscillator<double>& law, double u, double rate) {
   const Law present = law_of(law);
   return resisting_force<any_terms>(law, present, u, rate) + restoring_force<any_terms>(law, present, u);
@@ -89,7 +89,7 @@ class EquationsOfMotion {
       y_.push_back(filled(record.t, record.y[i], spreads[i].mean, longest_gap * period));
   }
 
-  /// False where the record tells less.
+  /// False if the record does not determine them.
   bool solve_for(std::vector<double>& values) const {
     const std::size_t samples = record_.t.size();
     const double step = (record_.t.back() - record_.t.front()) / static_cast<double>(samples - 1);
@@ -313,7 +313,7 @@ class NetworkMotions {
   double period_, longest_step_ = HUGE_VAL;
 };
 
-/// A straight line through the first samples of a column: where it begins, and how fast.
+/// A parabola through the first samples of a column: where it begins, and how fast.
 State<double> beginning_of(std::span<const double> t, std::span<const double> y) {
   NormalEquations sums;
   sums.size = 3;
@@ -343,16 +343,20 @@ void put_residuals(NetworkFit& fit, const NetworkMotions& motions, const Paramet
 /// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
 /// all columns and modes.
 double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
-  const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
   const std::vector<ComplexMode> modes = complex_modes(linearised(fit.network));
   double widest = 1;
   for (const FittedColumn& column : fit.columns) {
-    std::vector<double> r = column.residual;
-    std::erase_if(r, [](double each) { return std::isnan(each); });
-    const std::vector<double> rho = autocorrelations(r, first_lags(r.size()));
+    std::vector<double> t, r;
+    for (std::size_t n = 0; n < record.t.size(); ++n)
+      if (!std::isnan(column.residual[n])) {
+        t.push_back(record.t[n]);
+        r.push_back(column.residual[n]);
+      }
+    const SampleGrid grid = find_grid(t);
+    const Autoregression noise = autoregression_of(r, autocorrelations(r, grid, first_lags(r.size())), grid);
     for (const ComplexMode& mode : modes) {
-      const double angle = std::sqrt(std::abs(mode.law().stiffness)) * step;
-      if (angle < std::numbers::pi) widest = std::max(widest, correlation_factor(r, rho, angle));
+      const double angle = std::sqrt(std::abs(mode.law().stiffness)) * grid.step;
+      if (angle < std::numbers::pi) widest = std::max(widest, noise.density(angle));
     }
   }
   return widest;

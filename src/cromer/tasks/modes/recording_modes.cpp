@@ -1,84 +1,63 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "cromer/base/add_once.h"
-#include "cromer/base/extent.h"
-#include "cromer/read/columns.h"
+#include "cromer/base/quantile.h"
+#include "cromer/read/channels.h"
 #include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/modes/modes_options.h"
 
 namespace cromer::core {
 namespace {
 
-// Channels at the same times.
-struct AlignedChannels {
-  std::vector<Series> series;  ///< without values: their names and units
-  std::vector<double> t;       // [s]
-  std::vector<std::vector<double>> values;
-};
-
-bool is_still(const std::vector<double>& values) {
-  const auto [low, high] = extent_of(values);
-  return !(high > low);
+bool is_still(const Channel& channel) {
+  std::optional<double> level;
+  for (const double y : channel.y) {
+    if (std::isnan(y)) continue;
+    if (level && y != *level) return false;
+    level = y;
+  }
+  return true;
 }
 
-/// The columns that move, and what there is to say of the others.
-Result<AlignedChannels> take_channels(const Recording& recording, const ReadOptions& reading,
-                                      std::vector<Notice>& notices) {
-  constexpr int run = 1;
+/// The columns that move, at the times that all of them have, and what there is to say of the others.
+Result<Channels> moving_channels(const Recording& recording, const ReadOptions& reading,
+                                 std::vector<Notice>& notices) {
   if (const auto all = runs(recording); all.size() > 1)
     return Error{"modes_of_one_run", {{"file", recording.file}, {"runs", all.size()}}};
-  std::vector<Series> taken;
-  for (const std::size_t j : motion_columns(recording, run)) {
-    const Column& column = recording.table.columns[j];
-    const std::string title = column_title(column);
-    const auto missing = std::count_if(column.values.begin(), column.values.end(),
-                                       [](double each) { return std::isnan(each); });
-    if (2 * static_cast<std::size_t>(missing) > column.values.size()) {
-      notices.push_back(Notice{"channel_left_out_empty", {{"column", title}}});
+  auto taken = take_channels(recording, 1, reading);
+  if (!taken) return taken.error();
+  Channels channels = *std::move(taken);
+  const auto leave_out = [&](const char* code, const auto& why) {
+    std::erase_if(channels.each, [&](const Channel& channel) {
+      if (!why(channel)) return false;
+      std::erase_if(channels.notices, [&](const Notice& each) {
+        return each == Notice{"column_never_changes", {{"column", channel.column}}};
+      });
+      notices.push_back(Notice{code, {{"column", channel.column}}});
+      return true;
+    });
+  };
+  leave_out("channel_left_out_empty",
+            [&](const Channel& channel) { return 2 * channel.missing > channels.t.size(); });
+  leave_out("channel_left_out_still", is_still);
+  for (const Notice& notice : channels.notices) add_once(notices, notice);
+  if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
+
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < channels.t.size(); ++n) {
+    if (std::any_of(channels.each.begin(), channels.each.end(),
+                    [&](const Channel& channel) { return std::isnan(channel.y[n]); }))
       continue;
-    }
-    auto series = take_series(recording, title, run, reading);
-    if (!series) return series.error();
-    for (const Notice& notice : series->notices) add_once(notices, notice);
-    if (is_still(series->y)) {
-      notices.push_back(Notice{"channel_left_out_still", {{"column", title}}});
-      continue;
-    }
-    taken.push_back(*std::move(series));
+    for (Channel& channel : channels.each) channel.y[kept] = channel.y[n];
+    channels.t[kept++] = channels.t[n];
   }
-  if (taken.empty()) {
-    // Says which columns there are.
-    if (auto series = take_series(recording, "", run, reading); !series && notices.empty())
-      return series.error();
-    return Error{"no_channel_moves", {{"file", recording.file}}};
-  }
-  // Times that all of them have.
-  AlignedChannels channels;
-  channels.t = taken.front().t;
-  for (const Series& each : taken) {
-    std::vector<double> both;
-    std::set_intersection(channels.t.begin(), channels.t.end(), each.t.begin(), each.t.end(),
-                          std::back_inserter(both));
-    channels.t = std::move(both);
-  }
-  std::size_t longest = 0;
-  for (Series& each : taken) {
-    longest = std::max(longest, each.t.size());
-    std::vector<double> values;
-    for (std::size_t i = 0, k = 0; i < each.t.size() && k < channels.t.size(); ++i)
-      if (each.t[i] == channels.t[k]) {
-        values.push_back(each.y[i]);
-        ++k;
-      }
-    channels.values.push_back(std::move(values));
-    each.t.clear();
-    each.y.clear();
-    channels.series.push_back(std::move(each));
-  }
-  if (channels.t.size() < longest)
-    notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", longest - channels.t.size()}}});
+  if (kept < channels.t.size())
+    notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", channels.t.size() - kept}}});
+  channels.t.resize(kept);
+  for (Channel& channel : channels.each) channel.y.resize(kept);
   return channels;
 }
 
@@ -86,10 +65,7 @@ Result<AlignedChannels> take_channels(const Recording& recording, const ReadOpti
 void find_stretches(ModalRecord& record, const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double median = *middle;
+  const double median = upper_median(steps);
   double sum = 0;
   std::size_t count = 0;
   record.starts = {0};
@@ -202,16 +178,16 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     return Error{"frequencies_reversed"};
 
   ModesResult result{.file = recording.file, .notices = recording.notices};
-  const auto channels = take_channels(recording, options.read, result.notices);
+  const auto channels = moving_channels(recording, options.read, result.notices);
   if (!channels) return channels.error();
   constexpr std::size_t fewest = 40;
   if (channels->t.size() < fewest)
     return Error{"too_few_samples_for_modes",
                  {{"file", recording.file}, {"samples", channels->t.size()}, {"fewest", fewest}}};
   ModalRecord record;
-  for (const auto& each : channels->values) record.channels.emplace_back(each);
+  for (const Channel& each : channels->each) record.channels.emplace_back(each.y);
   find_stretches(record, channels->t);
-  for (const Series& each : channels->series) result.names.push_back(each.column);
+  for (const Channel& each : channels->each) result.names.push_back(each.column);
   if (record.channels.size() == 1)
     result.notices.push_back(Notice{"one_channel", {{"column", result.names.front()}}});
   if (const double drift = clock_drift(record); drift != 0)
@@ -222,8 +198,8 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   settings.from = options.from_frequency.value_or(0) / full_turn;
   if (options.to_frequency) settings.to = *options.to_frequency / full_turn;
   settings.modes = options.modes.value_or(0);
-  result.recording = ModalSource{.quantity = channels->series.front().quantity,
-                                 .unit = unit_of(channels->series.front()),
+  result.recording = ModalSource{.quantity = channels->quantity,
+                                 .unit = channels->unit,
                                  .samples = channels->t.size(),
                                  .rate = 1 / record.step,
                                  .duration = channels->t.back() - channels->t.front(),

@@ -145,8 +145,8 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
                        .network_file = network_file,
                        .channels = *std::move(channels),
                        .asked = network};
-  if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
   if (auto good = crop(result.channels, options); !good) return good.error();
+  if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
   result.notices = recording.notices;
   result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
 
