@@ -14,7 +14,6 @@
 #include <cromer/export.h>
 #include <cromer/notice.h>
 #include <cromer/oscillator.h>
-#include <cromer/progress.h>
 #include <cromer/quantity.h>
 #include <cromer/read.h>
 #include <cromer/result.h>

@@ -11,7 +11,6 @@
 #include <cromer/methods.h>
 #include <cromer/notice.h>
 #include <cromer/oscillator.h>
-#include <cromer/progress.h>
 #include <cromer/result.h>
 #include <cromer/status.h>
 #include <cromer/trajectory.h>

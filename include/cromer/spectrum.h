@@ -13,8 +13,8 @@
 #include <cromer/drive.h>
 #include <cromer/export.h>
 #include <cromer/notice.h>
-#include <cromer/progress.h>
 #include <cromer/result.h>
+#include <cromer/status.h>
 
 namespace cromer {
 

@@ -1,9 +1,15 @@
-// How a computation ended and what it cost.
+// How a computation is watched, how it ended and what it cost.
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 namespace cromer {
+
+/// Called up to twenty times a second with the share done, 0 to 1: from the calling thread or from one that
+/// works for it, never from two at once. Returning false ends the work: what exists by then comes back, with
+/// `interrupted` true. May be empty.
+using Progress = std::function<bool(double done)>;
 
 /// How a run ended.
 enum class Status {

@@ -11,8 +11,8 @@
 #include <cromer/methods.h>
 #include <cromer/notice.h>
 #include <cromer/oscillator.h>
-#include <cromer/progress.h>
 #include <cromer/result.h>
+#include <cromer/status.h>
 
 namespace cromer {
 

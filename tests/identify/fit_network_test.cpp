@@ -131,12 +131,15 @@ TEST(FitNetwork, SaysWhatTheRecordDoesNotTell) {
   // Two links side by side: their sum alone is known.
   Network truth = pendulums();
   truth.links.push_back({0, 1, {.stiffness = 0.01}});
-  const std::vector<SoughtValue> sought{{2, &Oscillator<double>::stiffness, false},
+  const std::vector<SoughtValue> sought{{0, &Oscillator<double>::stiffness, false},
+                                        {2, &Oscillator<double>::stiffness, false},
                                         {3, &Oscillator<double>::stiffness, false}};
   const Made data = made(truth, 1500, 0.02, 5e-4, 2);
   const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
   EXPECT_EQ(fit.status, FitStatus::undetermined);
-  EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{1, 2}));
+  EXPECT_NEAR(fit.values[0].value, 0.981, 4 * fit.values[0].standard_error);
+  EXPECT_TRUE(std::isnan(fit.values[1].standard_error));
 }
 
 TEST(FitNetwork, RefusesAShortAndADeadRecord) {

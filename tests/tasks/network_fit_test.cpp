@@ -104,8 +104,7 @@ TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {
 TEST(NetworkFit, SaysWhatIsWrong) {
   const NetworkFile file = file_of(pendulums());
   EXPECT_THAT(refusal("Time (s),Angle 1 (rad)\n0,1\n1,2\n", file), HasSubstr("1 column of the motion"));
-  EXPECT_THAT(refusal(beats("Position 1 (m)", "Position 2 (m)"), file),
-              HasSubstr("columns are of the quantity position"));
+  EXPECT_THAT(refusal(beats("Position 1 (m)", "Position 2 (m)"), file), HasSubstr("of another quantity"));
   NetworkFile nothing_open = file;
   nothing_open.open.clear();
   EXPECT_THAT(refusal(beats(), nothing_open), HasSubstr("no value is open"));
@@ -114,7 +113,7 @@ TEST(NetworkFit, SaysWhatIsWrong) {
   EXPECT_THAT(refusal(beats(), file, late), HasSubstr("no sample is left"));
   FitOptions shortly;
   shortly.to = 1;
-  EXPECT_THAT(refusal(beats(), file, shortly), HasSubstr("the record is too short"));
+  EXPECT_THAT(refusal(beats(), file, shortly), HasSubstr("one and a half swings of each mass"));
   EXPECT_THAT(refusal(beats(), file_of(pendulums("\"?\"\n[[link]]\nfrom = \"right\"\nto = \"left\"\n"
                                                  "stiffness = \"?\""))),
               HasSubstr("in combination only"));

@@ -158,6 +158,7 @@ TEST(RecordingModes, bad_options_are_refused) {
   EXPECT_EQ(refusal(bytes, {.method = {"newmark"}, .step = 0.01}), "method_of_networks");
   EXPECT_EQ(refusal(bytes, {.of_method = "newmark"}), "of_method_needs_step");
   EXPECT_EQ(refusal(bytes, {.step = 0.01}), "step_needs_of_method");
+  EXPECT_EQ(refusal(bytes, {.step = 0.5, .of_method = "newmark"}), "step_not_of_record");
   EXPECT_EQ(refusal(bytes, {.step = 0.01, .of_method = "dormand-prince"}), "method_without_steps");
   EXPECT_EQ(refusal(bytes, {.from_frequency = 3, .to_frequency = 2}), "frequencies_reversed");
   EXPECT_EQ(refusal(decay(pendulums, two_angles, both, 39)), "too_few_samples_for_modes");

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/progress.h"
+#include "cromer/status.h"
 
 namespace cromer::core {
 

@@ -109,21 +109,20 @@ constexpr Entry entries[] = {
      "{file}: {columns:Spalte|Spalten} der Bewegung ({names}), und das Netz hat {masses:Masse|Massen}: jede "
      "Masse braucht ihre Spalte, in der Reihenfolge der Datei des Netzes"},
     {"network_of_another_quantity", error,
-     "{file}: the columns are of the quantity {quantity}; masses need columns of positions, moments of "
-     "inertia "
-     "columns of angles",
-     "{file}: die Spalten sind von einer anderen Größe; Massen brauchen Spalten von Orten, Trägheitsmomente "
-     "Spalten von Winkeln"},
+     "{file}: the columns of the motion are of another quantity; masses need columns of positions, moments "
+     "of "
+     "inertia columns of angles",
+     "{file}: die Spalten der Bewegung sind von einer anderen Größe; Massen brauchen Spalten von Orten, "
+     "Trägheitsmomente Spalten von Winkeln"},
     {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
      "{file} hat {runs} Läufe: bitte mit {--run} einen wählen"},
     {"value_of_link", clause, "{value} of {from}–{to}", "{value} von {from}–{to}"},
     {"network_record_too_short", error,
-     "the record is too short: it needs one and a half periods of the slowest mass, and three samples for "
-     "each "
-     "number that is sought",
-     "die Aufnahme ist zu kurz oder hat zu viele Lücken: sie braucht anderthalb Perioden der langsamsten "
-     "Masse und drei Messwerte für "
-     "jede gesuchte Zahl"},
+     "the record does not determine the values: it needs one and a half swings of each mass about its rest, "
+     "few gaps, and three samples for each number that is sought",
+     "die Aufnahme bestimmt die Werte nicht: sie braucht anderthalb Schwingungen jeder Masse um ihre "
+     "Ruhelage, "
+     "wenige Lücken und drei Messwerte für jede gesuchte Zahl"},
     {"network_explains_little", error,
      "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
      "or "
@@ -214,6 +213,15 @@ constexpr Entry entries[] = {
      "das Spektrum hat bei {frequency:.4g} Hz einen Gipfel, der keine Eigenschwingung ist: dort läuft "
      "vielleicht "
      "eine Maschine, oder zwei Eigenschwingungen liegen zu nah beieinander"},
+    {"step_not_of_record", error,
+     "{--step}: the rows are {spacing} s apart, which is no whole number of steps of {step:.6g} s",
+     "{--step}: die Zeilen liegen {spacing} s auseinander, das ist keine ganze Zahl von Schritten von "
+     "{step:.6g} s"},
+    {"method_couples_modes", wrong_if_ignored,
+     "damping couples the modes: what {method} made of each is taken off as of a single oscillator, and the "
+     "damping ratios are further from the law than their intervals say",
+     "die Dämpfung koppelt die Eigenschwingungen: was {method} aus jeder machte, ist wie bei einem einzelnen "
+     "Oszillator abgezogen, und die Dämpfungsgrade liegen weiter vom Gesetz, als ihre Intervalle sagen"},
     {"no_law_before_method", wrong_if_ignored,
      "no linear law simulated by {method} with a step of {step:.6g} s swings at {frequency:.6g} Hz as this "
      "mode "

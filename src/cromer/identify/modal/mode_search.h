@@ -16,8 +16,8 @@ struct ModeSearch {
   int highest_order = 0;
 };
 
-/// The lags span about four periods of the lowest peak, and are as far apart as the highest one allows. `peaks`: of
-/// the record's spectral matrix. Empty where the record is too short.
+/// The lags span about four periods of the lowest peak, and are as far apart as the highest one allows.
+/// `peaks`: of the record's spectral matrix. Empty where the record is too short.
 std::optional<ModeSearch> search_modes(const ModalRecord& record, const std::vector<SpectralPeak>& peaks,
                                        const ModalSettings& settings);
 

@@ -381,10 +381,16 @@ void put_estimates(NetworkFit& fit, const std::vector<SoughtValue>& sought, cons
   fit.independent_samples = static_cast<double>(samples) / widening_of(fit, record);
   const double degrees = std::max(1.0, fit.independent_samples - equations.size);
   const double variance = equations.sum_of_squares / degrees, t = student_95(degrees);
-  const SquareMatrix covariance = inverse(equations.matrix, equations.size);
+  // With one of those held that are told in combination only, the others are told as well as they are.
+  auto free = all_free;
+  if (!fit.undetermined.empty()) free[fit.undetermined.front()] = false;
+  const ScaledCholesky factor(equations.matrix, equations.size, 0, free);
   const auto estimate_of = [&](std::size_t j) {
-    const double error = std::sqrt(variance * covariance[j][j]);
-    return make_estimate(p[j], std::isfinite(error) ? error : nan, t);
+    const bool known = factor.ok() && std::find(fit.undetermined.begin(), fit.undetermined.end(), j) ==
+                                          fit.undetermined.end();
+    Parameters unit{};
+    unit[j] = 1;
+    return make_estimate(p[j], known ? std::sqrt(variance * factor.solve(unit)[j]) : nan, t);
   };
   for (std::size_t j = 0; j < sought.size(); ++j) {
     fit.values.push_back(estimate_of(j));

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/quantile.h"
+#include "cromer/base/quantity.h"
+#include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
 #include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/modes/modes_options.h"
@@ -165,6 +168,26 @@ void take_out(NaturalMode& mode, const ModesOptions& options, std::vector<Notice
   mode.methods.push_back({options.of_method, h, *effect, effect_notice(*effect, before->law)});
 }
 
+/// Rows come a whole number of steps apart.
+Result<void> check_step_of(const ModesOptions& options, double spacing) {
+  if (options.of_method.empty()) return {};
+  const double steps = spacing / *options.step;
+  constexpr double close = 1e-3;
+  if (std::round(steps) >= 1 && std::abs(steps - std::round(steps)) <= close * steps) return {};
+  return Error{"step_not_of_record", {{"step", *options.step}, {"spacing", rounded(spacing, 6)}}};
+}
+
+/// Where damping couples the modes, a composed explicit method makes something of them together.
+bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& modes) {
+  const MethodInfo* info = options.of_method.empty() ? nullptr : find_method(options.of_method);
+  if (!info || !info->symplectic || info->implicit || modes.size() < 2) return false;
+  constexpr double seen = 0.02;  // of a shape's largest component, across its phase
+  return std::any_of(modes.begin(), modes.end(), [](const NaturalMode& mode) {
+    return std::any_of(mode.shape.begin(), mode.shape.end(),
+                       [](const std::complex<double>& z) { return std::abs(z.imag()) > seen; });
+  });
+}
+
 }  // namespace
 
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options) {
@@ -187,6 +210,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   ModalRecord record;
   for (const Channel& each : channels->each) record.channels.emplace_back(each.y);
   find_stretches(record, channels->t);
+  if (auto good = check_step_of(options, record.step); !good) return good.error();
   for (const Channel& each : channels->each) result.names.push_back(each.column);
   if (record.channels.size() == 1)
     result.notices.push_back(Notice{"one_channel", {{"column", result.names.front()}}});
@@ -217,6 +241,8 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.recording->words = motion_in_words(found);
     doubt_modes(found, options, result.notices);
   }
+  if (couples_modes(options, result.modes))
+    result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty())
     for (NaturalMode& mode : result.modes) take_out(mode, options, result.notices);
   return result;

@@ -44,8 +44,7 @@ Result<void> check_columns(const Channels& channels, const NetworkFile& network,
                  {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", masses}}};
   const char* wanted = network.network.angles ? "angle" : "position";
   if (!channels.quantity.empty() && channels.quantity != wanted)
-    return Error{"network_of_another_quantity",
-                 {{"file", file}, {"quantity", channels.quantity}, {"wanted", wanted}}};
+    return Error{"network_of_another_quantity", {{"file", file}}};
   for (const Channel& channel : channels.each)
     if (channel.missing == channels.t.size())
       return Error{in_file(
