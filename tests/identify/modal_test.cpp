@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "cromer/analysis/complex_modes.h"
 #include "cromer/identify/modal/block_correlations.h"
 #include "cromer/identify/modal/subspace.h"
 
@@ -118,6 +119,15 @@ Channels shared_recording(const std::string& name) {
   if (times.size() > 1)
     channels.step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   return channels;
+}
+
+TEST(Modal, a_gap_begins_a_stretch_where_it_is) {
+  std::vector<double> t;
+  for (int i = 0; i < 100; ++i) t.push_back(0.1 * i + (i < 30 ? 0 : 2) + (i < 70 ? 0 : 5));
+  ModalRecord record;
+  set_times(record, t);
+  EXPECT_EQ(record.starts, (std::vector<std::size_t>{0, 30, 70}));
+  EXPECT_NEAR(record.step, 0.1, 1e-12);
 }
 
 TEST(Modal, modal_assurance_is_one_for_the_same_shape_turned_and_nought_for_an_orthogonal_one) {

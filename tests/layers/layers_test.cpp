@@ -38,7 +38,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"identify/diagnose",
        {"base", "model", "methods", "run", "analysis", "identify", "identify/least_squares",
         "identify/motion"}},
-      {"identify/modal", {"base", "identify/least_squares"}},
+      {"identify/modal", {"base", "analysis", "identify/least_squares"}},
       {"identify/choose",
        {"base", "model", "methods", "run", "analysis", "identify", "identify/least_squares",
         "identify/motion", "identify/start", "identify/diagnose"}},

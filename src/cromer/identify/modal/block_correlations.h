@@ -17,7 +17,7 @@ struct ScaledChannels {
 /// No channel may be constant.
 ScaledChannels scale_channels(const ModalRecord& record);
 
-/// Sums over time of y(t + l h) y(t)ᵀ for the lags l = first, first + stride, ...; side by side, channels
+/// Sums over time of y(t + l h) y(t)ᵀ for the lags l = stride, 2 stride, ...; side by side, channels
 /// wide each.
 struct BlockCorrelations {
   int channels = 0, lags = 0, stride = 1;

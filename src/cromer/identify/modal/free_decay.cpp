@@ -7,6 +7,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "cromer/analysis/complex_modes.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/least_squares/uncertainty.h"

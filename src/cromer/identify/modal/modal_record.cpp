@@ -1,16 +1,27 @@
 #include "cromer/identify/modal/modal_record.h"
 
+#include "cromer/base/quantile.h"
+
 namespace cromer::core {
 
-double modal_assurance(std::span<const std::complex<double>> a, std::span<const std::complex<double>> b) {
-  std::complex<double> product = 0;
-  double size_a = 0, size_b = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    product += std::conj(a[i]) * b[i];
-    size_a += std::norm(a[i]);
-    size_b += std::norm(b[i]);
+void set_times(ModalRecord& record, const std::vector<double>& t) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
+  std::vector<double> sorted = steps;
+  const double gap = 1.75 * upper_median(sorted);
+  double sum = 0;
+  std::size_t count = 0;
+  record.starts = {0};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] > gap) {
+      record.starts.push_back(i + 1);
+      continue;
+    }
+    sum += steps[i];
+    ++count;
   }
-  return std::norm(product) / (size_a * size_b);
+  record.step = sum / static_cast<double>(count);
+  record.times = t;
 }
 
 }  // namespace cromer::core

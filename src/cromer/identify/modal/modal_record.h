@@ -16,7 +16,7 @@ struct ModalRecord {
   std::vector<std::span<const double>> channels;  ///< at least one; all of one length, no NaN
   double step = 1;                                // [s] > 0 from sample to sample
   std::vector<std::size_t> starts{0};  ///< the first sample of each stretch without a gap, from 0 on
-  std::vector<double> times{};         // [s] of the samples; empty if there is no gap
+  std::vector<double> times{};         // [s] of the samples; empty: one step apart from 0 on
 
   std::size_t samples() const { return channels.front().size(); }
   double time(std::size_t i) const { return times.empty() ? static_cast<double>(i) * step : times[i]; }
@@ -52,8 +52,8 @@ struct StabilityPole {
   std::vector<std::complex<double>> shape;
 };
 
-/// Modal assurance criterion: 1 for the same shape, 0 for orthogonal ones (R. J. Allemang & D. L. Brown,
-/// Proc. 1st Int. Modal Analysis Conf., 110 (1982)). Of one length, neither all zero.
-double modal_assurance(std::span<const std::complex<double>> a, std::span<const std::complex<double>> b);
+/// Gives the record the times [s] of its samples, which rise strictly, at least two: the step is the mean of
+/// those that are no gaps, and a gap is longer than 1.75 medians.
+void set_times(ModalRecord& record, const std::vector<double>& t);
 
 }  // namespace cromer::core

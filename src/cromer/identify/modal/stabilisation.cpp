@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "cromer/analysis/complex_modes.h"
+
 namespace cromer::core {
 namespace {
 

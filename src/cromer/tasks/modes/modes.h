@@ -1,4 +1,4 @@
-// Task: the modes of a network, and what methods really simulate of them.
+// Task: the modes of a network or of a recording, and what methods make of them.
 #pragma once
 
 #include <complex>

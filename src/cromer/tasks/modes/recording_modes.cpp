@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "cromer/base/add_once.h"
-#include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
@@ -62,26 +61,6 @@ Result<Channels> moving_channels(const Recording& recording, const ReadOptions& 
   channels.t.resize(kept);
   for (Channel& channel : channels.each) channel.y.resize(kept);
   return channels;
-}
-
-/// The even grid of the times: its step, and where stretches without a gap begin.
-void find_stretches(ModalRecord& record, const std::vector<double>& t) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
-  const double median = upper_median(steps);
-  double sum = 0;
-  std::size_t count = 0;
-  record.starts = {0};
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i] > 1.75 * median) {
-      record.starts.push_back(i + 1);
-      continue;
-    }
-    sum += steps[i];
-    ++count;
-  }
-  record.step = sum / static_cast<double>(count);
-  record.times = t;
 }
 
 /// How much longer the steps are in the last third than in the first, gaps apart; 0 unless it is seen
@@ -209,7 +188,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
                  {{"file", recording.file}, {"samples", channels->t.size()}, {"fewest", fewest}}};
   ModalRecord record;
   for (const Channel& each : channels->each) record.channels.emplace_back(each.y);
-  find_stretches(record, channels->t);
+  set_times(record, channels->t);
   if (auto good = check_step_of(options, record.step); !good) return good.error();
   for (const Channel& each : channels->each) result.names.push_back(each.column);
   if (record.channels.size() == 1)
