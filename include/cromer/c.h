@@ -39,17 +39,21 @@ enum {
  * request: a JSON object (UTF-8; NULL or "" for {}) whose names are the options of the program with _ for -:
  * {"mass": "217.6 ± 0.3 g", "law": "auto"}. Numbers are SI, texts may have units, [0.2176, 0.0003] is a value
  * with its standard uncertainty; an option that has a grid or may be given several times takes a list. "file"
- * names the recording of read, fit, compare, modes and spectrum, or the network of modes. "language" is the
- * language of the document's sentences, "en" (if not given) or "de".
+ * names the recording of read, fit, compare, modes and spectrum. "network", of simulate, fit and modes, is a
+ * network of masses: its file, or an object as the file would be, {"mass": [{"name": "left", "mass": "2 kg"},
+ * ...], "link": [...]}. "language" is the language of the document's sentences, "en" (if not given) or "de".
  *
  * Arrays in. fit: t [s], y [SI unit of "observed": position (if not given), angle, velocity,
- * angular_velocity or acceleration] and force [N]. compare: t and y. simulate: force [N] or acceleration
- * [m/s^2] of the ground, with "spacing" [s]. spectrum: acceleration [m/s^2], second [m/s^2] and periods [s],
- * with "spacing" [s]. sweep: any option that has a grid, by its name, for instance drive_frequency.
+ * angular_velocity or acceleration] and force [N]; with a network t and one array for each mass, in the order
+ * of the network. modes: t, and all others are channels [SI unit of "observed"]. compare: t and y. simulate:
+ * force [N] or acceleration [m/s^2] of the ground, with "spacing" [s]. spectrum: acceleration [m/s^2], second
+ * [m/s^2] and periods [s], with "spacing" [s]. sweep: any option that has a grid, by its name, for instance
+ * drive_frequency.
  *
  * Arrays out. read: each column by its title. fit: of run 1 "1.t", "1.measured", "1.residual", "1.x", "1.v".
- * simulate: of the first run "1.t", "1.x", "1.v", "1.energy", and "1.sensor" if there is one. compare: of the
- * first curve of run 1 "1.1.t", "1.1.x", "1.1.v". spectrum: "period", "displacement" (of the first
+ * simulate: of the first run "1.t", "1.x", "1.v", "1.energy", and "1.sensor" if there is one. Of a network's
+ * mass left "1.left.x" and "1.left.v", and if it is fitted "1.left.measured" and "1.left.residual". compare:
+ * of the first curve of run 1 "1.1.t", "1.1.x", "1.1.v". spectrum: "period", "displacement" (of the first
  * component), of two components "rotd50" and "rotd100"; with several damping ratios "1.displacement" and so
  * on. sweep: each column of its rows by its title, "amplitude (m)". NULL only if memory has run out. */
 CROMER_API cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays,

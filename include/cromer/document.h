@@ -7,7 +7,7 @@
 #include <cromer/export.h>
 #include <cromer/fit.h>
 #include <cromer/methods.h>
-#include <cromer/modes.h>
+#include <cromer/network.h>
 #include <cromer/notice.h>
 #include <cromer/simulate.h>
 #include <cromer/spectrum.h>
@@ -23,27 +23,35 @@ CROMER_API std::string json(const Comparison& comparison, Language language = La
 CROMER_API std::string json(const ResponseSpectrum& spectrum, Language language = Language::english);
 CROMER_API std::string json(const FrequencyResponse& response, Language language = Language::english);
 CROMER_API std::string json(const Modes& modes, Language language = Language::english);
+CROMER_API std::string json(const NetworkFit& fit, Language language = Language::english);
 /// With the kept states, or without them.
 CROMER_API std::string json(const Simulation& simulation, bool with_states = true,
+                            Language language = Language::english);
+CROMER_API std::string json(const NetworkSimulation& simulation, bool with_states = true,
                             Language language = Language::english);
 
 /// A table with a header row; every number reads back as the same double. A fit: one row, with its numbers,
 /// their standard errors and 95 % intervals. A comparison: the measured and simulated motions. A simulation:
-/// its states. Modes: a row for each. "" of a result that no call has filled, and of a spectrum that was
-/// interrupted.
+/// its states. Modes: a row for each. A fitted network: a row for each value found. "" of a result that no
+/// call has filled, and of a spectrum that was interrupted.
 CROMER_API std::string csv(const LawFit& fit);
 CROMER_API std::string csv(const Comparison& comparison);
 CROMER_API std::string csv(const ResponseSpectrum& spectrum);
 CROMER_API std::string csv(const FrequencyResponse& response);
 CROMER_API std::string csv(const Modes& modes);
 CROMER_API std::string csv(const Simulation& simulation);
+CROMER_API std::string csv(const NetworkSimulation& simulation);
+CROMER_API std::string csv(const NetworkFit& fit);
 
-/// The program's figure of the result as an SVG document. "" of a result that no call has filled, and of one
-/// that was interrupted before there was anything to draw.
+/// The program's figure of the result as an SVG document. "" of a result that no call has filled, of one that
+/// was interrupted before there was anything to draw, and of the modes of a network.
 CROMER_API std::string svg(const LawFit& fit);
 CROMER_API std::string svg(const Comparison& comparison);
 CROMER_API std::string svg(const ResponseSpectrum& spectrum);
 CROMER_API std::string svg(const FrequencyResponse& response);
+CROMER_API std::string svg(const Modes& modes);
 CROMER_API std::string svg(const Simulation& simulation);
+CROMER_API std::string svg(const NetworkSimulation& simulation);
+CROMER_API std::string svg(const NetworkFit& fit);
 
 }  // namespace cromer

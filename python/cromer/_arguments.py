@@ -36,9 +36,25 @@ def request_of(options: Mapping[str, Any], verb: str) -> Dict[str, Any]:
 
 def arrays_of(arrays: Mapping[str, Any], observed: Optional[str] = None) -> Dict[str, Any]:
     """The arrays, quantities of pint in SI units."""
-    units = {**_ARRAYS, "y": _OBSERVED.get(observed or "position", "")}
-    return {name: _of_pint(name, values, units[name]) if hasattr(values, "to_base_units") else values
-            for name, values in arrays.items()}
+    units = {**_ARRAYS, "y": unit_of_observed(observed)}
+    return {name: in_unit(name, values, units[name]) for name, values in arrays.items()}
+
+
+def plain(name: str, value: Any) -> Any:
+    """A value of a network, in the form that a request has; quantities of pint in the units of SI."""
+    if hasattr(value, "to_base_units"):
+        value = value.to_base_units().magnitude
+    return _plain(name, value, "Value", "")
+
+
+def in_unit(name: str, values: Any, unit: str) -> Any:
+    """An array; of pint its magnitude in this unit."""
+    return _of_pint(name, values, unit) if hasattr(values, "to_base_units") else values
+
+
+def unit_of_observed(observed: Optional[str]) -> str:
+    """The SI unit of what was observed, "" where it is not known."""
+    return _OBSERVED.get(observed or "position", "")
 
 
 def _plain(name: str, value: Any, kind: str, text: str) -> Any:

@@ -11,6 +11,7 @@ from ._core import InputError
 
 if TYPE_CHECKING:
     from ._core import Numbers
+    from ._networks import NetworkRun
     from ._results import Comparison, LawFit, Run, Spectrum, Sweep
 
 INK, SOFT, AXIS, GRID, LAW, BAND = "#171C24", "#4A5361", "#7B8594", "#E4E8ED", "#AA4488", "#C9CCD1"
@@ -172,6 +173,23 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
         ax.plot(getattr(run, across), getattr(run, up), label=run.label, **look)
     _styled(ax, across_name, up_name)
     _name(ax, own)
+    return ax
+
+
+def network(run: "NetworkRun", of: str, ax: Any = None) -> Any:
+    axes = {"position": ("x", "position x (m or rad)"), "velocity": ("v", "velocity v (m/s or rad/s)"),
+            "energy": ("energy", "energy E (J)")}
+    up, name = _chosen(of, axes)
+    own = ax is None
+    ax = _axes(ax)
+    rows = np.atleast_2d(getattr(run, up))
+    for i, row in enumerate(rows):
+        label = "all masses" if up == "energy" else run.names[i]
+        ax.plot(run.t, row, color=SHADES[min(i, len(SHADES) - 1)], linewidth=1.3,
+                label=label if len(rows) <= MANY_LINES else "_")
+    _styled(ax, "time t (s)", name)
+    if len(rows) <= MANY_LINES:
+        _name(ax, own)
     return ax
 
 

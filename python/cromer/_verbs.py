@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, 
 
 import numpy as np
 
-from ._arguments import arrays_of, request_of
+from ._arguments import arrays_of, request_of, unit_of_observed
 from ._core import Answer, InputError, Progress, call
+from ._networks import Network, NetworkFit, NetworkRun, arrays_of_channels, request_of_network
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ModesOptions, ReadOptions,
                        SimulateOptions, SpectrumOptions, SweepOptions)
 from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Modes, Recognition, Recording, Run, Runs, Spectrum, Sweep, told
@@ -104,11 +105,27 @@ def _motion(verb: str, t: Any, y: Any, force: Any = None) -> Tuple[Dict[str, Any
     return {}, {"t": t, "y": y, "force": force}
 
 
+def _channels(verb: str, t: Any, channels: Any, unit: str) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+    """The request and the arrays that a recording of several channels is."""
+    if channels is None:
+        return _motion(verb, t, None)
+    if _of_file(t) is not None:
+        raise InputError("a file has its own columns: leave the arrays out", "channels", "file_and_arrays")
+    return {}, arrays_of_channels(t, channels, unit)
+
+
+@overload
+def fit(t: Any, y: Any = None, *, network: None = ..., force: Any = None, observed: Optional[str] = None, language: Optional[str] = None,
+        strict: bool = False, progress: Union[None, bool, Progress] = None, **options: "Unpack[FitOptions]") -> LawFit: ...
+@overload
+def fit(t: Any, y: Any = None, *, network: Network, force: Any = None, observed: Optional[str] = None, language: Optional[str] = None,
+        strict: bool = False, progress: Union[None, bool, Progress] = None, **options: "Unpack[FitOptions]") -> NetworkFit: ...
 @_documented
-def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = None, language: Optional[str] = None,
-        strict: bool = False, progress: Union[None, bool, Progress] = None,
-        **options: "Unpack[FitOptions]") -> LawFit:
-    """The law of motion of a free or a driven oscillation, with uncertainties, from its recording.
+def fit(t: Any, y: Any = None, *, network: Optional[Network] = None, force: Any = None, observed: Optional[str] = None,
+        language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+        **options: "Unpack[FitOptions]") -> Union[LawFit, NetworkFit]:
+    """The law of motion of a free or a driven oscillation, with uncertainties, from its recording; or the links of a
+    network of masses.
 
     No start values are needed. The whole waveform is fitted by Levenberg-Marquardt; intervals allow for correlated
     residuals (docs/identify.md).
@@ -118,7 +135,12 @@ def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = N
     t : array of shape (n,), str, path, Series or Recording
         Times [s], strictly increasing; or a file; or what `read` gave; or a pandas Series whose index is the time.
     y : array of shape (n,)
-        The motion [SI unit of `observed`]; NaN is a missing value. At least one and a half periods.
+        The motion [SI unit of `observed`]; NaN is a missing value. At least one and a half periods. With a network a list
+        of arrays, an array of two dimensions or a DataFrame: the positions [m] or angles [rad] of all masses, in its order.
+    network : str, path or mapping, optional
+        The file of a network of masses, or what it holds, {"mass": [{"name": "left", "mass": 2}, ...], "link": [{"to":
+        "left", "stiffness": "?"}, ...]}: the values "?" are found (docs/networks.md). Of the options those of the file,
+        run, from_ and to go with it.
     force : array of shape (n,), optional
         Recorded force [N] that drives the motion.
     observed : str, optional
@@ -127,13 +149,15 @@ def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = N
 
     Returns
     -------
-    LawFit
+    LawFit; NetworkFit with a network
 
     Raises
     ------
     InputError
         An argument that cannot be used, or a file of several runs: name one with run=, or take `fit_all`.
     """
+    if network is not None:
+        return _fit_network(network, t, y, {**options, "force": force, "observed": observed}, language, strict, progress)
     found, answer = _fits(t, y, force, observed, language, progress, options)
     if len(found) != 1:
         raise InputError(f"the recording has {len(found)} runs: name one with run=, or take fit_all", "run",
@@ -141,6 +165,17 @@ def fit(t: Any, y: Any = None, *, force: Any = None, observed: Optional[str] = N
     first = found[0]
     told(first, answer, strict, f"{first.status}: {first.message}" if first.message else first.status)
     return first
+
+
+def _fit_network(network: Network, t: Any, channels: Any, options: Mapping[str, Any], language: Optional[str], strict: bool,
+                 progress: Union[None, bool, Progress]) -> NetworkFit:
+    request, arrays = _channels("fit", t, channels, "")
+    request.update(request_of({**options, "language": language}, "fit"), network=request_of_network(network))
+    with _shown(progress, "fit") as shown:
+        answer = call("fit", request, arrays, shown)
+    found = NetworkFit(answer)
+    told(found, answer, strict, f"{found.status}: {found.message}")
+    return found
 
 
 @_documented
@@ -177,19 +212,26 @@ def simulate(law: Optional[LawFit] = None, *, method: Optional[str] = ..., force
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> Run: ...
 @overload
+def simulate(law: None = None, *, network: Network, method: Optional[str] = ..., force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+             **options: "Unpack[SimulateOptions]") -> NetworkRun: ...
+@overload
 def simulate(law: Optional[LawFit] = None, *, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> Runs: ...
 @_documented
-def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str], Tuple[str, ...]] = None, force: Any = None, acceleration: Any = None,
-             spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
-             progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs]:
-    """The motion of an oscillator by one method or several.
+def simulate(law: Optional[LawFit] = None, *, network: Optional[Network] = None, method: Union[None, str, List[str], Tuple[str, ...]] = None,
+             force: Any = None, acceleration: Any = None, spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
+             progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs, NetworkRun]:
+    """The motion of an oscillator by one method or several, or of a network of masses by one.
 
     Parameters
     ----------
     law : LawFit, optional
         A fitted law, from its first used sample on; an option that is given replaces the law's own.
+    network : str, path or mapping, optional
+        The file of a network of masses, or what it holds, {"mass": [{"name": "left", "mass": 2}, ...], "link": [{"to":
+        "left", "stiffness": 8}, ...]} (docs/networks.md). The options of the integration go with it.
     method : str or list of str
         euler-cromer if not given, rk4 of a fitted law; `methods()` lists them. "exact" is the closed form of a linear law.
     force : array of shape (n,), optional
@@ -202,7 +244,7 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
 
     Returns
     -------
-    Run of one method, Runs of a list of methods
+    Run of one method, Runs of a list of methods; NetworkRun of a network
     """
     if law is not None and not isinstance(law, LawFit):
         raise InputError(f"law must be a fit, what cromer.fit(...) gives, not {type(law).__name__}; the terms of a law have "
@@ -215,9 +257,15 @@ def simulate(law: Optional[LawFit] = None, *, method: Union[None, str, List[str]
     if method is not None:
         given["method"] = method
     request = request_of(given, "simulate")
+    if network is not None:
+        request["network"] = request_of_network(network)
     arrays = arrays_of({"force": force, "acceleration": acceleration})
     with _shown(progress, "simulate") as shown:
         answer = call("simulate", request, arrays, shown)
+    if network is not None:
+        run = NetworkRun(answer)
+        told(run, answer, strict, f"{run.method}: {run.status}")
+        return run
     runs = Runs(answer)
     states = ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
     told(runs, answer, strict, states)
@@ -284,22 +332,33 @@ def methods(*, recognise: "Union[None, str, os.PathLike[str]]" = None, language:
 
 
 @_documented
-def modes(file: "Union[str, os.PathLike[str]]", *, language: Optional[str] = None, strict: bool = False,
+def modes(t: Any, channels: Any = None, *, observed: Optional[str] = None, language: Optional[str] = None, strict: bool = False,
           **options: "Unpack[ModesOptions]") -> Modes:
     """The modes of a network of masses, or in a recording of several channels: natural frequencies, damping ratios,
     shapes; and what methods make of them.
 
     Parameters
     ----------
-    file : str or path
-        The network, a TOML file of masses and links, or the recording (docs/networks.md).
+    t : array of shape (n,), str, path, Recording or mapping
+        Times [s], strictly increasing, of the channels; or the file of a recording, or what `read` gave; or a network: its
+        TOML file, or what that holds, {"mass": [...], "link": [...]} (docs/networks.md).
+    channels : list of arrays of shape (n,), array of shape (channels, n), mapping or DataFrame
+        What was recorded together [SI unit of `observed`]; NaN is a missing value. A mapping names the channels.
+    observed : str, optional
+        "position" (if not given), "angle", "velocity", "angular_velocity" or "acceleration", of channels.
     {options}
 
     Returns
     -------
     Modes
     """
-    answer = call("modes", request_of({**options, "file": file, "language": language}, "modes"), {})
+    arrays: Dict[str, Any] = {}
+    if isinstance(t, Mapping):
+        request: Dict[str, Any] = {"network": request_of_network(t)}
+    else:
+        request, arrays = _channels("modes", t, channels, unit_of_observed(observed))
+    request.update(request_of({**options, "observed": observed, "language": language}, "modes"))
+    answer = call("modes", request, arrays)
     made = Modes(answer)
     told(made, answer, strict, made.to_dict().get("message", ""))
     return made

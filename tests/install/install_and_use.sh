@@ -18,7 +18,7 @@ for example in "$source"/examples/[0-9]*.c*; do
   [ -s "$work/$name.txt" ] || { echo "$name printed nothing" >&2; exit 1; }
   ran=$((ran + 1))
 done
-[ "$ran" -eq 10 ] || { echo "$ran examples, not ten" >&2; exit 1; }
+[ "$ran" -eq 11 ] || { echo "$ran examples, not eleven" >&2; exit 1; }
 
 # What docs/library.md says to a CMakeLists.txt is enough.
 mkdir "$work/snippet"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@
 #include "cromer/documents/json/described.h"
 #include "cromer/documents/json/json.h"
 #include "cromer/door/found.h"
+#include "cromer/door/network_of.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
@@ -26,6 +28,8 @@
 #include "cromer/read/columns.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/modes_of_file.h"
+#include "cromer/tasks/network_fit/network_fit.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
@@ -85,6 +89,11 @@ Result<Language> take_language(Request& request) {
                "language"};
 }
 
+struct AskedNetwork {
+  Result<NetworkFile> network;
+  std::string name{};  ///< its file
+};
+
 /// A call's request, taken apart as the verb asks for it.
 class Call {
  public:
@@ -112,6 +121,25 @@ class Call {
     return quantity->value;
   }
 
+  /// The network that the request names or has, taken out of it; empty where there is none.
+  std::optional<AskedNetwork> take_network() {
+    const auto at = request_.find("network");
+    if (at == request_.end()) return std::nullopt;
+    const Request value = *at;
+    request_.erase(at);
+    if (value.is_null()) return std::nullopt;
+    return AskedNetwork{network_of(value), value.is_string() ? value.get<std::string>() : given_network};
+  }
+
+  /// All arrays but the times as columns of a recording, marked as used.
+  std::vector<GivenColumn> take_columns() {
+    std::vector<GivenColumn> columns;
+    for (const cromer_array& each : arrays_)
+      if (std::string_view(each.name) != "t")
+        columns.push_back({each.name, each.name, take_array(each.name)});
+    return columns;
+  }
+
   /// An array by name, marked as used; empty where it is not given.
   std::span<const double> take_array(std::string_view name) {
     for (const cromer_array& each : arrays_)
@@ -128,6 +156,14 @@ class Call {
 
   /// Whether the request has that argument.
   bool asks(const std::string& argument) const { return request_.contains(argument); }
+
+  /// Refuses arguments that are not options of that kind; `code` is what is said of the first.
+  Result<void> refuse_unless(bool (*is_option)(std::string_view), const char* code) const {
+    for (const auto& item : request_.items())
+      if (const std::string option = with_hyphens(item.key()); !item.value().is_null() && !is_option(option))
+        return Error{Notice{code, {{"option", option}}}, item.key()};
+    return {};
+  }
 
   /// What is left of the request, into the options.
   Result<void> assign_rest(const std::vector<Option>& options) const {
@@ -263,7 +299,53 @@ Result<Motion> take_motion(Call& call, FitOptions& options, const std::vector<Op
 
 Error said(const Error& error, const Motion& motion) { return in_arguments(error, motion.of_arrays); }
 
+/// A recording of several columns: arrays of one kind, or a file.
+Result<Motion> take_channels_of(Call& call, const ReadOptions& read, const std::string& file,
+                                Observed observed) {
+  if (call.has_array("t")) {
+    if (!file.empty()) return Error{Notice{"file_and_arrays"}, "file"};
+    auto recording = recording_of(call.take_array("t"), call.take_columns(), observed, "arrays");
+    if (!recording) return recording.error();
+    return Motion{*std::move(recording), true};
+  }
+  if (file.empty()) return Error{Notice{"no_record", {{"verb", call.verb()}}}, "t"};
+  auto recording = open_recording(file, read);
+  if (!recording) return recording.error();
+  return Motion{*std::move(recording), false};
+}
+
+Result<void> fit_network_verb(Call& call, const AskedNetwork& asked, cromer_result& result) {
+  const Result<NetworkFile>& network = asked.network;
+  if (!network) return of_network(network.error());
+  FitOptions options;
+  const auto file = call.take_text("file");
+  if (!file) return file.error();
+  if (call.has_array("t"))
+    if (auto good = call.refuse_of_files(); !good) return good;
+  const std::vector<Option> table = options_of(options);
+  if (auto good = call.assign_rest(table); !good) return good;
+  if (auto good = call.refuse_unless(is_fit_option_of_networks, "fit_option_not_of_networks"); !good)
+    return good;
+  const auto motion = take_channels_of(call, options.read, *file,
+                                       network->network.angles ? Observed::angle : Observed::position);
+  if (!motion) return motion.error();
+  auto found = fit_network(motion->recording, *network, asked.name, options, call.watch());
+  if (!found) return of_network(found.error(), motion->of_arrays);
+  put_in_arguments(*found, motion->of_arrays);
+  const FittedNetwork& fitted = result.found.emplace<FittedNetwork>(*std::move(found));
+  if (!fitted.succeeded()) result.status = CROMER_NO_SUCCESS;
+  result.show("1.t", fitted.channels.t);
+  for (std::size_t i = 0; i < fitted.fit.columns.size(); ++i) {
+    const std::string of_mass = "1." + fitted.asked.network.masses[i].name + ".";
+    result.show(of_mass + "measured", fitted.channels.each[i].y);
+    result.show(of_mass + "residual", fitted.fit.columns[i].residual);
+  }
+  result.document = to_json(fitted, call.voice());
+  return {};
+}
+
 Result<void> fit_verb(Call& call, cromer_result& result) {
+  if (const auto network = call.take_network()) return fit_network_verb(call, *network, result);
   FitOptions options;
   const auto motion = take_motion(call, options, options_of(options));
   if (!motion) return motion.error();
@@ -316,7 +398,32 @@ Result<void> take_record(Call& call, SimulateOptions& options, double spacing) {
                           spacing);
 }
 
+Result<void> simulate_network_verb(Call& call, const AskedNetwork& asked, cromer_result& result) {
+  const auto network = known_network(asked.network);
+  if (!network) return of_network(network.error());
+  SimulateOptions options;
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  if (auto good = call.refuse_unless(is_option_of_networks, "option_not_of_networks"); !good) return good;
+  if (auto good = call.check_arrays(); !good) return good;
+  options.memory = memory_for_states;
+  auto found = run_network(*network, asked.name, options, call.watch());
+  if (!found) return of_network(found.error());
+  put_in_arguments(*found);
+  const NetworkRun& run = result.found.emplace<NetworkRun>(*std::move(found));
+  if (!run.ok()) result.status = CROMER_NO_SUCCESS;
+  result.show("1.t", run.states.t);
+  for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
+    const std::string of_mass = "1." + run.network.masses[i].name + ".";
+    result.show(of_mass + "x", run.states.x[i]);
+    result.show(of_mass + "v", run.states.v[i]);
+  }
+  result.show("1.energy", run.states.energy);
+  result.document = to_json(run, false, call.voice());
+  return {};
+}
+
 Result<void> simulate_verb(Call& call, cromer_result& result) {
+  if (const auto network = call.take_network()) return simulate_network_verb(call, *network, result);
   SimulateOptions options;
   const auto spacing = call.take_seconds("spacing");
   if (!spacing) return spacing.error();
@@ -362,16 +469,44 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   return {};
 }
 
-Result<void> modes_verb(Call& call, cromer_result& result) {
+/// What modes are sought of: a network, a file of either kind, or arrays.
+Result<ModesResult> modes_of_call(Call& call, const std::optional<AskedNetwork>& asked) {
   ModesOptions options;
   const auto file = call.take_text("file");
   if (!file) return file.error();
-  if (file->empty()) return Error{Notice{"no_file"}, "file"};
-  if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  auto found = modes_of_file(*file, options);
+  const auto word = call.take_text("observed");
+  if (!word) return word.error();
+  const bool of_arrays = call.has_array("t");
+  if (of_arrays)
+    if (auto good = call.refuse_of_files(); !good) return good.error();
+  if (!of_arrays && !word->empty()) return Error{Notice{"observed_of_file"}, "observed"};
+  if (auto good = call.assign_rest(options_of(options)); !good) return good.error();
+  if (asked) {
+    const auto network = known_network(asked->network);
+    if (!network) return of_network(network.error());
+    auto found = network_modes(*network, asked->name, options);
+    if (!found) return of_network(found.error());
+    return found;
+  }
+  if (!of_arrays) {
+    if (file->empty()) return Error{Notice{"no_file"}, "file"};
+    return modes_of_file(*file, options);
+  }
+  const auto observed = observed_of(*word);
+  if (!observed) return observed.error();
+  const auto motion = take_channels_of(call, options.read, *file, *observed);
+  if (!motion) return motion.error();
+  auto found = recording_modes(motion->recording, options);
+  if (!found) return in_arguments(found.error(), true);
+  put_in_arguments(*found, true);
+  return found;
+}
+
+Result<void> modes_verb(Call& call, cromer_result& result) {
+  auto found = modes_of_call(call, call.take_network());
   if (!found) return found.error();
+  put_in_arguments(*found, false);
   if (!found->ok()) result.status = CROMER_NO_SUCCESS;
-  found->notices = in_arguments(std::move(found->notices));
   result.document = to_json(*found, call.voice());
   result.found = *std::move(found);
   return {};

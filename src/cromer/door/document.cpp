@@ -46,6 +46,14 @@ std::string json(const Simulation& simulation, bool with_states, Language langua
   return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
 }
 
+std::string json(const NetworkSimulation& simulation, bool with_states, Language language) {
+  return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
+}
+
+std::string json(const NetworkFit& fit, Language language) {
+  return fit.detail ? core::to_json(*fit.detail, voice_of(language)) : "";
+}
+
 std::string csv(const LawFit& fit) { return fit.detail ? core::fit_csv(alone(fit.detail)) : ""; }
 
 std::string csv(const Comparison& comparison) {
@@ -65,6 +73,12 @@ std::string csv(const Modes& modes) { return modes.detail ? core::modes_csv(*mod
 std::string csv(const Simulation& simulation) {
   return simulation.detail ? core::simulate_csv(*simulation.detail, core::no_command) : "";
 }
+
+std::string csv(const NetworkSimulation& simulation) {
+  return simulation.detail ? core::network_csv(*simulation.detail, core::no_command) : "";
+}
+
+std::string csv(const NetworkFit& fit) { return fit.detail ? core::network_fit_csv(*fit.detail) : ""; }
 
 std::string svg(const LawFit& fit) {
   return fit.detail ? core::drawn(core::fit_figure(alone(fit.detail))) : "";
@@ -86,6 +100,18 @@ std::string svg(const FrequencyResponse& response) {
 
 std::string svg(const Simulation& simulation) {
   return simulation.detail ? core::drawn(core::simulate_figure(*simulation.detail)) : "";
+}
+
+std::string svg(const Modes& modes) {
+  return modes.detail && modes.detail->recording ? core::drawn(core::modes_figure(*modes.detail)) : "";
+}
+
+std::string svg(const NetworkSimulation& simulation) {
+  return simulation.detail ? core::drawn(core::network_figure(*simulation.detail)) : "";
+}
+
+std::string svg(const NetworkFit& fit) {
+  return fit.detail ? core::drawn(core::network_fit_figure(*fit.detail)) : "";
 }
 
 }  // namespace cromer

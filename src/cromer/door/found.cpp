@@ -52,7 +52,20 @@ struct Writer {
   Result<std::string> operator()(const ModesResult& result) const {
     if (form == "text") return modes_text(result);
     if (form == "csv") return modes_csv(result);
+    if (result.recording) return drawn(modes_figure(result));
     return has_no_form();
+  }
+
+  Result<std::string> operator()(const NetworkRun& run) const {
+    if (form == "text") return network_text(run);
+    if (form == "csv") return network_csv(run, no_command);
+    return drawn(network_figure(run));
+  }
+
+  Result<std::string> operator()(const FittedNetwork& fitted) const {
+    if (form == "text") return network_fit_text(fitted);
+    if (form == "csv") return network_fit_csv(fitted);
+    return drawn(network_fit_figure(fitted));
   }
 
   Result<std::string> operator()(const SpectrumResult& result) const {

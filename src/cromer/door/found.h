@@ -13,6 +13,8 @@
 #include "cromer/tasks/inspect/inspect.h"
 #include "cromer/tasks/methods/methods.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -33,7 +35,7 @@ struct ReadFile {
 /// monostate: nothing yet, or a refusal.
 using Found = std::variant<std::monostate, ReadFile, std::vector<FittedRecording>, SimulateResult,
                            std::vector<CompareResult>, ListedMethods, RecogniseResult, ModesResult,
-                           SpectrumResult, SweepResult>;
+                           NetworkRun, FittedNetwork, SpectrumResult, SweepResult>;
 
 inline constexpr const char* no_command = "";  ///< nothing to say of where the numbers come from
 

@@ -19,7 +19,7 @@ constexpr Kind kinds[] = {{Observed::position, "position", "position", "m"},
                           {Observed::angular_velocity, "angular_velocity", "angular velocity", "rad/s"},
                           {Observed::acceleration, "acceleration", "acceleration", "m/s^2"}};
 
-Column column_of(const char* name, std::string_view quantity, std::string_view unit,
+Column column_of(const std::string& name, std::string_view quantity, std::string_view unit,
                  std::span<const double> values) {
   return {.name = name,
           .quantity = std::string(quantity),
@@ -27,7 +27,7 @@ Column column_of(const char* name, std::string_view quantity, std::string_view u
           .values = {values.begin(), values.end()}};
 }
 
-Result<void> check_length(std::span<const double> values, const char* argument,
+Result<void> check_length(std::span<const double> values, const std::string& argument,
                           std::span<const double> others, const char* other) {
   if (values.size() == others.size()) return {};
   return Error{
@@ -46,7 +46,7 @@ Component component_of(std::span<const double> acceleration, double spacing, con
 }
 
 /// NaN is a missing value, infinity a mistake.
-Result<void> check_not_infinite(std::span<const double> values, const char* argument) {
+Result<void> check_not_infinite(std::span<const double> values, const std::string& argument) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::isinf(values[i]))
       return Error{Notice{"value_is_infinite", {{"argument", argument}, {"index", i}, {"value", values[i]}}},
@@ -106,25 +106,36 @@ FitOptions fit_options(const cromer::FitOptions& options, const Selection& selec
   return o;
 }
 
-Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
-                               std::span<const double> force, Observed observed) {
+Result<Recording> recording_of(std::span<const double> t, const std::vector<GivenColumn>& columns,
+                               Observed observed, const char* columns_argument) {
   if (auto good = check_enumerator(observed, std::size(kinds), "observed"); !good) return good.error();
   if (auto good = check_times(t); !good) return good.error();
-  if (auto good = check_length(y, "y", t, "t"); !good) return good.error();
-  if (!force.empty())
-    if (auto good = check_length(force, "force", t, "t"); !good) return good.error();
+  if (columns.empty())
+    return Error{Notice{"no_columns_given", {{"argument", columns_argument}}}, columns_argument};
+  for (const GivenColumn& each : columns)
+    if (auto good = check_length(each.values, each.argument, t, "t"); !good) return good.error();
   if (t.empty()) return Error{Notice{"no_times"}, "t"};
-  if (auto good = check_not_infinite(y, "y"); !good) return good.error();
-  if (auto good = check_not_infinite(force, "force"); !good) return good.error();
+  for (const GivenColumn& each : columns)
+    if (auto good = check_not_infinite(each.values, each.argument); !good) return good.error();
   Recording recording;
-  recording.file = "the record";
+  recording.file = given_record;
   recording.named = true;
-  auto& columns = recording.table.columns;
   const Kind& kind = kinds[static_cast<int>(observed)];
-  columns = {column_of("t", "time", "s", t), column_of("y", kind.quantity, kind.unit, y)};
-  if (!force.empty()) columns.push_back(column_of("force", "force", "N", force));
+  recording.table.columns.push_back(column_of("t", "time", "s", t));
+  for (const GivenColumn& each : columns)
+    recording.table.columns.push_back(column_of(each.name, kind.quantity, kind.unit, each.values));
   recording.lines.resize(t.size());
   std::iota(recording.lines.begin(), recording.lines.end(), 0L);
+  return recording;
+}
+
+Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
+                               std::span<const double> force, Observed observed) {
+  auto recording = recording_of(t, {{"y", "y", y}}, observed, "y");
+  if (!recording || force.empty()) return recording;
+  if (auto good = check_length(force, "force", t, "t"); !good) return good.error();
+  if (auto good = check_not_infinite(force, "force"); !good) return good.error();
+  recording->table.columns.push_back(column_of("force", "force", "N", force));
   return recording;
 }
 

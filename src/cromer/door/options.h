@@ -38,6 +38,20 @@ FitOptions fit_options(const cromer::FitOptions& options, const Selection& selec
 /// "position", "angular_velocity", ...: as C writes it; "" is a position.
 Result<Observed> observed_of(std::string_view word);
 
+inline constexpr const char* given_record = "the record";  ///< what messages call one that is made of arrays
+
+/// A column of a recording that is made of arrays.
+struct GivenColumn {
+  std::string name{};
+  std::string argument{};  ///< what an Error calls it
+  std::span<const double> values{};
+};
+
+/// Arrays of one kind as a recording of t and these columns. The Error names the argument: `columns_argument`
+/// if there are none.
+Result<Recording> recording_of(std::span<const double> t, const std::vector<GivenColumn>& columns,
+                               Observed observed, const char* columns_argument);
+
 /// Arrays as a recording of columns t, y and, where there is one, force. The Error names the argument.
 Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
                                std::span<const double> force, Observed observed);

@@ -3,8 +3,10 @@
 #include <new>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "cromer/base/quantity.h"
+#include "cromer/door/network_of.h"
 #include "cromer/door/options.h"
 #include "cromer/door/words.h"
 #include "cromer/identify/law_fit.h"
@@ -28,13 +30,37 @@ void put_in_arguments(SimulateResult& simulated, bool of_arrays) {
   for (SimulatedRun& run : simulated.runs) run.message = in_arguments(std::move(run.message), of_arrays);
 }
 
+void put_in_arguments(NetworkRun& run) {
+  run.notices = in_arguments(std::move(run.notices));
+  run.message = in_arguments(std::move(run.message));
+}
+
+void put_in_arguments(FittedNetwork& fitted, bool of_arrays) {
+  fitted.notices = in_arguments(std::move(fitted.notices), of_arrays);
+  fitted.message = in_arguments(std::move(fitted.message), of_arrays);
+}
+
+void put_in_arguments(ModesResult& modes, bool of_arrays) {
+  modes.notices = in_arguments(std::move(modes.notices), of_arrays);
+  modes.message = in_arguments(std::move(modes.message), of_arrays);
+}
+
+Error of_network(const Error& error, bool of_arrays) {
+  Error said = in_arguments(error, of_arrays);
+  if (!said.argument.empty()) return said;
+  for (const NoticeValue& each : said.notice.values)
+    if (const auto* file = std::get_if<std::string>(&each.value); file && each.name == "file")
+      said.argument = of_arrays && *file == given_record ? "channels" : given_network;
+  return said;
+}
+
 Error no_values(const FittedRecording& fitted) {
   return {Notice{"fit_without_values", {{"what", fitted.fit.message}}}, "fit"};
 }
 
 Result<Trajectory> motion_at(const FittedRecording& fitted, std::span<const double> t) {
   if (!fitted.fit.is_usable()) return no_values(fitted);
-  if (fitted.fit.drive.kind == DriveKind::recorded) return Error{Notice{"motion_known_at_samples"}, "t"};
+  if (is_recorded(fitted.fit.drive.kind)) return Error{Notice{"motion_known_at_samples"}, "t"};
   if (auto good = check_times(t); !good) return good.error();
   if (t.empty()) return Trajectory{};
   const double first = fitted.series.t.front();

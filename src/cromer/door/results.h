@@ -9,6 +9,9 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/methods/method_effect.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/sweep/sweep.h"
 
@@ -18,6 +21,13 @@ namespace cromer::core {
 void put_in_arguments(FittedRecording& fitted, bool of_arrays);
 void put_in_arguments(CompareResult& compared, bool of_arrays);
 void put_in_arguments(SimulateResult& simulated, bool of_arrays);
+void put_in_arguments(NetworkRun& run);
+void put_in_arguments(FittedNetwork& fitted, bool of_arrays);
+void put_in_arguments(ModesResult& modes, bool of_arrays);
+
+/// An Error about a network, or the channels of one: its argument is `network` or `channels` where it is no
+/// other.
+Error of_network(const Error& error, bool of_arrays = false);
 
 /// Why a fit has no values that may be looked at.
 Error no_values(const FittedRecording& fitted);

@@ -16,6 +16,8 @@ constexpr Entry entries[] = {
     {"lengths_differ", error,
      "{argument} has {values} values and {other} has {others}: both need the same number",
      "{argument} hat {values} Werte und {other} hat {others}: es müssen gleich viele sein"},
+    {"no_columns_given", error, "{argument} has no columns: give at least one",
+     "{argument} hat keine Spalten: bitte mindestens eine angeben"},
     {"too_few_values", error, "{argument} needs at least {least} values, not {values}",
      "{argument} braucht mindestens {least} Werte, nicht {values}"},
     {"value_not_finite", error, "{argument}[{index}] is {value}: all values must be finite",
@@ -90,6 +92,11 @@ constexpr Entry entries[] = {
      "a period of the drive takes more steps than can be held: take a longer step, or a higher frequency",
      "eine Periode des Antriebs braucht mehr Schritte, als in den Speicher gehen: bitte einen längeren "
      "Schritt oder eine höhere Frequenz wählen"},
+    {"network_is_object", error,
+     "network must be the path of a file, or an object of that form: {{\"mass\": [...], \"link\": [...]}}",
+     "network muss der Pfad einer Datei sein oder ein Objekt in deren Form: {{\"mass\": [...], \"link\": "
+     "[...]}}"},
+    {"term_given_twice", error, "network: a link has {term} twice", "network: ein Link hat {term} zweimal"},
 
     // Requests
     {"no_verb", error, "there is no verb \"{verb}\"; there are {verbs:and}",

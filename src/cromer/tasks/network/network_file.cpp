@@ -5,8 +5,8 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
-#include "cromer/read/toml_reader.h"
 #include "cromer/report/file.h"
+#include "cromer/tasks/network/network_table.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
@@ -157,6 +157,21 @@ Result<std::size_t> place_named(const std::string& name, const std::map<std::str
       {{"name", name}, {"near", near.empty() ? Notice{} : Notice{"perhaps_quoted", {{"near", near}}}}}});
 }
 
+/// The tables of one key, each by `read`. Those that stand in no file have no line: messages number them.
+template <class Spec, class Read>
+Result<std::vector<Spec>> read_each(const std::vector<const toml::table*>& tables, const std::string& file,
+                                    std::string_view key, Read read) {
+  std::vector<Spec> specs;
+  for (const toml::table* table : tables) {
+    const bool in_file = table->source().begin.line > 0;
+    const std::string numbered = file + "." + std::string(key) + "[" + std::to_string(specs.size()) + "]";
+    auto spec = read_table(*table, in_file ? file : numbered, read);
+    if (!spec) return spec.error();
+    specs.push_back(*std::move(spec));
+  }
+  return specs;
+}
+
 }  // namespace
 
 bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
@@ -164,23 +179,27 @@ bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
 Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
   if (!parsed) return not_toml(parsed, file);
+  return read_network_table(parsed.table(), file);
+}
+
+Result<NetworkFile> read_network_table(const toml::table& table, const std::string& file) {
   struct Tables {
     std::vector<const toml::table*> masses, links;
   };
-  const auto tables = read_table(parsed.table(), file, [](TomlReader& toml) {
+  const auto tables = read_table(table, file, [](TomlReader& toml) {
     return Tables{toml.tables("mass"), toml.tables("link")};
   });
   if (!tables) return tables.error();
   if (tables->masses.empty()) return Error{"network_without_masses", {{"file", file}}};
-  auto masses = read_tables<ReadMass>(tables->masses, file, read_mass);
+  auto masses = read_each<ReadMass>(tables->masses, file, "mass", read_mass);
   if (!masses) return masses.error();
   const auto places = mass_places(*masses);
   if (!places) return places.error();
 
   NetworkFile whole{.network = {.angles = masses->front().angle}};
   Network& network = whole.network;
-  auto links = read_tables<ReadLink>(tables->links, file,
-                                     [&](TomlReader& toml) { return read_link(toml, network.angles); });
+  auto links = read_each<ReadLink>(tables->links, file, "link",
+                                   [&](TomlReader& toml) { return read_link(toml, network.angles); });
   if (!links) return links.error();
   for (ReadMass& read : *masses) network.masses.push_back(std::move(read.mass));
   std::vector<bool> held(network.masses.size());
@@ -216,22 +235,18 @@ Result<NetworkFile> open_network_file(const std::string& path) {
   return read_network_file(*bytes, path);
 }
 
-namespace {
-
-Result<Network> without_open(Result<NetworkFile> read) {
+Result<Network> known_network(Result<NetworkFile> read) {
   if (!read) return read.error();
   if (read->open.empty()) return std::move(read->network);
   const OpenValue& first = read->open.front();
   return first.place.error(Notice{"value_is_open", {{"key", first.key}}});
 }
 
-}  // namespace
-
 Result<Network> read_network(std::string_view bytes, const std::string& file) {
-  return without_open(read_network_file(bytes, file));
+  return known_network(read_network_file(bytes, file));
 }
 
-Result<Network> open_network(const std::string& path) { return without_open(open_network_file(path)); }
+Result<Network> open_network(const std::string& path) { return known_network(open_network_file(path)); }
 
 Result<void> check_terms(const Network& network, const std::string& file) {
   const Law law = law_of(network);

@@ -41,7 +41,8 @@ struct NetworkFile {
 Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file);
 Result<NetworkFile> open_network_file(const std::string& path);
 
-/// The same where no value may be open.
+/// The network, where no value may be open.
+Result<Network> known_network(Result<NetworkFile> read);
 Result<Network> read_network(std::string_view bytes, const std::string& file);
 Result<Network> open_network(const std::string& path);
 

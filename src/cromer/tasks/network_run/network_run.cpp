@@ -76,7 +76,8 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
       if (auto good = check(option); !good) return good;
   if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
   run.method = options.method.empty() ? "euler-cromer" : options.method.front();
-  if (auto good = check_method_name(run.method); !good) return good;
+  if (auto good = check_method_name(run.method); !good)
+    return Error{"method_is_wrong", {{"what", good.error().notice}}};
   if (auto good = check_terms(run.network, run.file); !good) return good;
   if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
   if (run.method == "exact")

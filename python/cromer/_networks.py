@@ -1,0 +1,160 @@
+"""Networks of masses, and channels that were recorded together: what they may be, and what simulate and fit give back."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping, Tuple, Union
+
+import numpy as np
+
+from ._arguments import in_unit, plain
+from ._core import Answer, InputError, Numbers
+from ._estimate import Estimate
+from ._results import Result, Trajectory, _estimate, _frame, _number, _unknown
+
+#: A network's file, or what it holds: {"mass": [{"name": "left", "mass": 2}, ...], "link": [{"to": "left", "stiffness": 8}, ...]}
+Network = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+
+
+def request_of_network(network: Network) -> Any:
+    """The network as a request has it."""
+    if isinstance(network, (str, os.PathLike)):
+        return os.fsdecode(network)
+    if not isinstance(network, Mapping):
+        raise InputError('network must be the path of a file, or a mapping like it: {"mass": [...], "link": [...]}, not '
+                         f"{type(network).__name__}", "network", "network_is_object")
+    return {key: [{name: plain(name, value) for name, value in dict(each).items() if value is not None} for each in tables]
+            for key, tables in network.items()}
+
+
+def arrays_of_channels(t: Any, channels: Any, unit: str) -> Dict[str, Any]:
+    """The arrays of a call: t and each channel, by its name or number. `unit` is that of quantities of pint."""
+    if hasattr(channels, "columns"):  # a DataFrame
+        channels = {str(name): channels[name] for name in channels.columns}
+    if not isinstance(channels, Mapping):
+        if isinstance(channels, np.ndarray) and channels.ndim == 2 and channels.shape[1] != np.size(t) == channels.shape[0]:
+            channels = channels.T  # a row for each time
+        channels = {f"channel {i + 1}": each for i, each in enumerate(channels)}
+    if "t" in channels:
+        raise InputError('no channel can be called "t": that is the time', "channels", "array_given_twice")
+    return {"t": in_unit("t", t, "s"), **{name: in_unit(name, each, unit) for name, each in channels.items()}}
+
+
+class NetworkRun(Result):
+    """The run of a network of masses: `names`, `t` [s], and for each mass a row of `x` and of `v`; `energy` [J] of all masses
+    and links. One mass by its name: run["left"].x. Further `method`, `step` [s] and `status` ("reached_end" where it
+    succeeded); `to_dict()` has the rest."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self.method: str = self._document["method"]
+        self.status: str = self._document["status"].replace("stopped_by_event", "interrupted")  # networks have no events
+        self.step = _number(self._document.get("step"))
+
+    @property
+    def names(self) -> List[str]:
+        """Of the masses."""
+        return [each["name"] for each in self._document["masses"]]
+
+    @property
+    def t(self) -> Numbers:
+        """Times [s]."""
+        return self._answer.arrays["1.t"]
+
+    @property
+    def x(self) -> Numbers:
+        """Positions [m], of angles [rad], of shape (masses, times)."""
+        return _rows(self._answer, self.names, "x")
+
+    @property
+    def v(self) -> Numbers:
+        """Velocities [m/s], of angles [rad/s], of shape (masses, times)."""
+        return _rows(self._answer, self.names, "v")
+
+    @property
+    def energy(self) -> Numbers:
+        """Kinetic and potential energy of all masses and links [J]."""
+        return self._answer.arrays["1.energy"]
+
+    def __getitem__(self, name: str) -> Trajectory:
+        if name not in self.names:
+            raise KeyError(_unknown(name, self.names, "this network"))
+        return Trajectory(self.t, self._answer.arrays[f"1.{name}.x"], self._answer.arrays[f"1.{name}.v"])
+
+    def to_pandas(self) -> Any:
+        """The states: t as the index, x and v of each mass, energy."""
+        columns = {f"{name} {of}": self._answer.arrays[f"1.{name}.{of}"] for name in self.names for of in ("x", "v")}
+        return _frame({"t": self.t, **columns, "energy": self.energy}, "t")
+
+    def plot(self, of: str = "position", ax: Any = None) -> Any:
+        """`of`: "position", "velocity" or "energy". Returns the axes."""
+        from . import _plot
+        return _plot.network(self, of, ax)
+
+    def __repr__(self) -> str:
+        return f"NetworkRun: {', '.join(self.names)} by {self.method}, {self.status}, {self.t.size} states"
+
+
+@dataclass(frozen=True)
+class FittedLink:
+    """What was found of a link: `parameters` by their names; `start` and `end` are masses or "ground"."""
+
+    start: str
+    end: str
+    parameters: Dict[str, Estimate]
+
+
+class NetworkFit(Result):
+    """The links of a recorded network: `links` (a `FittedLink` each), one of them as fit["left", "right"]; of each
+    mass, by its name, `masses` (position and velocity at the first sample, equilibrium, rms, r_squared). `status` is
+    "converged" where it succeeded, `message` says why it did not. Per sample `t` [s], and for each mass a row of
+    `measured` and of `residuals`."""
+
+    def __init__(self, answer: Answer) -> None:
+        super().__init__(answer)
+        self.status: str = self._document["status"]
+        self.message: str = self._document.get("message") or ""
+        self.links = [FittedLink(each["from"], each["to"],
+                                 {name: _estimate(name, value) for name, value in each["parameters"].items()})
+                      for each in self._document["links"]]
+        self.masses: Dict[str, Dict[str, Any]] = {
+            each["name"]: {name: _estimate(name, value) if isinstance(value, dict) else value for name, value in each.items()}
+            for each in self._document["masses"]}
+
+    @property
+    def succeeded(self) -> bool:
+        """Whether the fit converged."""
+        return self.status == "converged"
+
+    @property
+    def t(self) -> Numbers:
+        """Times used [s]."""
+        return self._answer.arrays["1.t"]
+
+    @property
+    def measured(self) -> Numbers:
+        """The record [m], of angles [rad], of shape (masses, times)."""
+        return _rows(self._answer, list(self.masses), "measured")
+
+    @property
+    def residuals(self) -> Numbers:
+        """Measured less fitted [m], of angles [rad], of shape (masses, times)."""
+        return _rows(self._answer, list(self.masses), "residual")
+
+    def __getitem__(self, ends: Tuple[str, str]) -> FittedLink:
+        for link in self.links:
+            if ends in ((link.start, link.end), (link.end, link.start)):
+                return link
+        raise KeyError(_unknown(ends, [f"{link.start}–{link.end}" for link in self.links], "this network"))
+
+    def __repr__(self) -> str:
+        lines = [f"NetworkFit: {self.status}" + (f": {self.message}" if self.message else "")]
+        lines += [f"  {link.start}–{link.end}: {name} = {value}" for link in self.links for name, value in link.parameters.items()]
+        return "\n".join(lines)
+
+
+def _rows(answer: Answer, names: List[str], of: str) -> Numbers:
+    rows = np.array([answer.arrays[f"1.{name}.{of}"] for name in names])
+    rows.flags.writeable = False
+    return rows
