@@ -272,6 +272,7 @@ Answer inspect_task(const Request& asked, std::string_view file) {
 Answer fit_task(const Request& request, std::string_view file) {
   FitOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  if (!options.force_column.empty()) return bad_input(Error{"program_only", {{"option", "force-column"}}});
   const auto recording = read_recording(file, request.file_name, options.read);
   if (!recording) return bad_input(recording.error());
   const auto fits = fit(*recording, options);

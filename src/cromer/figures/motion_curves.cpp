@@ -285,7 +285,7 @@ SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis
   return {fitted.series.t, axis.displacements(std::move(y))};
 }
 
-bool irregular(const FittedRecording& fitted) { return fitted.fit.drive.kind == DriveKind::recorded; }
+bool irregular(const FittedRecording& fitted) { return is_recorded(fitted.fit.drive.kind); }
 
 FittedRecording largest_swings(const FittedRecording& fitted) {
   constexpr double periods = 12;  // to each side

@@ -93,7 +93,7 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
   for (int i = 0; i < fitted.count; ++i) {
     if (fitted.of[i].name == "equilibrium" ||
         (i > 0 && fitted.of[i].name == "position" && fitted.place_of("equilibrium") < 0)) {
-      if (drive == DriveKind::recorded && derivative == 0) held("force_offset", motion.force_offset);
+      if (is_recorded(drive) && derivative == 0) held("force_offset", motion.force_offset);
       if (motion.law.shares(springs)) held("equilibrium", motion.equilibrium);
     }
     if (cosine >= 0 && (i == cosine || i == cosine + 1)) continue;

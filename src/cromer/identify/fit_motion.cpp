@@ -82,7 +82,7 @@ struct Thinned {
   Record record;
 
   Thinned(const Record& all, double period, DriveKind drive) : record(all) {
-    if (drive == DriveKind::recorded) return;
+    if (is_recorded(drive)) return;
     const double h = (all.t.back() - all.t.front()) / static_cast<double>(all.t.size() - 1);
     const auto stride = static_cast<std::size_t>(std::clamp(period / (20 * h), 1.0, 1e6));
     if (stride < 2) return;
@@ -159,7 +159,7 @@ class StepLength {
       amplitude_ = std::max(amplitude_, sinusoid_amplitude(record.y));
   }
 
-  bool recorded() const { return problem_.options().drive.kind == DriveKind::recorded; }
+  bool recorded() const { return is_recorded(problem_.options().drive.kind); }
   double period() const { return two_pi / w_; }
 
   // The first step; under a recorded force, one that is off by less than a two-hundredth in the record's
@@ -313,7 +313,7 @@ KnownMotion linear_motion(const Record& record, const LawFitOptions& options, co
 // is a little off has no time to lose step.
 KnownMotion known_driven(const Record& record, const Drive& drive, const Motion& start) {
   KnownMotion known{start, record.t.size(), 0};
-  if (drive.kind != DriveKind::recorded) return known;
+  if (!is_recorded(drive.kind)) return known;
   const double spacing = drive.force.spacing, w0 = start.angular_frequency();
   const std::vector<double> r = motion_residuals(start, drive, record, recorded_step(spacing, w0));
   double squares = 0;
@@ -433,7 +433,7 @@ KnownMotion Beginning::known(const Law& law, const Record& record) const {
     else if (law.has<Quintic>())
       result.motion.per_mass.quintic = shift / cycle_average<Quintic>(amplitude, w0).shift;
   }
-  if (linear.drive.kind == DriveKind::recorded) return known_driven(record, linear.drive, result.motion);
+  if (is_recorded(linear.drive.kind)) return known_driven(record, linear.drive, result.motion);
   if (track) {
     result.motion = motion_along(*track, law, record.t.front());
     // Where it comes to rest depends on how many half swings there are: the swing itself must tell that
@@ -468,7 +468,7 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
   // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the
   // start: there a cubic one leads all others.
   LawFitOptions linear = options;
-  const bool recorded = options.drive.kind == DriveKind::recorded;
+  const bool recorded = is_recorded(options.drive.kind);
   constexpr Law odd = law_with<OddQuadratic, Quintic>;
   const bool both = options.law.contains(odd);
   const Law bends = both ? odd : law_with<Quadratic, Cubic>;

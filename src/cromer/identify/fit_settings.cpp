@@ -18,7 +18,7 @@ LeastSquaresOptions least_squares_options(const Record& record, const LawFitOpti
 }
 
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive) {
-  if (drive != DriveKind::recorded) return {};
+  if (!is_recorded(drive)) return {};
   // Without a spring a velocity does not show the place, and its offset looks like one of the force.
   if (record.derivative > 0 && !law.shares(springs)) return {.equilibrium = true, .position = true};
   // Of velocities and accelerations the place of rest is not seen: the equilibrium is the sensor's offset.
@@ -35,7 +35,7 @@ HeldParameters held_parameters(const Record& record, const Law& law, DriveKind d
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
   if (watch.steps_left) return watch;
   constexpr double any = 8e5, of_a_sample = 3000, of_a_forced_sample = 20'000;
-  const double each = drive == DriveKind::recorded ? of_a_forced_sample : of_a_sample;
+  const double each = is_recorded(drive) ? of_a_forced_sample : of_a_sample;
   Watch bound = watch;
   bound.steps_left = std::make_shared<std::atomic<double>>(any + each * static_cast<double>(record.t.size()));
   return bound;

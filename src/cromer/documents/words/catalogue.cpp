@@ -13,7 +13,7 @@ std::span<const std::span<const Entry>> catalogue() {
 #ifndef CROMER_PAGE  // which has not the tasks that say these
       words_of_live,      words_of_sweep,   words_of_spectrum, words_of_files,
       words_of_study,     words_of_door,    words_of_masses,   words_of_program,
-      words_of_recognise, words_of_report,  words_of_modes,
+      words_of_recognise, words_of_report,  words_of_modes,    words_of_curves,
 #endif
   };
   return all;

@@ -299,8 +299,6 @@ constexpr Entry entries[] = {
      "verkürzen"},
     {"run_diverged", error, "diverged: not finite after t = {t:.6g} s (step {step})",
      "divergiert: nicht mehr endlich nach t = {t:.6g} s (Schritt {step})"},
-    {"reference_run_failed", error, "the reference run failed: {what}",
-     "der Vergleichslauf misslang: {what}"},
     {"not_settled", worth_knowing,
      "{method} did not settle at {unsettled} of {frequencies} frequencies: its own damping is negative or "
      "its steps are too long there",

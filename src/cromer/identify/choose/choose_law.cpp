@@ -144,7 +144,7 @@ class LawSearch {
     LawFitOptions leading = options_;
     const Law linear = Law{options_.law.terms & springs.terms}.with(law_with<Viscous>);
     leading.law = linear;
-    if (options_.drive.kind == DriveKind::recorded && linear.shares(springs))
+    if (is_recorded(options_.drive.kind) && linear.shares(springs))
       leading.law = linear.with(law_with<Quadratic, Cubic>);
     Beginning beginning = begin_fit(record_, leading, watch_);
     if (!beginning.usable() && leading.law != linear) {
@@ -302,7 +302,7 @@ class LawSearch {
                           ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
                           : base.law.with(addition);
       if (tried(law)) continue;
-      const bool recorded = options_.drive.kind == DriveKind::recorded;
+      const bool recorded = is_recorded(options_.drive.kind);
       if (recorded && law.contains(law_with<OddQuadratic, Quintic>)) {
         LawFitOptions one = options_;
         one.law = law;
@@ -504,7 +504,7 @@ LawChoice choose_driven(const Record& record, const LawFitOptions& options, cons
 
 LawChoice choose_on(const Record& record, const LawFitOptions& options, const GivenLaw& given,
                     const Watch& watch, std::span<const LawFit> before) {
-  if (options.drive.kind == DriveKind::recorded)
+  if (is_recorded(options.drive.kind))
     return choose_reading(
         record, options, given,
         [&](const LawFitOptions& one) { return choose_driven(record, one, given, watch); }, watch);

@@ -353,7 +353,7 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   const std::vector<double> residuals = residuals_of(fit, record);
   if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
   if (fit.residual.rms <= record.resolution) return false;
-  if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
+  if (is_recorded(fit.drive.kind) || !fit.find("angular_frequency")) return !fit.residual.white;
   if (fit.residual.autocorrelation > 0.2 && shrinks(residuals, fit.residual.autocorrelation < 0.5 ? 2 : 4))
     return true;
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,

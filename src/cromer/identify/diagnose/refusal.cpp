@@ -105,7 +105,7 @@ void refuse(LawFit& fit, const Refusal& refusal) {
 
 std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options) {
   const bool driven = options.drive.kind != DriveKind::none;
-  if (!options.law.shares(springs) && options.drive.kind != DriveKind::recorded)
+  if (!options.law.shares(springs) && !is_recorded(options.drive.kind))
     return Refusal{FitStatus::no_oscillation, Notice{"no_spring"}};
   // Three more than there are parameters: what is left must show how well the law fits.
   const int parameters = fitted_parameters(options.law, options.drive.kind).count;
@@ -175,9 +175,8 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
 }
 
 Notice explains_too_little(const LawFit& fit) {
-  return Notice{
-      fit.drive.kind == DriveKind::recorded ? "force_explains_too_little" : "oscillations_explain_too_little",
-      {{"percent", 100 * std::max(0.0, fit.explained)}}};
+  return Notice{is_recorded(fit.drive.kind) ? "force_explains_too_little" : "oscillations_explain_too_little",
+                {{"percent", 100 * std::max(0.0, fit.explained)}}};
 }
 
 std::optional<Refusal> refuse_harmonic(const LawFit& fit) {

@@ -46,7 +46,7 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
   const auto add = [&](std::string_view name, double Motion::*member, bool at_rest = false) {
     fitted.of[fitted.count++] = {.name = name, .member = member, .lives_at_rest = at_rest};
   };
-  if (drive == DriveKind::recorded) {
+  if (is_recorded(drive)) {
     add("force_gain", &Motion::force_gain);
     if (!held.force_offset) add("force_offset", &Motion::force_offset, true);
   } else if (drive == DriveKind::harmonic) {

@@ -20,6 +20,14 @@ namespace cromer::core {
 
 enum class DriveKind { none, harmonic, recorded };
 
+/// The page fits no motion under a recorded force, and does not carry what that takes.
+#ifdef CROMER_PAGE
+inline constexpr bool fits_recorded_forces = false;
+#else
+inline constexpr bool fits_recorded_forces = true;
+#endif
+constexpr bool is_recorded(DriveKind kind) { return fits_recorded_forces && kind == DriveKind::recorded; }
+
 /// One motion; coefficients of terms that the law lacks are 0.
 struct Motion {
   Law law = law_of("viscous");

@@ -10,9 +10,8 @@ namespace cromer::core {
 namespace {
 
 const MotionFunctions& functions_of(const Drive& drive) {
-  return drive.kind == DriveKind::none       ? free_motions
-         : drive.kind == DriveKind::harmonic ? harmonic_motions
-                                             : recorded_motions;
+  if (is_recorded(drive.kind)) return recorded_motions;
+  return drive.kind == DriveKind::none ? free_motions : harmonic_motions;
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     if (!driven) return driven;
     return check_drive(*std::move(driven), *series, options, watch);
   }
-  if (options.force_column.empty()) {
+  if (!fits_recorded_forces || options.force_column.empty()) {
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
     return recognise_drive(*std::move(free), *series, options, watch);

@@ -119,7 +119,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
 }
 
 std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass) {
-  if (fit.drive.kind == DriveKind::recorded || !fit.law.shares(springs)) return {};
+  if (is_recorded(fit.drive.kind) || !fit.law.shares(springs)) return {};
   const Motion& motion = fit.motion;
   const double exponent = motion.per_mass.hysteresis_exponent;
   const double shorter = two_pi / std::max(motion.angular_frequency(), motion.drive_frequency);
