@@ -42,7 +42,7 @@ const wider = (look: CurveLook): CurveLook => (document.documentElement.dataset.
 export const lookOf = (meaning: Meaning, road = meaning === 'exact'): CurveLook => wider(plainLook(meaning, road))
 function plainLook(meaning: Meaning, road: boolean): CurveLook {
   if (road) return { line: token('line-exact'), word: token('word-exact'), dash: [], width: 4 }
-  if (meaning === 'measured') return { line: token('ink'), word: token('ink'), dash: [], width: 1.5 }
+  if (meaning === 'measured' || meaning === 'other') return { line: token('ink'), word: token('ink'), dash: [], width: 1.5 }
   if (meaning === 'model') return { line: token('text3'), word: token('text3'), dash: [6, 4], width: 1.5 }
   const [hue, dash] = families[meaning] ?? [meaning, []]
   const width = meaning === 'fitted' ? 2 : 1.5
@@ -51,7 +51,7 @@ function plainLook(meaning: Meaning, road: boolean): CurveLook {
 
 /** CSS colours of a meaning, for words and swatches outside of plots. */
 export function cssOf(meaning: Meaning, road = meaning === 'exact'): { line: string; word: string; dash: number[] } {
-  if (meaning === 'measured') return { line: 'var(--ink)', word: 'var(--ink)', dash: [] }
+  if (meaning === 'measured' || meaning === 'other') return { line: 'var(--ink)', word: 'var(--ink)', dash: [] }
   if (meaning === 'model') return { line: 'var(--text3)', word: 'var(--text3)', dash: [6, 4] }
   const [hue, dash] = road ? ['exact', []] : (families[meaning] ?? [meaning, []])
   return { line: `var(--line-${hue})`, word: `var(--word-${hue})`, dash: dash as number[] }

@@ -2,7 +2,7 @@
 import type { Pen } from './pen'
 
 export interface Curve {
-  meaning: string // gives the colour: a method's name, exact, measured, fitted, model
+  meaning: string // gives the colour: a method's name, exact, measured, fitted, model, other (of another mass)
   name: string // the word at its end
   x: Float64Array // rising, but in phase plots
   y: Float64Array

@@ -7,18 +7,24 @@ import { isLinear, referenceOf } from './law'
 import { everyOf } from './options'
 import type { SimulateState } from './state'
 
+export interface RunStates extends States {
+  x2?: Float64Array // [m] of the second mass, where there is one
+}
+
 /** `between`: the states at the steps and between them, of a method that knows those. */
 export interface Run extends Motion {
-  between: States | null
+  states: RunStates
+  between: RunStates | null
 }
 
 /** All that is known of it: also between the steps, where that is. */
-export const statesOf = ({ between, states }: Run): States => between ?? states
+export const statesOf = ({ between, states }: Run): RunStates => between ?? states
 
-/** Of a method that knows no more, on the line between two steps; NaN after the end. */
-export function stateAt(run: Run, t: number): { x: number; v: number } {
+/** Of a method that knows no more, on the line between two steps; NaN after the end. `x2`: NaN without a second mass. */
+export function stateAt(run: Run, t: number): { x: number; v: number; x2: number } {
   const [of, smooth] = [statesOf(run), run.between !== null]
-  return { x: valueAtX(of.t, of.x, t, smooth), v: valueAtX(of.t, of.v, t, smooth) }
+  const at = (values: Float64Array) => valueAtX(of.t, values, t, smooth)
+  return { x: at(of.x), v: at(of.v), x2: of.x2 ? at(of.x2) : NaN }
 }
 
 /** Not to be followed by a plot's limits: it grows by the method's fault. */
@@ -29,9 +35,11 @@ export function isUnbounded(run: Run, runs: Run[], s: SimulateState): boolean {
   return extentOf(run.states.x).size > 3 * extentOf(reference.states.x).size
 }
 
-export type Pick = (states: States) => { x: Float64Array; y: Float64Array }
+export type Pick = (states: RunStates) => { x: Float64Array; y: Float64Array }
 
 export const positions: Pick = ({ t, x }) => ({ x: t, y: x })
+/** Of the second mass. */
+export const secondPositions: Pick = ({ t, x2 }) => ({ x: t, y: x2 ?? new Float64Array() })
 export const velocities: Pick = ({ t, v }) => ({ x: t, y: v })
 export const energies: Pick = ({ t, energy }) => ({ x: t, y: energy })
 export const phases: Pick = ({ x, v }) => ({ x, y: v })

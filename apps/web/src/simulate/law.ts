@@ -3,7 +3,8 @@ import type { LinearPart } from '../core/types'
 import type { SimulateState } from './state'
 import { allZero, terms } from './terms'
 
-export const isLinear = (s: SimulateState): boolean => allZero(s, terms)
+/** With a second mass it is linear. */
+export const isLinear = (s: SimulateState): boolean => s.second || allZero(s, terms)
 /** The closed form, or what stands in where there is none. */
 export const referenceOf = (s: SimulateState): string => (isLinear(s) ? 'exact' : 'dormand-prince')
 /** Of the methods that know the motion between their steps: the closed form, and the one with dense output. */

@@ -44,10 +44,12 @@ export function coreOptions(s: SimulateState): Option[] {
 const perPeriod = 64 // points that draw a smooth swing
 const mostBetween = 100_000
 
-/** The same run between the steps, of the methods that know it; null where there are none or the steps are fine enough. */
-export function betweenOptions(s: SimulateState): Option[] | null {
+/** The same run between the steps, of the methods that know it; null where there are none or the steps are fine enough.
+    `like`: what is as fast, if not itself. */
+export function betweenOptions(s: SimulateState, like = s): Option[] | null {
   const methods = runMethods(s).filter(isContinuous)
-  const fastest = Math.max(Math.sqrt(Math.abs(s.stiffness) / s.mass), s.damping / s.mass, s.driveAmplitude !== 0 ? s.driveFrequency : 0)
+  const rate = Math.max(Math.sqrt(Math.abs(like.stiffness) / like.mass), like.damping / like.mass)
+  const fastest = Math.max(rate, like.driveAmplitude !== 0 ? like.driveFrequency : 0)
   // a spring that hardens swings faster than its stiffness says
   const wanted = ((isLinear(s) ? 1 : 4) * perPeriod * fastest) / (2 * Math.PI)
   const kept = s.step * everyOf(s)
@@ -75,7 +77,9 @@ export function resonanceOptions(s: SimulateState, from: number, to: number): Op
 
 /** What simulates the same in a terminal. */
 export function commandLine(s: SimulateState): string {
-  const options = [...lawOptions(s), ...methodsOf(s).map((name): Option => ['method', name])]
+  const law: Option[] = s.second ? [['network', 'two.toml']] : lawOptions(s)
+  const methods = s.second ? methodsOf(s).slice(0, 1) : methodsOf(s) // a network runs by one
+  const options = [...law, ...methods.map((name): Option => ['method', name])]
   options.push(['step', String(s.step)], ['until', String(s.until)])
   return `cromer simulate ${options.map(([name, value]) => `--${name} ${value}`).join(' ')}`
 }

@@ -4,9 +4,13 @@ import type { Decoration, Frame } from '../plot/curve'
 import type { Pen } from '../plot/pen'
 import { forceLooks, type Force } from './forces'
 
-export interface Shown {
+export interface Body {
   x: number // of the mass [m], what it follows
   marks: { meaning: string; road: boolean; x: number }[] // where each method puts it
+}
+
+export interface Shown extends Body {
+  second?: Body // right of the mass, joined to it
   forces: Force[]
   forceMost: number // [N] of the longest arrow
   cursor: number // [s]
@@ -31,11 +35,14 @@ export interface Place {
 const apart = 13 // [px] from arrow to arrow
 const sizeOf = (small: boolean): [width: number, height: number] => (small ? [52, 30] : [60, 34])
 
-/** Width left of the axis that the oscillator with so many arrows takes [px]. */
-export const roomOf = (small: boolean, arrows: number): number => (small ? 84 : 114) + Math.max(small ? 16 : 36, apart * arrows + 8)
+const betweenMasses = (small: boolean): number => (small ? 82 : 96) // [px] from middle to middle
 
-/** `room`: width left of the axis that is the oscillator's own. */
-export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale'>, room: number, small: boolean): Place {
+/** Width left of the axis that the oscillator with so many arrows takes [px]. */
+export const roomOf = (small: boolean, arrows: number, second = false): number =>
+  (small ? 84 : 114) + (second ? betweenMasses(small) + (small ? 0 : 26) : Math.max(small ? 16 : 36, apart * arrows + 8))
+
+/** `room`: width left of the axis that is the oscillator's own. `left`: of two masses the first. */
+export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale'>, room: number, small: boolean, left = false): Place {
   const [width, height] = sizeOf(small)
   const ceiling = frame.top - 6
   const high = frame.bottom - frame.top
@@ -46,31 +53,54 @@ export function placeOf(frame: Frame, shown: Pick<Shown, 'x' | 'shares' | 'scale
     : (y: number) => ((centre - y) / (0.3 * high)) * shown.scale
   const wanted = Number.isFinite(shown.x) ? toY(shown.x) : toY(0)
   const y = Math.max(ceiling + 22 + height / 2, Math.min(frame.bottom - height / 2 + 6, wanted))
-  return { middle: room - (small ? 56 : 83), y, width, height, ceiling, toY, valueAt }
+  return { middle: room - (small ? 56 : 83) - (left ? betweenMasses(small) : 0), y, width, height, ceiling, toY, valueAt }
 }
 
 export function oscillator(shown: Shown, room: number, small: boolean): Decoration {
   return (pen, frame) => {
-    const ink = token('ink')
-    const { middle, y, toY, ceiling, ...box } = placeOf(frame, shown, room, small)
-    const top = y - box.height / 2
-
-    drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
-    drawSpring(pen, shown.disc ? middle : middle - 17, ceiling, top, spring.turns(frame.bottom - frame.top), ink)
-    if (shown.disc) drawDisc(pen, middle, y + box.height / 2, ink)
-    else drawDamper(pen, middle + 17, ceiling, top, ink)
-    if (shown.shares) drawLink(pen, frame, shown.cursor, middle + box.width / 2, y)
-    pen.box(middle - box.width / 2, top, box.width, box.height, token('sunk'), ink, 4)
-    pen.text(middle, y, '*m*', { colour: ink, size: 13, align: 'center' })
-    for (const mark of shown.marks) {
-      const at = toY(mark.x)
-      if (!(at >= frame.top - 8 && at <= frame.bottom + 8)) continue
-      const { line: colour, width } = lookOf(mark.meaning, mark.road)
-      const beside = middle + box.width / 2 + 8
-      pen.line([beside, at, beside + 15, at], { colour, width: width > 3 ? 5 : 3, round: false })
-    }
-    drawForces(pen, middle - box.width / 2, y, shown, small ? 30 : 38)
+    const first = drawBody(pen, frame, shown, shown, room, small, '*m*')
+    if (shown.second) {
+      const second = drawBody(pen, frame, shown, { ...shown.second, left: false }, room, small, '*m*₂')
+      drawCoupling(pen, first.middle + first.width / 2, first.y, second.middle - second.width / 2, second.y, token('ink'))
+    } else drawForces(pen, first.middle - first.width / 2, first.y, shown, small ? 30 : 38)
   }
+}
+
+/** One mass under its ceiling, joined to its curve. */
+function drawBody(pen: Pen, frame: Frame, shown: Shown, body: Body & { left?: boolean }, room: number, small: boolean, name: string): Place {
+  const left = body.left ?? shown.second !== undefined
+  const place = placeOf(frame, { ...shown, x: body.x }, room, small, left)
+  const ink = token('ink')
+  const { middle, y, toY, ceiling, width, height } = place
+  const top = y - height / 2
+
+  drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
+  drawSpring(pen, shown.disc ? middle : middle - 17, ceiling, top, spring.turns(frame.bottom - frame.top), ink)
+  if (shown.disc) drawDisc(pen, middle, y + height / 2, ink)
+  else drawDamper(pen, middle + 17, ceiling, top, ink)
+  if (shown.shares) drawLink(pen, frame, shown.cursor, room - (small ? 56 : 83) + width / 2, y)
+  pen.box(middle - width / 2, top, width, height, token('sunk'), ink, 4)
+  pen.text(middle, y, name, { colour: ink, size: 13, align: 'center' })
+  for (const mark of body.marks) {
+    const at = toY(mark.x)
+    if (!(at >= frame.top - 8 && at <= frame.bottom + 8)) continue
+    const { line: colour, width: thick } = lookOf(mark.meaning, mark.road)
+    const beside = left ? middle - width / 2 - 23 : middle + width / 2 + 8
+    pen.line([beside, at, beside + 15, at], { colour, width: thick > 3 ? 5 : 3, round: false })
+  }
+  return place
+}
+
+/** A spring between two heights. */
+function drawCoupling(pen: Pen, fromX: number, fromY: number, toX: number, toY: number, ink: string): void {
+  const turns = 4
+  const at = (way: number) => [fromX + way * (toX - fromX), fromY + way * (toY - fromY)]
+  const points = [fromX, fromY]
+  for (let i = 0; i < 2 * turns; ++i) {
+    const [x, y] = at(0.15 + (0.7 * (i + 0.5)) / (2 * turns))
+    points.push(x!, y! + (i % 2 ? 5 : -5))
+  }
+  pen.line([...points, toX, toY], { colour: ink, width: 1.2 })
 }
 
 function drawCeiling(pen: Pen, x: number, y: number, half: number, ink: string): void {

@@ -21,7 +21,7 @@ export type PresetName = keyof typeof presets
 export const withoutTerms: Partial<SimulateState> = Object.fromEntries(terms.map(({ key }) => [key, 0]))
 
 /** All that a preset sets: also what it does not name. */
-export const stateOf = (name: PresetName): Partial<SimulateState> => ({ ...withoutTerms, velocity: 0, ...presets[name] })
+export const stateOf = (name: PresetName): Partial<SimulateState> => ({ ...withoutTerms, velocity: 0, second: false, ...presets[name] })
 
 /** The one that is on; '' where there is none. */
 export const presetOf = (s: SimulateState): PresetName | '' =>

@@ -33,6 +33,10 @@ export const ranges = {
   driveAmplitude: () => fine(10),
   driveFrequency: (law: Law): Scale => ({ least: 0, most: roundUp(1.6 * frequency(law)), kind: 'even' }),
   position: () => even(2),
+  secondMass: () => ratio(0.01, 100),
+  secondStiffness: () => ratio(0.1, 200),
+  coupling: () => fine(20),
+  secondPosition: () => even(2),
   velocity: () => even(5),
   step: (law: Law) => {
     const least = 10 ** Math.round(Math.log10(0.003 / frequency(law)))
@@ -45,8 +49,8 @@ export const ranges = {
 }
 
 /** Of the resonance curve [rad/s]: about the natural frequency, and the drive in it. The peak of a spring that hardens leans to the right. */
-export function resonanceRange(s: SimulateState, law: Law): [from: number, to: number] {
+export function resonanceRange(s: SimulateState, law: Law, fastest = law): [from: number, to: number] {
   const middle = frequency(law)
   const from = Math.min(middle / 3, s.driveFrequency * 0.9)
-  return [Math.max(from, middle / 1000), Math.max(middle * (isLinear(s) ? 5 / 3 : 2), s.driveFrequency * 1.1)]
+  return [Math.max(from, middle / 1000), Math.max(frequency(fastest) * (isLinear(s) ? 5 / 3 : 2), s.driveFrequency * 1.1)]
 }

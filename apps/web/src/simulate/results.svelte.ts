@@ -1,18 +1,20 @@
 // What the core says to the state of the page: asked anew at every change, the newest question first.
 import { ask, askAside, openCore } from '../core/ask'
 import { answerAtOnce, learn } from '../core/at_once'
-import type { Answer, LinearPart, MethodList, Motion, Options, Resonance } from '../core/types'
+import type { Answer, LinearPart, MethodList, Motion, Motions, Options, Resonance } from '../core/types'
 import { page } from '../state/page.svelte'
 import type { Said } from '../words/said'
 import type { Run } from './curves'
 import { isContinuous, isLinear } from './law'
 import { askForces, betweenOptions, coreOptions, resonanceOptions } from './options'
 import { resonanceRange } from './ranges'
+import { curvesOfBoth, modesOf, runOfBoth, stateOfMode, type Mode, type ModeNow } from './second'
 import type { SimulateState } from './state'
 
 class Results {
   runs: Run[] = $state.raw([])
-  linear: LinearPart | null = $state.raw(null) // null until the core has said it
+  linear: LinearPart | null = $state.raw(null) // null until the core has said it; of two masses that of the slower mode
+  modes: ModeNow[] = $state.raw([]) // of two masses, the slower first
   /** Why there is no newer picture: the core's own words. */
   message: Said = $state.raw('')
   resonance: Resonance['curves'] = $state.raw([])
@@ -33,17 +35,26 @@ function put(part: Partial<Results>): void {
 }
 
 /** `between`: the same run between the steps, where that was asked for. */
-function show([answer, between]: Answer<'motion'>[], nothing: boolean): void {
-  if (answer!.status === 2) return put({ message: answer!.document.message })
-  const { runs, linear_part } = answer!.document
+function runsOf({ runs }: Motions, between: Answer<'motion'> | undefined): Run[] {
   const finer = between && between.status !== 2 ? between.document.runs : runs
-  const known = (run: Motion): Run => {
+  return runs.map((run: Motion): Run => {
     const same = isContinuous(run.method) && finer.find((each) => each.method === run.method)
     return { ...run, between: same ? same.states : null, forces: (same && same.forces) || run.forces }
-  }
+  })
+}
+
+/** The answers of one mass, or those of each of two modes; each may be followed by the same between the steps. */
+function show(answers: Answer<'motion'>[], nothing: boolean, modes: [Mode, Mode] | null): void {
+  const bad = answers.find((answer) => answer.status === 2)
+  if (bad && bad.status === 2) return put({ message: bad.document.message })
+  const each = answers.length / (modes ? 2 : 1)
+  const documents = answers.map(({ document }) => document as Motions)
+  const parts = (modes ?? [null]).map((_, i) => runsOf(documents[i * each]!, each > 1 ? answers[i * each + 1] : undefined))
+  const runs = modes ? parts[0]!.map((run, i) => runOfBoth(modes, [run, parts[1]![i]!])) : parts[0]!
   put({
-    runs: nothing ? [] : runs.map(known),
-    linear: linear_part, message: '',
+    runs: nothing ? [] : runs,
+    linear: documents[0]!.linear_part, message: '',
+    modes: modes ? parts.map((part, i) => ({ linear: documents[i * each]!.linear_part, runs: nothing ? [] : part })) : [],
   })
 }
 
@@ -69,18 +80,22 @@ let [turn, shown] = [0, 0]
 /** Puts the new curves in place, in the same frame where that is possible. `then`: once they are the newest. */
 function simulate(state: SimulateState, then: () => void): void {
   const mine = ++turn
-  const [options, between] = [coreOptions(state), betweenOptions(state)]
-  const nothing = methodsIn(options).length === 0 // but what the law is known by
-  if (nothing) options.push(['method', 'euler-cromer'])
-  askForces(options, between)
-  const all = between ? [options, between] : [options]
+  const modes = state.second ? modesOf(state) : null
+  const parts = modes ? modes.map((mode) => stateOfMode(state, mode)) : [state]
+  const nothing = methodsIn(coreOptions(state)).length === 0 // but what the law is known by
+  const all = parts.flatMap((part) => {
+    const [options, between] = [coreOptions(part), betweenOptions(part, parts.at(-1))]
+    if (nothing) options.push(['method', 'euler-cromer'])
+    if (!modes) askForces(options, between)
+    return between ? [options, between] : [options]
+  })
   // Of linear laws every step costs the same; others may take any number of iterations, or of steps of their own.
-  const alike = isLinear(state) && !methodsIn(options).includes('dormand-prince')
+  const alike = isLinear(state) && !methodsIn(all[0]!).includes('dormand-prince')
   const cost = (asked: Options): [kind: string, steps: number] =>
     [methodsIn(asked).join(), (methodsIn(asked).length * state.until) / Number(new Map(asked).get('step'))]
   const done = (answers: Answer<'motion'>[]) => {
     shown = mine
-    show(answers, nothing)
+    show(answers, nothing, modes)
     afterPaint(then)
   }
   const atOnce = alike ? all.map((asked) => answerAtOnce('motion', asked, ...cost(asked))) : [null]
@@ -117,14 +132,22 @@ async function resonate(state: SimulateState): Promise<void> {
     ++asked.turn
     return put({ resonance: [] })
   }
-  const answer = await askCurves(resonanceOptions(state, ...resonanceRange(state, current.linear)))
-  if (answer) put({ resonance: answer.status === 2 ? [] : answer.document.curves })
+  const range = resonanceRange(state, current.linear, current.modes[1]?.linear)
+  const modes = state.second ? modesOf(state) : null
+  const parts = modes ? modes.map((mode) => ({ ...stateOfMode(state, mode), driveAmplitude: state.driveAmplitude })) : [state]
+  const found: Resonance['curves'][] = []
+  for (const part of parts) {
+    const answer = await askCurves(resonanceOptions(part, ...range))
+    if (!answer) return
+    found.push(answer.status === 2 ? [] : answer.document.curves)
+  }
+  put({ resonance: modes ? curvesOfBoth(modes, found) : found[0]! })
 }
 
 let bounding = 0
 async function bound(state: SimulateState): Promise<void> {
   const mine = ++bounding
-  const { natural_frequency: frequency = 0, damping_ratio: ratio = 0 } = current.linear ?? {}
+  const { natural_frequency: frequency = 0, damping_ratio: ratio = 0 } = (current.modes[1] ?? current).linear ?? {}
   if (!isLinear(state) || frequency === 0 || (ratio ?? 0) < 0) return put({ limits: {} })
   const answer = await askAside(
     'effective',
@@ -140,8 +163,9 @@ async function bound(state: SimulateState): Promise<void> {
 
 /** What the resonance curve depends on. */
 const resonanceKey = (state: SimulateState): string =>
-  JSON.stringify({ ...state, position: 0, velocity: 0, until: 0, quantity: '', forces: false })
-const limitsKey = (s: SimulateState): string => [s.mass, s.stiffness, s.damping, isLinear(s)].join()
+  JSON.stringify({ ...state, position: 0, secondPosition: 0, velocity: 0, until: 0, quantity: '', forces: false })
+const limitsKey = (s: SimulateState): string =>
+  [s.mass, s.stiffness, s.damping, isLinear(s), s.second, s.secondMass, s.secondStiffness, s.coupling].join()
 const calm = 120 // [ms] of rest before the limits are asked for
 
 /** Keeps the results up to date for as long as the component lives that calls it: first the curves, then the rest. */

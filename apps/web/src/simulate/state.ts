@@ -1,7 +1,7 @@
 // What the Simulate page keeps: the law, its drive, the start and the run, in SI units.
 import { areMethods, notNegative, oneOf, positive, type Rules } from '../state/rules'
 
-export type Quantity = 'position' | 'velocity' | 'difference'
+export type Quantity = 'position' | 'velocity' | 'difference' | 'second'
 export type PhonePlot = 'motion' | 'energy' | 'phase' | 'resonance'
 
 export const simulateDefaults = {
@@ -25,6 +25,12 @@ export const simulateDefaults = {
   methods: ['exact', 'forward-euler', 'euler-cromer', 'implicit-euler'] as string[],
   quantity: 'position' as Quantity,
   forces: true, // shown on the mass
+  // a second mass on a spring of its own, and the spring between both
+  second: false,
+  secondMass: 1,
+  secondStiffness: 9,
+  coupling: 1,
+  secondPosition: 0,
 }
 export type SimulateState = typeof simulateDefaults
 
@@ -33,7 +39,8 @@ export const mostSteps = 1_000_000
 /** What an address may hold. */
 export const simulateRules: Rules<SimulateState> = {
   mass: positive, drag: notNegative, friction: notNegative, driveAmplitude: notNegative,
-  driveFrequency: notNegative, methods: areMethods, quantity: oneOf('position', 'velocity', 'difference'),
+  driveFrequency: notNegative, methods: areMethods, secondMass: positive,
+  quantity: (quantity, state) => oneOf('position', 'velocity', 'difference', state.second ? 'second' : '')(quantity),
   step: (step, state) => step > 0 && state.until / step <= mostSteps,
   until: (until, state) => until > 0 && until / state.step <= mostSteps,
 }

@@ -9,6 +9,7 @@ import { answerOf, type Checked } from './check'
 import { checkGiven, keyFor, type Given } from './hand_in'
 import { idsOf, optionsOf, questionsIn, taskId } from './options'
 import { oscillatorOf } from './own_oscillator'
+import type { Tour } from './tour'
 import { questionsOf, units, type Lab, type Question } from './questions'
 import { nameOf, seedOf } from './seed'
 import { recordingName } from './hidden'
@@ -28,10 +29,12 @@ class Own {
   options = $derived(optionsOf(page.teach))
   /// Of a class; without one both are open to everybody.
   labs = $derived<Lab[]>(page.teach.course.trim() === '' ? ['one', 'two'] : this.options.labs)
+  /// A class has its labs alone.
+  tours = $derived<Tour[]>(page.teach.course.trim() === '' ? [...this.labs, 'three'] : this.labs)
   /// The law of the class's recordings is hidden.
   byHand = $derived(page.teach.course.trim() !== '' && this.options.hideLaw)
   /// What is asked beside the lab that is shown.
-  asked = $derived<Question[]>(questionsIn(page.teach.lab as Lab, { hideLaw: this.byHand }))
+  asked = $derived<Question[]>(page.teach.lab === 'three' ? [] : questionsIn(page.teach.lab as Lab, { hideLaw: this.byHand }))
   ids = $derived([...this.asked, ...this.options.tasks.map((_, i) => taskId(i))])
   /// Of the last check, each with the answer that it was of.
   results: Record<string, Checked & { of: string }> = $state({})

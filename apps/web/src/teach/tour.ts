@@ -2,5 +2,9 @@
 import type { StepWords, teach } from '../words/en/teach'
 import type { Lab } from './questions'
 
-export const stepsOf = (lab: Lab, w: typeof teach, byHand: boolean): StepWords[] =>
+/// A lab, or the two pendulums, of which nothing is asked.
+export type Tour = Lab | 'three'
+export const doneKeys = { one: 'doneOne', two: 'doneTwo', three: 'doneThree' } as const
+
+export const stepsOf = (lab: Tour, w: typeof teach, byHand: boolean): StepWords[] =>
   w[lab].map((step) => (byHand && step.byHand ? { ...step, ...step.byHand } : step))

@@ -2,7 +2,7 @@
 import { spawn } from 'node:child_process'
 import { join } from 'node:path'
 
-const suites = ['teach', 'simulate', 'truths', 'measure', 'agrees', 'drops', 'served', 'path', 'live', 'keys', 'print', 'policy', 'serial']
+const suites = ['teach', 'simulate', 'second', 'truths', 'measure', 'agrees', 'drops', 'served', 'path', 'live', 'keys', 'print', 'policy', 'serial']
 const failed = []
 
 function run(suite) {

@@ -30,7 +30,7 @@ test('what cannot be read keeps its default', () => {
 
 test.each([
   'simulate?mass=-1', 'simulate?drag=-1', 'simulate?forces=maybe', 'simulate?quantity=foo', 'simulate?methods=rk4;curl%20evil|sh', 'simulate?methods=rk4,rk4',
-  'simulate?methods=toString', 'simulate?step=1e-9', 'simulate?until=1e9', 'simulate?step=0', 'teach?one=99', 'teach?one=1.5', 'teach?lab=three',
+  'simulate?methods=toString', 'simulate?step=1e-9', 'simulate?until=1e9', 'simulate?step=0', 'teach?one=99', 'teach?one=1.5', 'teach?lab=four', 'teach?three=7', 'simulate?quantity=second', 'simulate?secondMass=0',
   'teach?doneOne=1,x', 'teach?methods=nothing', 'teach?step=1e-9', 'measure?run=0',
 ])('what breaks a rule keeps its default: %s', (address) => {
   const tab = address.split('?')[0] as 'simulate' | 'measure' | 'teach'

@@ -11,6 +11,10 @@ test('the command line says all that differs from nothing', () => {
   expect(studyFile(simulateDefaults, 'A', 'B', {})).toContain('damping = "0.2 kg/s"')
 })
 
+test('of two masses the command has their network', () => {
+  expect(commandLine({ ...simulateDefaults, second: true, cubic: 3 })).toBe('cromer simulate --network two.toml --method exact --step 0.025 --until 25')
+})
+
 test('without an exact solution Dormand-Prince stands in', () => {
   expect(methodsOf({ ...simulateDefaults, cubic: 1 })[0]).toBe('dormand-prince')
   expect(methodsOf({ ...simulateDefaults, cubic: 1, methods: ['rk4'] })).toEqual(['rk4'])

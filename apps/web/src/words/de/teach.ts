@@ -3,9 +3,10 @@ import type { StepWords, teach as en } from '../en/teach'
 
 export const teach: typeof en = {
   labs: 'Praktika',
-  lab: { one: 'Versuch eins', two: 'Versuch zwei' },
+  lab: { one: 'Versuch eins', two: 'Versuch zwei', three: 'Pendel' },
   oneTitle: 'Angetriebene Resonanz',
   twoTitle: 'Dämpfung in Luft',
+  threeTitle: 'Gekoppelte Pendel',
   about: (steps, minutes) =>
     `${steps} Schritte, etwa ${minutes} Minuten. Ihr Stand bleibt in der Adresse dieser Seite.`,
   stepOf: (step, of) => `Schritt ${step} von ${of}`,
@@ -25,7 +26,11 @@ export const teach: typeof en = {
     position: ['Ort', 'x₀', 'm', 'Meter'],
     damping: ['Dämpfung', 'c', 'kg/s', 'Kilogramm je Sekunde'],
     driveFrequency: ['Antriebsfrequenz', 'ω', 'rad/s', 'Radiant je Sekunde'],
-    step: ['Schritt', 'h', 's', 'Sekunden']
+    step: ['Schritt', 'h', 's', 'Sekunden'],
+    firstStart: ['erstes Pendel', 'x₁', 'm', 'Meter'],
+    secondStart: ['zweites Pendel', 'x₂', 'm', 'Meter'],
+    joint: ['Kopplung', 'κ', 'N/m', 'Newton je Meter'],
+    secondSpring: ['zweite Federkonstante', 'k₂', 'N/m', 'Newton je Meter']
   },
   plot: {
     position: 'Ort',
@@ -108,6 +113,62 @@ export const teach: typeof en = {
       done: 'Erledigt: die Tabelle ist kopiert',
       whyTitle: 'Was gehört in den Bericht?',
       why: 'Das Gesetz mit seinen Zahlen, Schritt und Verfahren jeder Kurve, und was das Verfahren dem Gesetz hinzufügt. Eine Simulation ohne ihren Schritt lässt sich nicht wiederholen.',
+      next: ''
+    }
+  ] as StepWords[],
+  three: [
+    {
+      title: 'Eines treibt das andere',
+      text: 'Zwei Pendel, je 1 kg und 1 m lang, durch eine weiche Feder von 0,5 N/m verbunden. Bei kleinen Schwingungen ist jedes eine Masse an einer Feder von *m g*/*l* = 9,81 N/m, und so sind sie gezeichnet. Ziehen Sie das **erste** auf **0,1 m**, und beobachten Sie das zweite.',
+      goal: 'Zu tun: das erste beginnt bei 0,1 m',
+      done: 'Erledigt: das erste beginnt bei 0,100 m',
+      whyTitle: 'Warum kommt das erste zur Ruhe?',
+      why: 'Die Feder treibt das zweite an und hält das erste zurück. Nach 20,2 s hat das zweite alle Energie; dann treibt es das erste.',
+      next: 'beide zusammen'
+    },
+    {
+      title: 'Seite an Seite',
+      text: 'Ziehen Sie nun auch das **zweite** in dieselbe Richtung: auf **0,1 m**. Wechseln sie sich noch ab?',
+      goal: 'Zu tun: das zweite beginnt bei 0,1 m',
+      done: 'Erledigt: das zweite beginnt bei 0,100 m',
+      whyTitle: 'Warum wechseln sie sich nicht ab?',
+      why: 'Seite an Seite dehnen sie die Feder nie. Jedes schwingt wie allein, mit *ω*₁ = √(9,81 N/m / 1 kg) = 3,13 rad/s. Eine Bewegung, in der alle denselben Takt halten, ist eine **Eigenschwingung**.',
+      next: 'gegeneinander'
+    },
+    {
+      title: 'Gegeneinander',
+      text: 'Ziehen Sie das **zweite** in die andere Richtung: auf **−0,1 m**. Nun schwingen sie schneller.',
+      goal: 'Zu tun: das zweite beginnt bei −0,1 m',
+      done: 'Erledigt: das zweite beginnt bei −0,100 m',
+      whyTitle: 'Warum schneller?',
+      why: 'Beide dehnen die Feder, jedes von seinem Ende, also zieht sie doppelt so stark: *ω*₂ = √((9,81 + 2 · 0,5) N/m / 1 kg) = 3,29 rad/s. Zwei Massen haben zwei Eigenschwingungen, und jede Bewegung ist eine Summe von ihnen.',
+      next: 'Schwebung'
+    },
+    {
+      title: 'Schwebung',
+      text: 'Noch einmal das erste allein: das sind beide Eigenschwingungen zugleich. Ziehen Sie die **Kopplung *κ*** von 0,5 auf **1 N/m**. Wie lange dauert es, bis das erste stillsteht?',
+      goal: 'Zu tun: *κ* ist 1 N/m',
+      done: 'Erledigt: *κ* ist 1,00 N/m',
+      whyTitle: 'Warum in halber Zeit?',
+      why: 'Die Eigenschwingungen beginnen im Takt und sind nach π/(*ω*₂ − *ω*₁) gegeneinander: nach 20,2 s bei 0,5 N/m, nach 10,3 s bei 1 N/m. Im ersten Pendel heben sie sich dann auf.',
+      next: 'zwei ungleiche'
+    },
+    {
+      title: 'Zwei ungleiche',
+      text: 'Kürzen Sie den Faden des zweiten auf 0,82 m: ziehen Sie seine **Federkonstante *k*₂** von 9,81 auf **12 N/m**. Kommt das erste noch zur Ruhe?',
+      goal: 'Zu tun: *k*₂ ist 12 N/m',
+      done: 'Erledigt: *k*₂ ist 12,0 N/m',
+      whyTitle: 'Warum behält das erste die meiste Energie?',
+      why: 'In jeder Eigenschwingung schwingt nun ein Pendel weit und das andere wenig. Von der Energie gehen höchstens 4*κ*²/((*k*₂ − *k*)² + 4*κ*²) = 17 % über.',
+      next: 'ein Verfahren'
+    },
+    {
+      title: 'Was ein Verfahren daraus macht',
+      text: 'Wieder gleich, in Schritten von 0,02 s. Schalten Sie von der exakten Lösung auf **Euler implizit**.',
+      goal: 'Zu tun: Euler implizit ist an',
+      done: 'Erledigt: Euler implizit ist an',
+      whyTitle: 'Warum klingen sie ab?',
+      why: 'Euler implizit fügt jeder Eigenschwingung eine Abklingrate von *ω*²*h*/2 hinzu: 0,098 1/s der langsamen, 0,108 1/s der schnellen. Je schneller eine Eigenschwingung, desto mehr irrt ein Verfahren. Auf der Seite Simulieren steht mehr unter *Zweite Masse dazu*.',
       next: ''
     }
   ] as StepWords[],

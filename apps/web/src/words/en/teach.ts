@@ -17,9 +17,10 @@ export interface StepWords {
 
 export const teach = {
   labs: 'Labs',
-  lab: { one: 'Lab one', two: 'Lab two' },
+  lab: { one: 'Lab one', two: 'Lab two', three: 'Pendulums' },
   oneTitle: 'Driven resonance',
   twoTitle: 'Damping in air',
+  threeTitle: 'Coupled pendulums',
   about: (steps: number, minutes: number) =>
     `${steps} steps, about ${minutes} minutes. Your place is kept in the address of this page.`,
   stepOf: (step: number, of: number) => `Step ${step} of ${of}`,
@@ -39,7 +40,11 @@ export const teach = {
     position: ['position', 'x₀', 'm', 'metres'],
     damping: ['damping', 'c', 'kg/s', 'kilograms per second'],
     driveFrequency: ['drive frequency', 'ω', 'rad/s', 'radians per second'],
-    step: ['step', 'h', 's', 'seconds']
+    step: ['step', 'h', 's', 'seconds'],
+    firstStart: ['first pendulum', 'x₁', 'm', 'metres'],
+    secondStart: ['second pendulum', 'x₂', 'm', 'metres'],
+    joint: ['coupling', 'κ', 'N/m', 'newtons per metre'],
+    secondSpring: ['second stiffness', 'k₂', 'N/m', 'newtons per metre']
   },
   plot: {
     position: 'Position',
@@ -122,6 +127,62 @@ export const teach = {
       done: 'Done: the table is copied',
       whyTitle: 'What belongs into the report?',
       why: 'The law with its numbers, the step and the method of each curve, and what the method added to the law. A simulation without its step cannot be repeated.',
+      next: ''
+    }
+  ] as StepWords[],
+  three: [
+    {
+      title: 'One drives the other',
+      text: 'Two pendulums of 1 kg and 1 m, joined by a soft spring of 0.5 N/m. Of small swings each is a mass on a spring of *m g*/*l* = 9.81 N/m, and so they are drawn. Pull the **first** to **0.1 m**, and watch the second.',
+      goal: 'To do: the first starts at 0.1 m',
+      done: 'Done: the first starts at 0.100 m',
+      whyTitle: 'Why does the first come to rest?',
+      why: 'The spring pushes the second along and holds the first back. After 20.2 s the second has all the energy; then it drives the first.',
+      next: 'both together'
+    },
+    {
+      title: 'Side by side',
+      text: 'Now pull the **second** as well, the same way: to **0.1 m**. Do they still take turns?',
+      goal: 'To do: the second starts at 0.1 m',
+      done: 'Done: the second starts at 0.100 m',
+      whyTitle: 'Why do they not take turns?',
+      why: 'Side by side they never stretch the spring. Each swings as if it were alone, at *ω*₁ = √(9.81 N/m / 1 kg) = 3.13 rad/s. A motion in which all keep one rhythm is a **normal mode**.',
+      next: 'against each other'
+    },
+    {
+      title: 'Against each other',
+      text: 'Pull the **second** the other way: to **−0.1 m**. They swing faster now.',
+      goal: 'To do: the second starts at −0.1 m',
+      done: 'Done: the second starts at −0.100 m',
+      whyTitle: 'Why faster?',
+      why: 'Both stretch the spring, each from its end, so it pulls twice as hard: *ω*₂ = √((9.81 + 2 · 0.5) N/m / 1 kg) = 3.29 rad/s. Two masses have two normal modes, and every motion is a sum of them.',
+      next: 'beats'
+    },
+    {
+      title: 'Beats',
+      text: 'The first alone once more: that is both modes at once. Drag the **coupling *κ*** from 0.5 to **1 N/m** and watch how long it takes until the first stands still.',
+      goal: 'To do: *κ* is 1 N/m',
+      done: 'Done: *κ* is 1.00 N/m',
+      whyTitle: 'Why in half the time?',
+      why: 'The modes start in step and are against each other after π/(*ω*₂ − *ω*₁): 20.2 s at 0.5 N/m, 10.3 s at 1 N/m. In the first pendulum they then cancel.',
+      next: 'two that differ'
+    },
+    {
+      title: 'Two that differ',
+      text: 'Shorten the string of the second to 0.82 m: drag its **stiffness *k*₂** from 9.81 to **12 N/m**. Does the first still come to rest?',
+      goal: 'To do: *k*₂ is 12 N/m',
+      done: 'Done: *k*₂ is 12.0 N/m',
+      whyTitle: 'Why does the first keep most of its energy?',
+      why: 'In each mode now one pendulum swings far and the other little. Of the energy at most 4*κ*²/((*k*₂ − *k*)² + 4*κ*²) = 17 % goes over.',
+      next: 'a method'
+    },
+    {
+      title: 'What a method makes of the modes',
+      text: 'Equal again, in steps of 0.02 s. Switch from the exact solution to **implicit Euler**.',
+      goal: 'To do: implicit Euler is on',
+      done: 'Done: implicit Euler is on',
+      whyTitle: 'Why do they die down?',
+      why: 'Implicit Euler adds a decay rate of *ω*²*h*/2 to each mode: 0.098 1/s to the slow one, 0.108 1/s to the fast one. The faster a mode, the more a method errs. On the Simulate page, *Add a second mass* has more.',
       next: ''
     }
   ] as StepWords[],
