@@ -4,7 +4,7 @@ import pathlib
 import subprocess
 import sys
 
-PROGRAMS = ["w1", "work_precision", "w2", "w3", "w4", "w5", "invariants"]
+PROGRAMS = ["w1", "work_precision", "w2", "w3", "w4", "w5", "w6", "invariants"]
 
 
 def rows_of(command):

@@ -23,15 +23,13 @@ int run_modes(const Arguments& arguments) {
                 .options = options_of(options),
                 .example =
                     "  cromer modes data/networks/frame.toml\n"
-                    "  cromer modes data/networks/frame.toml --method newmark --step 0.02\n"
+                    "  cromer modes data/networks/frame.toml --method newmark --step 0.02 --plot frame.svg\n"
                     "  cromer modes data/networks/floors_in_wind.csv --plot modes.svg"};
   add_output_options(syntax.options, output, {}, "the modes as .csv or .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   const std::string& file = files.front();
-  if (is_network_file(file) && !output.plot.empty())
-    return refuse(Error{"option_of_recordings", {{"option", "plot"}, {"file", file}}});
   const auto result = modes_of_file(file, options);
   if (!result) return refuse(result.error());
   return give({.text = [&] { return modes_text(*result); },

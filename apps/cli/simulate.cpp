@@ -46,17 +46,19 @@ int run_network_file(const std::string& file, SimulateOptions options, OutputOpt
   const auto network = open_network(file);
   if (!network) return refuse(network.error());
   options.memory = os::memory() / 2;
-  const auto run = run_network(*network, file, options, watching(output.quiet));
+  const auto runs = run_network_by_each(*network, file, options, watching(output.quiet));
   clear_progress();
-  if (!run) return refuse(run.error());
-  Answer answer{.text = [&] { return network_text(*run); },
-                .json = [&] { return to_json(*run, false); },
-                .csv = [&] { return network_csv(*run, provenance(output, "simulate", arguments)); },
-                .whole_json = [&] { return to_json(*run, true); },
-                .figure = [&] { return network_figure(*run); },
-                .notices = run->notices,
-                .good = run->ok()};
-  if (!run->message.empty()) answer.failures.push_back(run->method + ": " + in_words(run->message));
+  if (!runs) return refuse(runs.error());
+  Answer answer{.text = [&] { return network_text(*runs); },
+                .json = [&] { return to_json(*runs, false); },
+                .csv = [&] { return network_csv(*runs, provenance(output, "simulate", arguments)); },
+                .whole_json = [&] { return to_json(*runs, true); },
+                .figure = [&] { return network_figure(*runs); }};
+  for (const NetworkRun& run : *runs) {
+    answer.notices.insert(answer.notices.end(), run.notices.begin(), run.notices.end());
+    answer.good = answer.good && run.ok();
+    if (!run.message.empty()) answer.failures.push_back(run.method + ": " + in_words(run.message));
+  }
   return give(answer, output);
 }
 
@@ -81,7 +83,7 @@ int run_simulate(const Arguments& arguments) {
   syntax.options.push_back(
       {"network", &network, "", Range::any,
        "file (.toml) of masses and links that run in place of one oscillator; the options "
-       "of the integration go with it, but one method",
+       "of the integration go with it",
        "none", "A network of masses"});
   add_output_options(syntax.options, output, {.provenance = true, .panels = true},
                      "the kept states as .csv, .json or .h5");

@@ -53,6 +53,12 @@ TEST(ParseQuantity, GramsRoundOnce) {
   EXPECT_EQ(parse_quantity("0.3 mm", "m")->value, 0.0003);
 }
 
+TEST(ParseQuantity, TonnesWhereAMassIsAskedFor) {
+  EXPECT_EQ(parse_quantity("2 t", "kg")->value, 2000);
+  EXPECT_FALSE(parse_quantity("2 t", "s"));
+  EXPECT_FALSE(parse_unit("t")) << "a column \"x (t)\" is no mass";
+}
+
 TEST(ParseQuantity, PrefixesAndComposites) {
   expect("12 cm", "m", 0.12);
   expect("20 ms", "s", 0.02);

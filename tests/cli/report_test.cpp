@@ -58,6 +58,23 @@ TEST(Report, OfTheResonanceLabHasItsFiguresAndTheTheorysNumbers) {
   EXPECT_EQ(lab.value("ie.1.newton_iterations"), 2 * lab.value("ie.1.steps"));
 }
 
+TEST(Report, OfCoupledPendulumsHasBeatsAndModes) {
+  const Lab lab("coupled_pendulums.toml");
+  ASSERT_EQ(lab.end.status, 0) << lab.end.err;
+  expect_figures(lab, 4);
+  EXPECT_NEAR(lab.value("modes.coupling"), 0.05 / 1.62, 1e-9);
+  // The energy has moved over after half a beat, to a period, but for what damping took.
+  EXPECT_NEAR(lab.value("beats.1.right.energy_peak_t"), lab.value("modes.beat_period") / 2,
+              lab.value("modes.1.period"));
+  EXPECT_GT(lab.value("beats.1.right.energy_peak"), 0.8 * lab.value("beats.1.energy.start"));
+  EXPECT_LT(lab.value("beats.1.links.3.energy_peak"), 0.1 * lab.value("beats.1.energy.start"));
+  EXPECT_NEAR(lab.value("in_phase.1.links.3.energy_peak"), 0, 1e-15);
+  // What the texts say of methods: only implicit Euler damps the modes much.
+  EXPECT_GT(lab.value("by_methods.1.methods.3.damping_ratio"), 20 * lab.value("modes.1.damping_ratio"));
+  EXPECT_LT(lab.value("by_methods.1.methods.2.damping_ratio"), 1.1 * lab.value("modes.1.damping_ratio"));
+  EXPECT_LT(lab.value("coarse.3.right.peak"), 0.5 * lab.value("coarse.1.right.peak"));
+}
+
 TEST(Report, OfTheSpringLabAnswersItsQuestions) {
   const Lab lab("spring_lab.toml");
   ASSERT_EQ(lab.end.status, 0) << lab.end.err;

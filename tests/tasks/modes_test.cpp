@@ -211,6 +211,28 @@ TEST(Modes, AreLinearisedAboutRestAndThatIsSaid) {
   EXPECT_TRUE(linear.notices.empty());
 }
 
+TEST(Modes, OfMassesThatNothingPullsBack) {
+  // A damper and a bent spring alone: they do not come back, so no method creeps back.
+  Network network;
+  network.masses.push_back({"a", 2});
+  network.links.push_back({ground, 0, {.stiffness = 0, .damping = 1, .cubic = 3}});
+  const auto found = network_modes(network, "n.toml", {.method = {"rk4"}, .step = 0.1});
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(std::signbit(found->modes[0].frequency.value));
+  EXPECT_EQ(in_words(found->modes[0].methods[0].words), "does not swing, as your law does not");
+}
+
+TEST(Modes, SaysThatASlowOneIsLostInRounding) {
+  Network network;
+  network.masses = {{"a", 1}, {"b", 1}};
+  network.links = {{ground, 0, {.stiffness = 1e15}}, {0, 1, {.stiffness = 1}}};
+  const ModesResult found = modes_of(network);
+  ASSERT_EQ(found.notices.size(), 1u);
+  EXPECT_EQ(found.notices[0].code, "slow_modes_lost");
+  network.links[0].law.stiffness = 1e6;
+  EXPECT_TRUE(modes_of(network).notices.empty());
+}
+
 TEST(Modes, OfFreeBodiesAndOfStronglyDampedOnes) {
   Network network = chain(3, 0);
   network.links.erase(network.links.begin());
@@ -223,7 +245,8 @@ TEST(Modes, OfFreeBodiesAndOfStronglyDampedOnes) {
     EXPECT_NEAR(free.modes[1].frequency.value, 4 / (2 * std::numbers::pi), 1e-4);
     EXPECT_NEAR(*free.modes[0].participation, 1, 1e-6);
     ASSERT_EQ(free.notices.size(), 1u);
-    EXPECT_EQ(in_words(free.notices[0]), "1 mode has the frequency 0: nothing ties all masses to the ground");
+    EXPECT_EQ(in_words(free.notices[0]),
+              "1 mode has the frequency 0: in small motions nothing pulls all masses back to the ground");
   }
   // One mass creeps back: its ratio is that of an oscillator.
   for (const double other : {0.0, 0.3}) {

@@ -85,6 +85,9 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(
       refusal(with("", "")),
       "n.toml:1:1: \"cart\" has no mass: give mass = \"1200 kg\", or of an angle inertia = \"0.05 kg m^2\"");
+  EXPECT_EQ(refusal(with("", "mas = 1")), "n.toml:3:7: \"mas\" is not known here; did you mean \"mass\"?");
+  EXPECT_EQ(refusal(with("[[link]]\nto = \"cart\"\nstifness = 1\n")),
+            "n.toml:10:12: \"stifness\" is not known here; did you mean \"stiffness\"?");
   EXPECT_EQ(refusal(with("", "mass = 1\ninertia = 2")),
             "n.toml:1:1: \"cart\" has a mass and an inertia: give one of them");
   EXPECT_EQ(refusal(with("", "mass = 1\npositon = 2")),

@@ -65,12 +65,47 @@ TEST(NetworkRun, EnergyIsAccountedFor) {
     EXPECT_LT(std::abs(energy.method()), 1e-6 * energy.start) << method;
     ASSERT_EQ(energy.of_links.size(), 4u);
     double taken = 0;
-    for (const EnergyBalance& link : energy.of_links) taken += link.taken.sum();
+    for (const LinkEnergy& link : energy.of_links) taken += link.taken;
     EXPECT_NEAR(taken, energy.taken, 1e-12);
   }
   // What a method makes itself shows: forward Euler's gain.
   const NetworkRun gains = run_of(network, {.method = {"forward-euler"}, .step = 0.005, .until = 5});
   EXPECT_GT(gains.energy->method(), 0.01);
+}
+
+TEST(NetworkRun, EnergyOfFrictionAndHysteresisIsAccountedFor) {
+  Network network = chain(3);
+  network.links[1].law.friction = 0.2;
+  network.links[2].law.hysteresis_stiffness = 2;
+  network.links[2].law.hysteresis_beta = 3;
+  network.masses[2].drive = {2, 3, 0.5};
+  const NetworkRun run = run_of(network, {.method = {"rk4"}, .step = 0.002, .until = 8});
+  ASSERT_TRUE(run.ok());
+  ASSERT_TRUE(run.energy);
+  const NetworkEnergy& energy = *run.energy;
+  EXPECT_GT(energy.of_links[1].taken, 0.1);
+  EXPECT_GT(energy.of_links[2].taken, 0.1);
+  EXPECT_EQ(energy.of_links[0].taken, 0);
+  EXPECT_LT(std::abs(energy.method()), 1e-4 * energy.start);
+  ASSERT_EQ(run.states.inner.size(), 1u);
+  EXPECT_EQ(run.states.inner[0].link, 2u);
+  EXPECT_EQ(run.states.inner[0].force.size(), run.states.t.size());
+}
+
+TEST(NetworkRun, RunsByEachMethod) {
+  const auto runs =
+      run_network_by_each(chain(2), "n.toml", {.method = {"rk4", "exact"}, .step = 0.01, .until = 1});
+  ASSERT_TRUE(runs);
+  ASSERT_EQ(runs->size(), 2u);
+  EXPECT_EQ((*runs)[1].method, "exact");
+  EXPECT_NEAR((*runs)[0].last[1].x, (*runs)[1].last[1].x, 1e-6);
+  // The energy of the links and of the masses is that of the whole.
+  const NetworkRun& run = runs->front();
+  double sum = 0;
+  for (std::size_t l = 0; l < 3; ++l) sum += stored_by(run, l)[40];
+  for (std::size_t i = 0; i < 2; ++i) sum += 0.5 * run.states.v[i][40] * run.states.v[i][40] / 2;
+  EXPECT_NEAR(sum, run.states.energy[40], 1e-12);
+  EXPECT_FALSE(run_network_by_each(chain(2), "n.toml", {.method = {"rk4", "rk5"}}));
 }
 
 TEST(NetworkRun, ExactWithDampingThatTiesModesTogether) {
@@ -122,17 +157,13 @@ TEST(NetworkRun, RefusesWhatItCannotDo) {
   };
   Network network = chain(2);
   network.links[1].law.friction = 0.1;
-  EXPECT_EQ(refusal(network, {}), "n.toml: friction is not simulated in a network; leave it out");
-  network = chain(2);
-  network.links[1].law.hysteresis_stiffness = 2;
-  EXPECT_EQ(refusal(network, {}), "n.toml: hysteresis is not simulated in a network; leave it out");
+  EXPECT_EQ(refusal(network, {.method = {"exact"}}),
+            "n.toml: exact takes linear networks, and a link has the term friction; take another --method");
   network = chain(2);
   network.links[1].law.cubic = 2;
   EXPECT_EQ(refusal(network, {.method = {"exact"}}),
             "n.toml: exact takes linear networks, and a link has the term cubic; take another --method");
   network = chain(2);
-  EXPECT_EQ(refusal(network, {.method = {"rk4", "exact"}}),
-            "--method is given 2 times; a network runs by one");
   EXPECT_NE(refusal(network, {.step = -1.0}).find("positive"), std::string::npos);
   EXPECT_NE(refusal(network, {.method = {"rk5"}}).find("rk4"), std::string::npos);
   EXPECT_NE(refusal(network, {.step = 1e-9, .until = 1e6, .memory = 1e6}).find("memory"), std::string::npos);

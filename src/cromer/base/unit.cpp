@@ -197,6 +197,9 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   reader.skip_blanks();
   while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);
   if (reader.rest == "g" && expected && *expected == acceleration) return Unit{gravity, 0, acceleration};
+  // A tonne where a mass is asked for: elsewhere "t" is a time without a unit.
+  constexpr Dimension mass{1};
+  if (reader.rest == "t" && expected && *expected == mass) return Unit{1e3, 0, mass};
   if (reader.rest == "°C" || reader.rest == "degC") return Unit{1, zero_celsius, {.kelvin = 1}};
 
   Unit unit;

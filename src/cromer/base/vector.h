@@ -8,10 +8,12 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
+#include "cromer/base/bit_cast.h"
 #include "cromer/base/dual.h"
 
 namespace cromer::core {
@@ -67,6 +69,12 @@ class Vector {
     Vector made;
     made.size_ = size;
     if (size > 0) made.numbers_ = VectorMemory::take(size);
+    return made;
+  }
+
+  static Vector zeros(std::size_t size) {
+    Vector made = of_size(size);
+    for (std::size_t i = 0; i < size; ++i) made.numbers_[i] = 0;
     return made;
   }
 
@@ -173,6 +181,16 @@ requires std::is_arithmetic_v<Factor> Vector operator*(A&& a, Factor c) {
 template <class Divisor, IsVector A>
 requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
   return Vector::map(std::forward<A>(a), [c](double x) { return x / c; });
+}
+
+/// Whether all components are. Their exponents are looked at as whole numbers, which several at a time take.
+inline bool all_finite(const Vector& a) {
+  if (a.size() == 0) return std::isfinite(a[0]);
+  constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
+  std::uint64_t overflown = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    overflown |= (bit_cast<std::uint64_t>(a.data()[i]) & exponent) + one;
+  return overflown >> 63 == 0;
 }
 
 /// The number; of many the largest magnitude, and not a number where one of them is not.

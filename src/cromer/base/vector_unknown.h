@@ -12,18 +12,22 @@
 
 namespace cromer::core {
 
-/// d I + A; A's entries stand at places that the solver knows, and are none where they have no size.
+/// d I + A; A's entries stand at places that the solver knows, and are none where they have no size. `inner`
+/// are those in the rows of inner states.
 struct MatrixBlock {
   double diagonal = 0;
   const Vector* entries = nullptr;
+  const Vector* inner = nullptr;
 };
 
-/// Solves the equations made of count x count blocks, row by row; the solution takes the place of `right`. Of
-/// a singular matrix it is not finite.
+/// Solves the equations made of count x count blocks, row by row; the solution takes the place of the right
+/// sides, those of the masses and those of inner states (without a size where there are none). Of a singular
+/// matrix it is not finite.
 class BlockSolver {
  public:
   virtual ~BlockSolver() = default;
-  virtual void solve(std::span<const MatrixBlock> blocks, std::span<Vector> right) = 0;
+  virtual void solve(std::span<const MatrixBlock> blocks, std::span<Vector> right,
+                     std::span<Vector> right_inner) = 0;
 };
 
 /// A vector that depends on `count` vectors of unknowns u: its derivative by u[j] is slope[j] I + entries[j].

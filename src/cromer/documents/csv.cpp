@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "cromer/documents/described/simulate.h"
 #include "cromer/documents/described/spectrum.h"
@@ -374,17 +375,48 @@ std::string static_csv(const StaticStiffness& found) {
   return out;
 }
 
-std::string network_csv(const NetworkRun& run, const std::string& command) {
-  const bool angles = run.network.angles;
-  std::vector<CsvColumn> columns{{"t (s)", run.states.t}};
-  for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
-    const std::string& name = run.network.masses[i].name;
-    columns.push_back({name + (angles ? " x (rad)" : " x (m)"), run.states.x[i]});
-    columns.push_back({name + (angles ? " v (rad/s)" : " v (m/s)"), run.states.v[i]});
+namespace {
+
+/// "ground-left", with a number where several links join the same two.
+std::vector<std::string> link_names(const Network& network) {
+  std::vector<std::string> names;
+  std::map<std::string, int> taken;
+  for (const NetworkLink& link : network.links) {
+    std::string name = name_of(network, link.from) + "-" + name_of(network, link.to);
+    const int number = ++taken[name];
+    names.push_back(number == 1 ? name : fmt::format("{} {}", name, number));
   }
-  columns.push_back({"energy (J)", run.states.energy});
+  return names;
+}
+
+}  // namespace
+
+std::string network_csv(const std::vector<NetworkRun>& runs, const std::string& command) {
   std::string out;
-  append_csv(out, columns, std::span(&command, 1), true);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const NetworkRun& run = runs[r];
+    const bool angles = run.network.angles;
+    std::vector<CsvColumn> columns;
+    if (runs.size() > 1) columns.push_back({"run", fmt::format("{}", r + 1)});
+    columns.push_back({"t (s)", run.states.t});
+    for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
+      const std::string& name = run.network.masses[i].name;
+      columns.push_back({name + (angles ? " x (rad)" : " x (m)"), run.states.x[i]});
+      columns.push_back({name + (angles ? " v (rad/s)" : " v (m/s)"), run.states.v[i]});
+    }
+    columns.push_back({"energy (J)", run.states.energy});
+    const std::vector<std::string> names = link_names(run.network);
+    std::vector<std::vector<double>> stored;
+    for (std::size_t l = 0; l < names.size(); ++l) stored.push_back(stored_by(run, l));
+    for (std::size_t l = 0; l < names.size(); ++l) columns.push_back({names[l] + " energy (J)", stored[l]});
+    std::vector<std::string> head;
+    if (r == 0 && !command.empty()) {
+      head.push_back(command);
+      for (std::size_t each = 0; runs.size() > 1 && each < runs.size(); ++each)
+        head.push_back(fmt::format("run {}: {}", each + 1, runs[each].method));
+    }
+    append_csv(out, columns, head, r == 0);
+  }
   return out;
 }
 

@@ -51,10 +51,13 @@ std::string to_json(const RecogniseResult& result, const Voice& voice) {
   return to_text(document);
 }
 
-std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice) {
-  Json document = json_of(NetworkDocument{run, with_states}, voice);
-  if (!run.message.empty()) document["message"] = said(run.message, voice);
-  return to_text(document, with_states);
+std::string to_json(const std::vector<NetworkRun>& runs, bool with_states, const Voice& voice) {
+  Json all = Json::array();
+  for (const NetworkRun& run : runs) {
+    Json& document = all.emplace_back(json_of(NetworkDocument{run, with_states}, voice));
+    if (!run.message.empty()) document["message"] = said(run.message, voice);
+  }
+  return to_text(runs.size() == 1 ? all.front() : Json{{"runs", std::move(all)}}, with_states);
 }
 
 std::string to_json(const FittedNetwork& fitted, const Voice& voice) {

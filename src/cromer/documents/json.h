@@ -28,9 +28,9 @@ std::string to_json(const SimulateResult& result, bool with_states, const Voice&
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {});
 
-/// {"method", "masses": [...], "links": [...], ...}, with "message" if the run ended early. `with_states`
-/// adds the kept states, all on one line.
-std::string to_json(const NetworkRun& run, bool with_states, const Voice& voice = {});
+/// {"method", "masses": [...], "links": [...], ...}, with "message" if the run ended early; of several runs
+/// {"runs": [...]}. `with_states` adds the kept states, all on one line.
+std::string to_json(const std::vector<NetworkRun>& runs, bool with_states, const Voice& voice = {});
 
 /// {"links": [...], "masses": [...], ...}, with "message" if the fit did not succeed.
 std::string to_json(const FittedNetwork& fitted, const Voice& voice = {});

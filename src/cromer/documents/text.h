@@ -84,8 +84,8 @@ std::string methods_text(const MethodsOptions& options, std::span<const MethodRo
 /// A table of the modes, their shapes where they are few, and what each method simulates.
 std::string modes_text(const ModesResult& result);
 
-/// Where each mass is at the end, and where the energy went.
-std::string network_text(const NetworkRun& run);
+/// Where each mass is at the end of each run, and where the energy went.
+std::string network_text(const std::vector<NetworkRun>& runs);
 
 /// The values found of a network's links, and what is left of each column.
 std::string network_fit_text(const FittedNetwork& fitted);

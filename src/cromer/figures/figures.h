@@ -28,15 +28,16 @@ inline constexpr MotionPanel position_alone[] = {MotionPanel::position};
 Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel> panels = position_alone,
                        const LaidOver* over = nullptr);
 
-/// The positions of all masses against time, a curve for each; of more than six the first, the last and some
-/// between.
-Figure network_figure(const NetworkRun& run);
+/// The positions of all masses against time, a curve for each; of more than five the first, the last and some
+/// between. Of several runs a panel for each mass, of three at most, with a curve for each method.
+Figure network_figure(const std::vector<NetworkRun>& runs);
 
 /// What each mass did, measured and fitted: of many masses the first ones.
 Figure network_fit_figure(const FittedNetwork& fitted);
 
-/// Of a recording: the singular values of its spectral matrix with the modes marked, over the stabilisation
-/// diagram.
+/// Of a network: its drawing, and the shapes of the first modes on it; of many masses as curves over their
+/// numbers. Of a recording: the singular values of its spectral matrix with the modes marked, over the
+/// stabilisation diagram.
 Figure modes_figure(const ModesResult& result);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cromer/figures/figures.h"
+#include "cromer/figures/network_drawing.h"
+#include "cromer/report/enhanced_text.h"
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
@@ -76,7 +78,56 @@ void mark_modes(Panel& panel, const std::vector<MeasuredMode>& modes) {
 
 }  // namespace
 
+namespace {
+
+/// How far each mass is out of its place where the largest is farthest, 1; with the sign of its phase.
+std::vector<double> swing_of(const NaturalMode& mode) {
+  std::vector<double> moved;
+  for (const std::complex<double>& each : mode.shape) moved.push_back(each.real());
+  return moved;
+}
+
+Panel shape_panel(const ModesResult& result, const NaturalMode& mode) {
+  const Network& network = *result.network;
+  if (network.masses.size() <= most_masses_drawn) return network_drawing(network, swing_of(mode));
+  Panel panel;
+  panel.x.name = "mass, in the order of the file";
+  panel.y.name = "shape";
+  Curve& curve = panel.curves.emplace_back();
+  curve.role = family_role(0, 1);
+  curve.y = swing_of(mode);
+  for (std::size_t i = 1; i <= curve.y.size(); ++i) curve.x.push_back(static_cast<double>(i));
+  return panel;
+}
+
+Figure network_modes_figure(const ModesResult& result) {
+  constexpr std::size_t most = 4;
+  Figure figure;
+  figure.id = "modes";
+  figure.title = "Modes";
+  const std::size_t shown = std::min(most, result.modes.size());
+  figure.caption = fmt::format("{}: {} masses, the shapes of {} of {} modes.", result.file,
+                               result.names.size(), shown, result.modes.size());
+  figure.size = FigureSize::wide;
+  if (result.names.size() <= most_masses_drawn) {
+    figure.panels.push_back(network_drawing(*result.network));
+    figure.panels.back().title = figure_text(result.file);
+  }
+  for (std::size_t j = 0; j < shown; ++j) {
+    const NaturalMode& mode = result.modes[j];
+    Panel& panel = figure.panels.emplace_back(shape_panel(result, mode));
+    panel.title = fmt::format("Mode {}", j + 1);
+    if (std::isfinite(mode.frequency.value)) panel.title += fmt::format(": {:.4g} Hz", mode.frequency.value);
+    if (std::isfinite(mode.damping_ratio.value))
+      panel.title += fmt::format(", damping ratio {:.3g} %", 100 * mode.damping_ratio.value);
+  }
+  return figure;
+}
+
+}  // namespace
+
 Figure modes_figure(const ModesResult& result) {
+  if (result.network) return network_modes_figure(result);
   const ModalSource& source = *result.recording;
   Figure figure;
   figure.id = "modes";

@@ -1,30 +1,52 @@
 #include "cromer/model/link_ends.h"
 
+#include <algorithm>
+
 namespace cromer::core {
 
-LinkEnds::LinkEnds(const Network& network) : entries_(network.masses.size()) {
+LinkEnds::LinkEnds(const Network& network) {
   const std::size_t count = network.masses.size();
   std::vector<std::vector<LinkEnd>> at(count);
-  std::vector<MatrixPlace> places(count);
-  for (std::size_t i = 0; i < count; ++i) places[i] = {i, i};
+  pattern_.masses = count;
+  for (std::size_t i = 0; i < count; ++i) pattern_.places.push_back({i, i});
+  const auto per_mass_of = [&](const NetworkLink& link, std::size_t mass) {
+    Oscillator<double> law = link.law;
+    law.mass = network.masses[mass].mass;
+    return divided_by_mass(law);
+  };
+  const auto new_entry = [&](std::size_t row, std::size_t column) {
+    pattern_.places.push_back({row, column});
+    return pattern_.places.size() - 1;
+  };
 
-  for (const NetworkLink& link : network.links) {
+  for (std::size_t l = 0; l < network.links.size(); ++l) {
+    const NetworkLink& link = network.links[l];
     const Law present = law_of(link.law).without(law_with<Friction>);
-    resists_ = resists_ || present.shares(terms_of_velocity);
+    const bool has_memory = present.has<Hysteresis>();
+    resists_ = resists_ || has_memory || present.shares(terms_of_velocity);
+    const std::size_t inner = has_memory ? inner_.size() : LinkEnd::none;
+    if (has_memory) {
+      const std::size_t of = link.to != ground ? link.to : link.from;
+      inner_.push_back({l, link.from, link.to, per_mass_of(link, of), network.masses[of].mass});
+      for (const std::size_t end : {link.from, link.to})
+        if (end != ground) pattern_.inner_places.push_back({inner, end});
+      pattern_.inner_places.push_back({inner, count + inner});
+    }
     const auto add = [&](std::size_t mass, std::size_t other, double sign) {
       if (mass == ground) return;
-      Oscillator<double> law = link.law;
-      law.mass = network.masses[mass].mass;
-      law = divided_by_mass(law);
+      const Oscillator<double> law = per_mass_of(link, mass);
       LinkEnd end{.other = other, .sign = sign, .linear = Coefficients<linear_terms, double>(law)};
       if (!is_linear(present)) {
         end.general = general_.size();
         general_.emplace_back(law, present);
         end.resists_last = smallest_containing(compiled_laws, present).value_or(any_terms).has<Drag>();
       }
-      if (other != ground) {
-        end.entry = entries_++;
-        places.push_back({mass, other});
+      if (other != ground) end.entry = new_entry(mass, other);
+      if (has_memory) {
+        end.inner = inner;
+        end.inner_entry = new_entry(mass, count + inner);
+        end.inner_share = inner_.back().mass / network.masses[mass].mass;
+        end.resists_last = false;
       }
       at[mass].push_back(end);
     };
@@ -36,7 +58,60 @@ LinkEnds::LinkEnds(const Network& network) : entries_(network.masses.size()) {
     ends_.insert(ends_.end(), ends.begin(), ends.end());
   }
   first_.push_back(ends_.size());
-  solver_ = std::make_unique<SparseSolver>(count, std::move(places));
+  pattern_.inner = inner_.size();
+  solver_ = std::make_unique<SparseSolver>(pattern_);
+  make_bands();
+}
+
+void LinkEnds::make_bands() {
+  constexpr std::size_t most = 8;
+  if (!general_.empty()) return;
+  std::vector<LinkBand> bands;
+  for (std::size_t i = 0; i < masses(); ++i)
+    for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {
+      const LinkEnd& end = ends_[e];
+      const bool grounded = end.other == ground;
+      const std::ptrdiff_t offset =
+          grounded ? 0 : static_cast<std::ptrdiff_t>(end.other) - static_cast<std::ptrdiff_t>(i);
+      // A second link between the same two is in a band of its own.
+      auto band = std::find_if(bands.begin(), bands.end(), [&](const LinkBand& each) {
+        return each.grounded == grounded && each.offset == offset && each.first + each.stiffness.size() <= i;
+      });
+      if (band == bands.end()) {
+        if (bands.size() == most) return;
+        band = bands.insert(band, {.grounded = grounded, .offset = offset, .first = i});
+      }
+      band->stiffness.resize(i - band->first);
+      band->damping.resize(i - band->first);
+      band->stiffness.push_back(end.linear.of<Spring>());
+      band->damping.push_back(end.linear.of<Viscous>());
+    }
+  for (LinkBand& band : bands)
+    if (std::all_of(band.damping.begin(), band.damping.end(), [](double c) { return c == 0; }))
+      band.damping.clear();
+  bands_ = std::move(bands);
+}
+
+void LinkEnds::pull_by_bands(double* acceleration, const double* x, const double* v) const {
+  for (const LinkBand& band : bands_) {
+    const std::size_t size = band.stiffness.size();
+    double* __restrict a = acceleration + band.first;
+    const double *own = x + band.first, *speed = v + band.first;
+    const double *k = band.stiffness.data(), *c = band.damping.empty() ? nullptr : band.damping.data();
+    if (band.grounded) {
+      if (c)
+        for (std::size_t i = 0; i < size; ++i) a[i] = (a[i] - c[i] * speed[i]) - k[i] * own[i];
+      else
+        for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * own[i];
+      continue;
+    }
+    const double *other = own + band.offset, *other_speed = speed + band.offset;
+    if (c)
+      for (std::size_t i = 0; i < size; ++i)
+        a[i] = (a[i] - c[i] * (speed[i] - other_speed[i])) - k[i] * (own[i] - other[i]);
+    else
+      for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * (own[i] - other[i]);
+  }
 }
 
 }  // namespace cromer::core

@@ -23,9 +23,30 @@ struct LinkEnd {
   Coefficients<linear_terms, double> linear{};
   std::size_t general = none;  ///< the place of its law, if that has other terms
   bool resists_last = false;   ///< as DrivenOscillator adds drag, at the nodes of methods with many stages
+  std::size_t inner = none;    ///< the place of its inner state, if it has one
+  std::size_t inner_entry = none;  ///< of the derivative by that, among those of all ends
+  double inner_share = 1;          ///< inner state to force per unit mass
 };
 
-/// The smooth terms of all links.
+/// A link with a force that has memory. Its inner state is that force over the mass at one of its ends, so
+/// that a network of one mass has the numbers of the HystereticOscillator.
+struct InnerLink {
+  std::size_t link = 0;  ///< its place in the network
+  std::size_t from = ground, to = ground;
+  Oscillator<double> law{};  ///< per unit mass
+  double mass = 1;           // [kg] or [kg m^2]
+};
+
+/// Ends of linear links at masses in a row, all to the ground or to the mass so many places on: loops over
+/// them need no lookup. Coefficients are per unit mass, from the first mass on.
+struct LinkBand {
+  bool grounded = false;
+  std::ptrdiff_t offset = 0;
+  std::size_t first = 0;
+  std::vector<double> damping{}, stiffness{};  ///< damping is empty where there is none
+};
+
+/// The smooth terms of all links, and those with an inner state.
 class LinkEnds {
  public:
   explicit LinkEnds(const Network& network);
@@ -34,12 +55,22 @@ class LinkEnds {
   /// Some force depends on the velocity.
   bool resists() const { return resists_; }
   /// Of derivatives: one for each mass by itself, then one for each end of a link between two masses.
-  std::size_t entries() const { return entries_; }
+  std::size_t entries() const { return pattern_.places.size(); }
+  /// One for each inner state, in their order.
+  const std::vector<InnerLink>& inner() const { return inner_; }
+  /// Of derivatives of inner states' rates: those by the masses at both ends (where the link has them), from
+  /// and to, then that by itself.
+  std::size_t inner_entries() const { return pattern_.inner_places.size(); }
   SparseSolver& solver() const { return *solver_; }
+
+  /// All links are linear and lie in few bands, as those of chains do: then pull_by_bands takes their forces
+  /// off the accelerations, at each mass in the order of the bands.
+  bool has_bands() const { return !bands_.empty(); }
+  void pull_by_bands(double* acceleration, const double* x, const double* v) const;
 
   /// For each end at mass i, in the order of the links: relative(end) gives u and u' as the end feels them,
   /// its own position less the other one, if the link's law is linear; else those of the link. pull(end,
-  /// resistance, restoring) gets the forces in that direction.
+  /// resistance, restoring) gets the forces in that direction, without those of inner states.
   template <class Relative, class Pull>
   void for_each_at(std::size_t i, const Relative& relative, const Pull& pull) const {
     for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {
@@ -58,11 +89,15 @@ class LinkEnds {
   }
 
  private:
+  void make_bands();
+
   std::vector<std::size_t> first_;  ///< of each mass' ends; one more than masses
   std::vector<LinkEnd> ends_;
   std::vector<std::pair<Oscillator<double>, Law>> general_;
+  std::vector<InnerLink> inner_;
+  std::vector<LinkBand> bands_;
   bool resists_ = false;
-  std::size_t entries_ = 0;
+  MatrixPattern pattern_;
   std::unique_ptr<SparseSolver> solver_;
 };
 

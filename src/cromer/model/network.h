@@ -17,8 +17,11 @@
 
 namespace cromer::core {
 
-/// A number for each mass. The second vector of the pair has room for inner states of links.
+/// A number for each mass; the second vector of the pair holds the inner states of links, if there are any.
 using MassVector = Coupled<Vector>;
+
+/// True if all positions and velocities are numbers; the loops of run/ find it.
+inline bool is_finite(const State<MassVector>& y) { return all_finite(y.x.first) && all_finite(y.v.first); }
 
 /// Stands for the ground where a link names a mass.
 inline constexpr std::size_t ground = std::numeric_limits<std::size_t>::max();
@@ -56,14 +59,17 @@ inline Law law_of(const Network& network) {
   return law;
 }
 
-/// Where the masses are at the start.
+/// Where the masses are at the start. Links with a force that has memory have not been stretched before.
 inline State<MassVector> start_of(const Network& network) {
   Vector x = Vector::of_size(network.masses.size()), v = x;
   for (std::size_t i = 0; i < network.masses.size(); ++i) {
     x[i] = network.masses[i].start.x;
     v[i] = network.masses[i].start.v;
   }
-  return {{x, 0}, {v, 0}};
+  std::size_t inner = 0;
+  for (const NetworkLink& link : network.links) inner += law_of(link.law).has<Hysteresis>();
+  const Vector at_rest = Vector::zeros(inner);
+  return {{x, at_rest}, {v, at_rest}};
 }
 
 }  // namespace cromer::core

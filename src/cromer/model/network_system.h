@@ -1,9 +1,10 @@
 // A network as a system that methods integrate: its scalar is a MassVector.
 #pragma once
 
-#include <array>
-#include <cassert>
+#include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -15,12 +16,14 @@
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/link_ends.h"
 #include "cromer/model/network.h"
+#include "cromer/model/network_phase.h"
 
 namespace cromer::core {
 
-/// Accelerations by the smooth terms of the links and the drives of the masses; friction is left out. Of one
-/// mass with one link to the ground they are those of the DrivenOscillator, to the bit (of a zero the sign
-/// may differ). Force as there. A run in one thread at a time: the solver of its equations remembers.
+/// Accelerations by the links and the drives of the masses: of a network with dry friction those of one phase
+/// of its motion, else without friction. Of one mass with one link to the ground they are those of the
+/// DrivenOscillator or the HystereticOscillator, to the bit (of a zero the sign may differ). Force as there.
+/// A run in one thread at a time: the solver of its equations remembers.
 template <class Force = HarmonicForce<double>>
 class NetworkSystem {
  public:
@@ -31,22 +34,33 @@ class NetworkSystem {
     }
   }
   template <class Other, class Make>
-  NetworkSystem(const NetworkSystem<Other>& system, const Make& make) : links_(system.links_) {
+  NetworkSystem(const NetworkSystem<Other>& system, const Make& make)
+      : links_(system.links_), phase_(system.phase_) {
     drives_.reserve(system.drives_.size());
     for (const auto& [mass, force] : system.drives_) drives_.emplace_back(mass, make(force));
+  }
+
+  /// The same while masses slide on and stick to each other as the phase says.
+  NetworkSystem in(std::shared_ptr<const NetworkPhase> phase) const {
+    NetworkSystem same = *this;
+    same.phase_ = std::move(phase);
+    return same;
   }
 
   /// True of the form that on_nodes gives.
   static constexpr bool at_nodes = requires(Force & force) { force.move_to(0.0, 1.0); };
 
+  const LinkEnds& links() const { return *links_; }
   bool resists() const { return links_->resists(); }
 
-  /// [m/s^2]
+  /// [m/s^2], and of inner states [m/s^3].
   template <class Time>
   MassVector acceleration(const Time& t, const MassVector& x, const MassVector& v) const {
     Vector a = driven(value_of(t));
-    const double *at = x.first.data(), *speed = v.first.data();
-    for (std::size_t i = 0; i < links_->masses(); ++i) {
+    const double *at = x.first.data(), *speed = v.first.data(), *inner = v.second.data();
+    const std::size_t looked_up = links_->has_bands() ? 0 : links_->masses();
+    if (links_->has_bands()) links_->pull_by_bands(a.data(), at, speed);
+    for (std::size_t i = 0; i < looked_up; ++i) {
       double sum = a[i];
       links_->for_each_at(
           i,
@@ -55,13 +69,19 @@ class NetworkSystem {
             return State<double>{sign * (at[i] - at[end.other]), sign * (speed[i] - speed[end.other])};
           },
           [&](const LinkEnd& end, double sign, double resistance, double restoring) {
+            if (end.inner != LinkEnd::none) {
+              sum = sum - sign * (end.inner_share * inner[end.inner]);
+              sum = sum - sign * (resistance + restoring);
+              return;
+            }
             const bool resists_last = at_nodes && end.resists_last;
             sum = sum - sign * (resists_last ? restoring : resistance);
             sum = sum - sign * (resists_last ? resistance : restoring);
           });
       a[i] = sum;
     }
-    return {std::move(a), 0};
+    if (phase_) phase_->apply(a);
+    return {std::move(a), rate(v.first, v.second)};
   }
 
   /// The same with derivatives by the unknowns of an implicit step.
@@ -70,12 +90,9 @@ class NetworkSystem {
                                              const Coupled<VectorUnknown<count>>& v) const {
     using D = Dual<double, count>;
     VectorUnknown<count> a(driven(value_of(t)));
-    a.solver = &links_->solver();
-    for (Vector& entries : a.entries) {
-      entries = Vector::of_size(links_->entries());
-      for (std::size_t e = 0; e < links_->entries(); ++e) entries[e] = 0;
-    }
-    const double *at = x.first.value.data(), *speed = v.first.value.data();
+    a.solver = phase_ ? &phase_->solver(*links_) : &links_->solver();
+    for (Vector& entries : a.entries) entries = Vector::zeros(links_->entries());
+    const double *at = x.first.value.data(), *speed = v.first.value.data(), *inner = v.second.value.data();
     for (std::size_t i = 0; i < links_->masses(); ++i) {
       D sum(a.value[i]);
       // The derivative by the link's own motion is the same at both ends, but for its sign.
@@ -87,23 +104,50 @@ class NetworkSystem {
                             {sign * (grounded ? speed[i] : speed[i] - speed[end.other]), v.first.slope}};
           },
           [&](const LinkEnd& end, double sign, const D& resistance, const D& restoring) {
-            sum.value = sum.value - sign * resistance.value;
-            sum.value = sum.value - sign * restoring.value;
+            if (end.inner != LinkEnd::none) {
+              sum.value = sum.value - sign * (end.inner_share * inner[end.inner]);
+              sum.value = sum.value - sign * (resistance.value + restoring.value);
+            } else {
+              sum.value = sum.value - sign * resistance.value;
+              sum.value = sum.value - sign * restoring.value;
+            }
             for (std::size_t j = 0; j < count; ++j) {
-              sum.derivative[j] = sum.derivative[j] - resistance.derivative[j];
-              sum.derivative[j] = sum.derivative[j] - restoring.derivative[j];
-              if (end.entry != LinkEnd::none)
-                a.entries[j][end.entry] = resistance.derivative[j] + restoring.derivative[j];
+              const double slope = resistance.derivative[j] + restoring.derivative[j];
+              if (end.inner != LinkEnd::none) {
+                sum.derivative[j] = sum.derivative[j] - slope;
+                a.entries[j][end.inner_entry] = -sign * (end.inner_share * v.second.slope[j]);
+              } else {
+                sum.derivative[j] = sum.derivative[j] - resistance.derivative[j];
+                sum.derivative[j] = sum.derivative[j] - restoring.derivative[j];
+              }
+              if (end.entry != LinkEnd::none) a.entries[j][end.entry] = slope;
             }
           });
       a.value[i] = sum.value;
       for (std::size_t j = 0; j < count; ++j) a.entries[j][i] = sum.derivative[j];
     }
-    return {std::move(a), VectorUnknown<count>()};
+    if (phase_) phase_->apply(a.value);
+    return {std::move(a), rate(v)};
   }
 
-  /// Of inner states: there are none.
-  Vector rate(const Vector&, const Vector&) const { return 0; }
+  /// Of inner states [m/s^3].
+  Vector rate(const Vector& v, const Vector& inner) const {
+    if (links_->inner().empty()) return 0;
+    Vector rates = Vector::of_size(links_->inner().size());
+    for (std::size_t l = 0; l < rates.size(); ++l)
+      rates[l] = rate_of(links_->inner()[l], stretch(links_->inner()[l], v), inner[l]);
+    return rates;
+  }
+
+  /// [m/s^2] Rounding error of the acceleration. Where masses break loose, pull and friction cancel to it.
+  double acceleration_rounding(double) const { return phase_ ? phase_->rounding() : 0; }
+
+  /// The first time after t [s] at which the drive of some mass turns; infinite without one.
+  double next_turn(double t) const requires(std::same_as<Force, HarmonicForce<double>>) {
+    double next = std::numeric_limits<double>::infinity();
+    for (const auto& [mass, force] : drives_) next = std::fmin(next, force.next_turn(t));
+    return next;
+  }
 
   /// Its drives from tables, as those of a DrivenOscillator.
   auto on_grid(double spacing) const requires(std::same_as<Force, HarmonicForce<double>>) {
@@ -127,13 +171,55 @@ class NetworkSystem {
   friend class NetworkSystem;
 
   Vector driven(double t) const {
-    Vector a = Vector::of_size(links_->masses());
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] = 0;
+    Vector a = Vector::zeros(links_->masses());
     for (const auto& [mass, force] : drives_) a[mass] = force(t);
     return a;
   }
 
+  /// u' of a link.
+  static double stretch(const InnerLink& link, const Vector& v) {
+    if (link.from == ground) return v[link.to];
+    return link.to == ground ? -v[link.from] : v[link.to] - v[link.from];
+  }
+
+  template <class T>
+  static T rate_of(const InnerLink& link, const T& v, const T& z) {
+    return Hysteresis::rate(v, z, link.law.hysteresis_stiffness, link.law.hysteresis_beta,
+                            link.law.hysteresis_gamma, link.law.hysteresis_exponent);
+  }
+
+  template <std::size_t count>
+  VectorUnknown<count> rate(const Coupled<VectorUnknown<count>>& v) const {
+    if (links_->inner().empty()) return {};
+    // In pairs as the unknowns of a single mass are: by its velocity, by its inner state.
+    using D = Dual<double, 2 * count>;
+    const std::size_t size = links_->inner().size();
+    VectorUnknown<count> rates(Vector::of_size(size));
+    for (Vector& entries : rates.entries) entries = Vector::of_size(links_->inner_entries());
+    std::size_t entry = 0;
+    for (std::size_t l = 0; l < size; ++l) {
+      const InnerLink& link = links_->inner()[l];
+      D speed(stretch(link, v.first.value)), z(v.second.value[l]);
+      for (std::size_t j = 0; j < count; ++j) {
+        speed.derivative[2 * j] = v.first.slope[j];
+        z.derivative[2 * j + 1] = v.second.slope[j];
+      }
+      const D found = rate_of(link, speed, z);
+      rates.value[l] = found.value;
+      const auto add = [&](double sign, std::size_t offset) {
+        for (std::size_t j = 0; j < count; ++j)
+          rates.entries[j][entry] = sign * found.derivative[2 * j + offset];
+        ++entry;
+      };
+      if (link.from != ground) add(-1, 0);
+      if (link.to != ground) add(1, 0);
+      add(1, 1);
+    }
+    return rates;
+  }
+
   std::shared_ptr<const LinkEnds> links_;
+  std::shared_ptr<const NetworkPhase> phase_{};
   std::vector<std::pair<std::size_t, Force>> drives_;  // per unit mass
 };
 

@@ -31,6 +31,12 @@ void TomlReader::fail(const toml::node& node, const Notice& what) {
 
 bool TomlReader::has(std::string_view key) { return find(key) != nullptr; }
 
+bool TomlReader::knows_all() const {
+  return std::all_of(table_.begin(), table_.end(), [&](const auto& entry) {
+    return std::find(asked_.begin(), asked_.end(), entry.first.str()) != asked_.end();
+  });
+}
+
 std::vector<std::string> TomlReader::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, node] : table_) names.emplace_back(key.str());

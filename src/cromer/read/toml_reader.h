@@ -49,6 +49,8 @@ class TomlReader {
   std::vector<std::vector<std::string>> rows(std::string_view key);
 
   bool has(std::string_view key);
+  /// Every key was asked for. Where one was not, what seems to be missing may be there, misspelt.
+  bool knows_all() const;
   std::vector<std::string> keys() const;
   Place place() const { return place_of(table_); }
   Place place_of(const toml::node& node) const;

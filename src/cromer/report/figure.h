@@ -89,6 +89,7 @@ struct Panel {
   /// and so are names inside if one of them finds no clear place.
   bool names_listed = false;
   std::optional<HeatMap> map{};  ///< in place of curves
+  bool bare = false;             ///< a drawing: without axes
 };
 
 /// 760 x 440, 1100 x 440, 480 x 440 px, and, for half the report's column with names inside, 420 x 300 px

@@ -118,7 +118,7 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   if (figure.panels.size() > static_cast<std::size_t>(std::max(1, figure.columns)))
     cell.bottom += 8;  // before the next row
   const double height = cell.box.height - cell.top - cell.bottom;
-  cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
+  if (!panel.bare) cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
   cell.left = edge + widest_label(cell.y_ticks, fonts) + tick_room + (named && titled(cell) ? s.axis + 8 : 0);
   if (panel.map) {
     cell.right =
@@ -264,12 +264,13 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
     f.height = std::min(f.height, f.width);
     f.width = std::min(f.width, cell.mixed ? beside_others * f.height : f.height);
   }
-  choose_x_ticks(cell, f, fonts);
+  placed.bare = panel.bare;
+  if (!panel.bare) choose_x_ticks(cell, f, fonts);
   cell.x.from = f.x, cell.x.to = f.right();
   cell.y.from = f.bottom(), cell.y.to = f.y;
   place_axes(placed, cell, fonts);
+  if (panel.map || panel.bare) placed.zero_lines.clear();
   if (panel.map) {
-    placed.zero_lines.clear();
     place_colours(placed, cell, fonts);
     return placed;
   }

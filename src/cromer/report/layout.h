@@ -87,6 +87,7 @@ struct PlacedPanel {
   std::vector<Spot> rings, dots;
   bool crowded = false;  ///< a name inside covers something, or its leader line crosses something
   std::optional<PlacedMap> map;
+  bool bare = false;  ///< without axes
 };
 
 struct Layout {

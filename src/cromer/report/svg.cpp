@@ -112,7 +112,7 @@ class Svg {
       path += line_path({{f.x, tick.at}, {f.x - length(tick), tick.at}});
     for (const PlacedTick& tick : panel.x_ticks)
       path += line_path({{tick.at, f.bottom()}, {tick.at, f.bottom() + length(tick)}});
-    path += line_path({{f.x, f.y}, {f.x, f.bottom()}, {f.right(), f.bottom()}});
+    if (!panel.bare) path += line_path({{f.x, f.y}, {f.x, f.bottom()}, {f.right(), f.bottom()}});
     stroke(light_surface.axis, 0.8, "", path);
   }
 

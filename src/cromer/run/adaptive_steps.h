@@ -59,12 +59,13 @@ bool is_rounding(const S& system, const Trial<Real>& trial, double t, double h) 
 
 /// Goes on from where the course stands until the last row, the end of the phase (rest, or phase_end [s]), or
 /// an early end. The error of each step is at most the tolerance, relative to the motion's own scale
-/// (MotionScale). Status step_too_small where that would take steps that time cannot resolve.
-template <class S, class M, class Real, class Recorder>
+/// (MotionScale). Status step_too_small where that would take steps that time cannot resolve. Steps are
+/// searched where the lookout is one for this kind of number.
+template <class S, class M, class Look, class Real, class Recorder>
 requires AdaptiveMethod<M, S, Real>
 void take_adaptive_steps(const S& system, const M& method, const Rows& rows, const StepControl& control,
-                         const Lookout& look, MotionScale& scale, Course<Real>& course,
-                         const Recorder& record, const Watch& watch, const Limits& limits,
+                         const Look& look, MotionScale& scale, Course<Real>& course, const Recorder& record,
+                         const Watch& watch, const Limits& limits,
                          double phase_end = std::numeric_limits<double>::infinity()) {
   constexpr int parts = 8;  // a long step may pass a threshold more than once
   auto memory = method.start(system, course.t, course.y);
@@ -111,8 +112,8 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
     }
 
     const double t = course.t;
-    Cut cut;
-    if constexpr (std::is_same_v<Real, double>) {
+    CutOf<Real> cut;
+    if constexpr (std::is_same_v<Real, typename Look::Number>) {
       if (look.anything()) {
         const auto exactly = [&](double theta) {
           auto copy = memory;
@@ -137,7 +138,7 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
       }
     }
     course.t = until;
-    if constexpr (std::is_same_v<Real, double>)
+    if constexpr (std::is_same_v<Real, typename Look::Number>)
       course.y = look.anything() ? cut.y : trial.y;
     else
       course.y = trial.y;

@@ -57,8 +57,10 @@ struct EventLog {
   }
 };
 
-/// What to look for.
+/// What to look for in a motion of one number.
 struct Lookout {
+  using Number = double;
+
   int direction = 0;           ///< sign of the velocity while the mass slides; 0 without dry friction
   EventLog* events = nullptr;  ///< nullptr or empty: none
 
@@ -66,12 +68,14 @@ struct Lookout {
 };
 
 /// How much of a step is kept.
-struct Cut {
+template <class Real>
+struct CutOf {
   double theta = 1;  ///< fraction of the step
-  State<double> y{};
-  bool at_rest = false;  ///< the sliding mass stopped there
+  State<Real> y{};
+  bool at_rest = false;  ///< the phase ends there: the sliding mass stopped
   bool stopped = false;  ///< an event ends the run there
 };
+using Cut = CutOf<double>;
 
 /// The state at a fraction of a step, 0 to 1. Asked for seldom, only where something happens.
 using StateInside = FunctionRef<State<double>(double theta)>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -80,7 +81,7 @@ template <class S, class M, class Real, class Memory, class Recorder>
   Status status = Status::reached_end;
   double t = from + static_cast<double>(n) * h;
   while (n < last) {
-    const Trial<Real> trial = method.step(system, t, h, y, memory);
+    Trial<Real> trial = method.step(system, t, h, y, memory);
     newton_iterations += trial.newton_iterations;
     if (!trial.converged) {
       status = Status::no_convergence;
@@ -90,7 +91,7 @@ template <class S, class M, class Real, class Memory, class Recorder>
       status = Status::not_finite;
       break;
     }
-    y = trial.y;
+    y = std::move(trial.y);
     ++n;
     t = from + static_cast<double>(n) * h;
     record(t, y);
@@ -155,47 +156,50 @@ requires Method<M, S, Real> Outcome take_uniform_steps(const S& system, const M&
 }
 
 /// A method at work on a system, their types erased: what the loop that looks into every step sees.
-class Stepper {
+template <class Real>
+class StepperFor {
  public:
-  virtual ~Stepper() = default;
+  virtual ~StepperFor() = default;
 
   /// From y at t to t + h; the next step goes on from there.
-  virtual Trial<double> step(double t, double h, const State<double>& y) = 0;
+  virtual Trial<Real> step(double t, double h, const State<Real>& y) = 0;
 
   /// A step of length h from where the last one began: the result of a part of it. Changes nothing.
-  virtual Trial<double> part(double t, double h, const State<double>& y) const = 0;
+  virtual Trial<Real> part(double t, double h, const State<Real>& y) const = 0;
 
   /// The acceleration of its own that the method keeps from step to step; nullptr where it keeps none.
-  virtual double* carried() = 0;
+  virtual Real* carried() = 0;
 
   virtual const MethodInfo& info() const = 0;
 
-  /// No two zeros of the velocity lie closer together than this [s]; infinite where the system does not say
-  /// (then the step is the caller's choice).
-  virtual double zero_spacing() const = 0;
+  /// Into how many parts a step must be divided so that no two zeros of the velocity fall into one; 1 where
+  /// the system does not say how far apart they lie (then the step is the caller's choice). The first zero
+  /// ends a phase, so that many parts cost nothing.
+  virtual long long parts_of_step(double h) const = 0;
 };
+using Stepper = StepperFor<double>;
 
 /// system and method outlive it.
-template <class S, class M>
-requires Method<M, S, double>
-class StepperOf final : public Stepper {
+template <class S, class M, class Real>
+requires Method<M, S, Real>
+class StepperOf final : public StepperFor<Real> {
  public:
   /// For a run from y at t.
-  StepperOf(const S& system, const M& method, double t, const State<double>& y)
+  StepperOf(const S& system, const M& method, double t, const State<Real>& y)
       : system_(system), method_(method), memory_(method.start(system, t, y)), before_(memory_) {}
 
-  Trial<double> step(double t, double h, const State<double>& y) override {
+  Trial<Real> step(double t, double h, const State<Real>& y) override {
     before_ = memory_;
     return one_step(system_, method_, t, h, y, memory_);
   }
 
-  Trial<double> part(double t, double h, const State<double>& y) const override {
+  Trial<Real> part(double t, double h, const State<Real>& y) const override {
     auto copy = before_;
     return one_step(system_, method_, t, h, y, copy);
   }
 
-  double* carried() override {
-    if constexpr (CarriesAcceleration<M, typename M::template Memory<double>>)
+  Real* carried() override {
+    if constexpr (CarriesAcceleration<M, typename M::template Memory<Real>>)
       return &method_.carried(memory_);
     else
       return nullptr;
@@ -203,21 +207,69 @@ class StepperOf final : public Stepper {
 
   const MethodInfo& info() const override { return M::info; }
 
-  double zero_spacing() const override {
-    if constexpr (requires { system_.zero_spacing(); }) return system_.zero_spacing();
-    return std::numeric_limits<double>::infinity();
+  long long parts_of_step(double h) const override {
+    if constexpr (requires { system_.zero_spacing(); })
+      return static_cast<long long>(std::min(1e15, 1 + std::floor(1.01 * h / system_.zero_spacing())));
+    return 1;
   }
 
  private:
   const S& system_;
   const M& method_;
-  typename M::template Memory<double> memory_, before_;
+  typename M::template Memory<Real> memory_, before_;
 };
 
 /// Goes on from where the course stands, from row to row, until the last one, the end of the phase (rest, or
 /// phase_end [s], to 1e-9 of a step), or an early end. A phase that begins between two rows first makes a
 /// shorter step to the next: a method's partial step is as good as its step, so phases and events keep its
 /// order. The stepper has been started where the course stands.
+template <class Real, class Look, class Recorder>
+void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look& look, Course<Real>& course,
+                         const Recorder& record, const Watch& watch, const Limits& limits,
+                         double phase_end = std::numeric_limits<double>::infinity()) {
+  const auto count = [&](const Trial<Real>& trial) {
+    course.counts.newton_iterations += trial.newton_iterations;
+    course.counts.evaluations += stepper.info().evaluations_of(1, trial.newton_iterations);
+    return trial;
+  };
+  course.at_rest = false;
+  // An end that is a row but for rounding is that row.
+  const double soon = phase_end - same_time * rows.step;
+  while (course.goes_on(rows) && !course.at_rest && course.t < soon) {
+    course.look_up(rows, watch, limits);
+    if (course.status != Status::reached_end) return;
+    const bool to_row = rows.time(course.row + 1) <= phase_end + same_time * rows.step;
+    const double next = to_row ? rows.time(course.row + 1) : phase_end;
+    const double h = to_row && course.t == rows.time(course.row) ? rows.spacing(course.row) : next - course.t;
+    if (!(h > 0)) {  // a phase ended just on the row
+      ++course.row;
+      record(course.t, course.y);
+      continue;
+    }
+    const Trial<Real> trial = count(stepper.step(course.t, h, course.y));
+    if (!trial.converged) {
+      course.status = Status::no_convergence;
+      return;
+    }
+    if (!is_finite(trial.y)) {
+      course.status = Status::not_finite;
+      return;
+    }
+    const auto partly = [&](double theta) { return count(stepper.part(course.t, theta * h, course.y)).y; };
+    const CutOf<Real> cut =
+        look_inside(look, course.t, h, course.y, trial.y, stepper.parts_of_step(h), partly, partly);
+    ++course.counts.accepted;
+    const bool whole = cut.theta == 1;
+    course.t = whole ? next : course.t + cut.theta * h;
+    course.y = cut.y;
+    course.at_rest = cut.at_rest;
+    if (cut.stopped) course.status = Status::stopped_by_event;
+    if (whole && to_row) ++course.row;
+    if ((whole && to_row) || cut.stopped) record(course.t, course.y);
+  }
+}
+
+/// The same for one number, compiled once.
 void take_fixed_steps(Stepper& stepper, const Rows& rows, const Lookout& look, Course<double>& course,
                       AnyRecorder record, const Watch& watch, const Limits& limits,
                       double phase_end = std::numeric_limits<double>::infinity());

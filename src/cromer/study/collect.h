@@ -10,6 +10,8 @@
 #include "cromer/tasks/curves/resonance.h"
 #include "cromer/tasks/curves/work_precision.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
@@ -20,6 +22,18 @@ namespace cromer::core {
 /// newton_per_step, peak, peak_velocity; effect (a sentence); energy_* of a free motion; steady.* and exact.*
 /// of a driven one. Columns t, x, v, energy, phase (of a swing).
 void collect(const std::string& id, const SimulateResult& result, Results& results);
+
+/// "id.N" for the run by method N: the entries of its description, label. "id.N.NAME" for each mass (what is
+/// no letter, digit or hyphen in its name becomes _): peak, peak_t, x_end, v_end, and of its own energy, with
+/// that of its links to the ground, energy_peak, energy_peak_t. Columns t, energy of the run; t, x, v, energy
+/// of each mass; t, energy of each link, "id.N.links.N", which has energy_peak, energy_peak_t.
+void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results& results);
+
+/// "id": modes; of two modes beat_frequency, beat_period, and coupling, the difference of their squared
+/// frequencies over the sum. "id.N" for mode N: frequency, period, damping_ratio, participation; for each
+/// component of its shape NAME and NAME.phase; "id.N.methods.N": label, frequency, frequency_error,
+/// damping_ratio. Columns mode, frequency, damping_ratio.
+void collect(const std::string& id, const ModesResult& found, Results& results);
 
 /// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last,
 /// air_temperature, air_viscosity (with reynolds), first_rate, last_rate, stretches; simulate.OPTION (the law

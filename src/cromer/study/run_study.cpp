@@ -10,6 +10,9 @@
 #include "cromer/read/in_file.h"
 #include "cromer/study/collect.h"
 #include "cromer/tasks/fit/said_of_runs.h"
+#include "cromer/tasks/modes_of_file.h"
+#include "cromer/tasks/network/network_file.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option_owner.h"
@@ -54,6 +57,11 @@ Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& op
   return {};
 }
 
+/// A path relative to the study file.
+std::string path_from(const Study& study, const std::string& file) {
+  return (std::filesystem::path(study.folder) / file).string();
+}
+
 /// What a task says besides its results.
 struct TaskReport {
   std::vector<Notice> notices;
@@ -70,7 +78,7 @@ struct Work {
   /// `file` is relative to the study file.
   Result<Recording> recording(const std::string& file, const ReadOptions& options) const {
     if (file.empty()) return task.place.error(Notice{"task_needs_file", {{"command", task.command}}});
-    auto recording = open_recording((std::filesystem::path(study.folder) / file).string(), options, file);
+    auto recording = open_recording(path_from(study, file), options, file);
     if (!recording) return error(recording.error());
     return recording;
   }
@@ -90,7 +98,54 @@ Option own_option(std::string_view name, Option::Target target, std::string_view
           .group = ""};
 }
 
+bool has_setting(const TaskSpec& task, std::string_view option) {
+  return std::any_of(task.settings.begin(), task.settings.end(),
+                     [&](const Setting& setting) { return setting.option == option; });
+}
+
+/// Runs of a network, whose file says what moves.
+Result<TaskReport> simulate_network(const Work& work) {
+  constexpr double memory_for_states = 1e9;  // [bytes]
+  SimulateOptions options;
+  options.memory = memory_for_states;
+  std::string file;
+  std::vector<Option> table;
+  for (const Option& option : options_of(options))
+    if (is_option_of_networks(option.name)) table.push_back(option);
+  table.push_back(own_option("network", &file));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto network = open_network(path_from(work.study, file));
+  if (!network) return work.error(network.error());
+  const auto runs = run_network_by_each(*network, file, options, work.watch);
+  if (!runs) return work.error(runs.error());
+  TaskReport report;
+  for (const NetworkRun& run : *runs) {
+    report.notices.insert(report.notices.end(), run.notices.begin(), run.notices.end());
+    if (!run.ok())
+      return TaskReport{report.notices,
+                        Notice{"run_ended_early", {{"run", run.method}, {"what", run.message}}}};
+  }
+  if (work.watch.interrupted()) return report;
+  collect(work.task.id, *runs, work.results);
+  return report;
+}
+
+Result<TaskReport> run_modes(const Work& work) {
+  ModesOptions options;
+  std::string file;
+  auto table = options_of(options);
+  table.push_back(own_option("file", &file));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  if (file.empty()) return work.task.place.error(Notice{"task_needs_file", {{"command", work.task.command}}});
+  const auto found = modes_of_file(path_from(work.study, file), options);
+  if (!found) return work.error(found.error());
+  if (!found->ok()) return TaskReport{found->notices, found->message};
+  collect(work.task.id, *found, work.results);
+  return TaskReport{found->notices, {}};
+}
+
 Result<TaskReport> run_simulate(const Work& work) {
+  if (has_setting(work.task, "network")) return simulate_network(work);
   SimulateOptions options;
   if (const auto done = assign_settings(work.task, options_of(options), work.results); !done)
     return done.error();
@@ -267,11 +322,17 @@ struct Command {
   Result<TaskReport> (*run)(const Work&);
 };
 
-constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fit},
-                                {"compare", run_compare},         {"resonance", run_resonance},
-                                {"local-error", run_local_error}, {"difference", run_difference},
-                                {"method-map", run_method_map},   {"work-precision", run_work_precision},
-                                {"spectrum", run_spectrum},       {"sweep", run_sweep}};
+constexpr Command commands[] = {{"simulate", run_simulate},
+                                {"fit", run_fit},
+                                {"compare", run_compare},
+                                {"resonance", run_resonance},
+                                {"local-error", run_local_error},
+                                {"difference", run_difference},
+                                {"method-map", run_method_map},
+                                {"work-precision", run_work_precision},
+                                {"spectrum", run_spectrum},
+                                {"sweep", run_sweep},
+                                {"modes", run_modes}};
 
 /// Runs one task and adds its results under its id.
 Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {

@@ -52,8 +52,8 @@ struct LinkOfRun {
   std::string end(std::size_t NetworkLink::*which) const {
     return name_of(of.run.network, of.run.network.links[place].*which);
   }
-  std::optional<double> of_energy(double (*number)(const EnergyBalance&)) const {
-    return of.run.energy ? std::optional(number(of.run.energy->of_links[place])) : std::nullopt;
+  std::optional<double> of_energy(double LinkEnergy::*number) const {
+    return of.run.energy ? std::optional(of.run.energy->of_links[place].*number) : std::nullopt;
   }
 };
 
@@ -61,18 +61,18 @@ template <>
 struct Described<LinkOfRun> {
   using L = LinkOfRun;
   static constexpr std::string_view name = "LinkOfRun";
-  static constexpr auto entries = members(
-      field(
-          "from", [](const L& l) { return l.end(&NetworkLink::from); }, "", "a mass, or ground"),
-      field(
-          "to", [](const L& l) { return l.end(&NetworkLink::to); }, "", "a mass, or ground"),
-      field(
-          "energy", [](const L& l) { return l.of_energy([](const EnergyBalance& b) { return b.end; }); }, "J",
-          "stored at the end; null if the kept states are not dense enough"),
-      field(
-          "taken",
-          [](const L& l) { return l.of_energy([](const EnergyBalance& b) { return b.taken.sum(); }); }, "J",
-          "energy that its resistances took; null likewise"));
+  static constexpr auto entries =
+      members(field(
+                  "from", [](const L& l) { return l.end(&NetworkLink::from); }, "", "a mass, or ground"),
+              field(
+                  "to", [](const L& l) { return l.end(&NetworkLink::to); }, "", "a mass, or ground"),
+              field(
+                  "energy", [](const L& l) { return l.of_energy(&LinkEnergy::end); }, "J",
+                  "stored at the end, hysteresis apart; null if the kept states are not dense enough"),
+              field(
+                  "taken", [](const L& l) { return l.of_energy(&LinkEnergy::taken); }, "J",
+                  "energy that its resistances and its friction took, and the work against hysteresis; null "
+                  "likewise"));
 };
 
 template <>
@@ -134,8 +134,7 @@ struct Described<NetworkDocument> {
                   field(
                       "drive", [](const D& d) { return d.run.energy->drive; }, "J", "work of the drives"),
                   field(
-                      "taken", [](const D& d) { return d.run.energy->taken; }, "J",
-                      "taken by the resistances of all links"),
+                      "taken", [](const D& d) { return d.run.energy->taken; }, "J", "taken by all links"),
                   field(
                       "method", [](const D& d) { return d.run.energy->method(); }, "J",
                       "made (+) or lost (-) by the method itself"))),

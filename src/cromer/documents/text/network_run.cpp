@@ -8,7 +8,9 @@
 
 namespace cromer::core {
 
-std::string network_text(const NetworkRun& run) {
+namespace {
+
+std::string text_of_run(const NetworkRun& run) {
   const bool angles = run.network.angles;
   std::string text = fmt::format("{}: {} to {:.6g} s in steps of {:.6g} s\n\n", run.file, run.method,
                                  run.outcome.t, run.step);
@@ -24,8 +26,16 @@ std::string network_text(const NetworkRun& run) {
   const NetworkEnergy& energy = *run.energy;
   return text + fmt::format(
                     "\nenergy {:.6g} J at the start, {:.6g} J at the end: drives {:+.6g} J, taken by "
-                    "resistances {:.6g} J, by the method {:+.3g} J\n",
+                    "links {:.6g} J, by the method {:+.3g} J\n",
                     energy.start, energy.end, energy.drive, energy.taken, energy.method());
+}
+
+}  // namespace
+
+std::string network_text(const std::vector<NetworkRun>& runs) {
+  std::string text;
+  for (const NetworkRun& run : runs) text += (text.empty() ? "" : "\n") + text_of_run(run);
+  return text;
 }
 
 }  // namespace cromer::core

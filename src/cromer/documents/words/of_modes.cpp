@@ -56,8 +56,8 @@ constexpr Entry entries[] = {
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
      "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.
-    {"term_not_in_networks", error, "{file}: {term} is not simulated in a network; leave it out",
-     "{file}: {term} wird in einem Netz nicht simuliert; bitte weglassen"},
+    {"term_not_in_networks", error, "{file}: {term} is not fitted in a network; leave it out",
+     "{file}: {term} wird in einem Netz nicht angepasst; bitte weglassen"},
     {"exact_of_linear_networks", error,
      "{file}: exact takes linear networks, and a link has the term {term}; take another {--method}",
      "{file}: exact nimmt lineare Netze, und ein [[link]] hat den Term {term}; bitte eine andere {--method} "
@@ -65,8 +65,6 @@ constexpr Entry entries[] = {
     {"too_many_masses_for_exact", error,
      "{--method}: exact takes networks of at most {most} masses, and there are {masses}",
      "{--method}: exact nimmt Netze von höchstens {most} Massen, und es sind {masses}"},
-    {"one_method_of_networks", error, "{--method} is given {methods} times; a network runs by one",
-     "{--method} ist {methods}-mal angegeben; ein Netz läuft mit einer"},
     {"large_network_needs_step", error,
      "the periods of {masses} masses are not sought (of at most {most} they are): give {--step} and "
      "{--until}",
@@ -145,9 +143,18 @@ constexpr Entry entries[] = {
     {"modes_without_friction", worth_knowing, "dry friction is left out of the modes",
      "trockene Reibung ist in den Eigenschwingungen nicht enthalten"},
     {"modes_of_free_bodies", worth_knowing,
-     "{modes:mode has|modes have} the frequency 0: nothing ties all masses to the ground",
-     "{modes:Eigenschwingung hat|Eigenschwingungen haben} die Frequenz 0: nichts bindet alle Massen an den "
-     "Boden"},
+     "{modes:mode has|modes have} the frequency 0: in small motions nothing pulls all masses back to the "
+     "ground",
+     "{modes:Eigenschwingung hat|Eigenschwingungen haben} die Frequenz 0: kleine Bewegungen zieht nichts an "
+     "den "
+     "Boden zurück"},
+    {"slow_modes_lost", wrong_if_ignored,
+     "{modes:slow mode is|slow modes are} lost in rounding and {modes:stands|stand} at the frequency 0: the "
+     "stiffnesses are too far apart; join what is stiff to one mass",
+     "{modes:langsame Eigenschwingung geht|langsame Eigenschwingungen gehen} im Runden verloren und "
+     "{modes:steht|stehen} bei der Frequenz 0: die Steifigkeiten liegen zu weit auseinander; bitte Starres "
+     "zu "
+     "einer Masse verbinden"},
     {"modes_that_fall_away", worth_knowing,
      "{modes:mode falls|modes fall} away from rest: a stiffness is negative there",
      "{modes:Eigenschwingung fällt|Eigenschwingungen fallen} von der Ruhelage weg: dort ist eine Steifigkeit "

@@ -374,6 +374,8 @@ constexpr Entry entries[] = {
      "kriecht zurück, ohne zu schwingen, wo das Gesetz schwingt"},
     {"creeps_as_the_law", clause, "creeps back without swinging, as your law does",
      "kriecht zurück, ohne zu schwingen, wie das Gesetz auch"},
+    {"does_not_swing_as_the_law", clause, "does not swing, as your law does not",
+     "schwingt nicht, wie das Gesetz auch nicht"},
     {"grows_at_shorter_steps", clause, "{what}; at some shorter steps it grows",
      "{what}; bei manchen kürzeren Schritten wächst es"},
     {"settles", clause, "settles at {amplitude:.6g} m, {lag:.4g} rad behind the drive{law}",

@@ -71,6 +71,7 @@ struct ModesResult {
   std::vector<NaturalMode> modes{};  ///< by rising frequency
   std::vector<Notice> notices{};
   std::optional<ModalSource> recording{};  ///< empty of a network
+  std::optional<Network> network{};        ///< empty of a recording
   Notice message{};                        ///< why no modes were found; empty if some were
 
   bool ok() const { return message.empty(); }

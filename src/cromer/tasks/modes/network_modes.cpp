@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <type_traits>
 
 #include "cromer/analysis/complex_modes.h"
@@ -117,8 +118,13 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
   });
   if (!stable && !grows)
     notices.push_back(Notice{"method_unstable_on_network", {{"method", name}, {"step", h}}});
-  for (std::size_t j = 0; j < modes.size(); ++j)
-    into[j].methods.push_back({name, h, effects[j], effect_notice(effects[j], modes[j].law())});
+  for (std::size_t j = 0; j < modes.size(); ++j) {
+    Notice words = effect_notice(effects[j], modes[j].law());
+    // Only what is pulled back can creep back.
+    if (words.code == "creeps_as_the_law" && !(modes[j].law().stiffness > 0))
+      words = Notice{"does_not_swing_as_the_law"};
+    into[j].methods.push_back({name, h, effects[j], std::move(words)});
+  }
 }
 
 /// The law about rest is not the law, and what that leaves out.
@@ -132,6 +138,24 @@ std::vector<Notice> notices_on(const Network& network) {
   if (!terms.empty()) notices.push_back(Notice{"modes_of_small_motions", {{"terms", terms}}});
   if (law.has<Friction>()) notices.push_back(Notice{"modes_without_friction"});
   return notices;
+}
+
+/// How many bodies can move without stretching a spring: groups of masses that springs hold together, but not
+/// to the ground.
+int free_bodies(const Network& network) {
+  const std::size_t count = network.masses.size();
+  std::vector<std::size_t> leader(count + 1);  // the last one is the ground's
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto leader_of = [&](std::size_t i) {
+    while (leader[i] != i) i = leader[i];
+    return i;
+  };
+  for (const NetworkLink& link : network.links)
+    if (slopes_at_rest(link.law).x != 0)
+      leader[leader_of(std::min(link.from, count))] = leader_of(std::min(link.to, count));
+  int bodies = -1;  // the ground is none
+  for (std::size_t i = 0; i <= count; ++i) bodies += leader[i] == i;
+  return bodies;
 }
 
 }  // namespace
@@ -158,12 +182,12 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
   const std::vector<ComplexMode> modes = complex_modes(linear);
   const bool apart = !modal_damping(linear, undamped_modes(linear)).empty();
 
-  ModesResult result{.file = file, .notices = notices_on(network)};
+  ModesResult result{.file = file, .notices = notices_on(network), .network = network};
   for (const NetworkMass& mass : network.masses) result.names.push_back(mass.name);
   int free = 0, falling = 0;
   for (const ComplexMode& mode : modes) {
     const LinearLaw<double> law = mode.law();
-    const double w = law.stiffness >= 0 ? std::sqrt(law.stiffness) : no_number;
+    const double w = law.stiffness >= 0 ? std::sqrt(std::abs(law.stiffness)) : no_number;  // 0, not -0
     free += law.stiffness == 0;
     falling += law.stiffness < 0;
     result.modes.push_back({.frequency = exactly(w / (2 * std::numbers::pi)),
@@ -171,7 +195,9 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
                             .shape = mode.shape,
                             .participation = participation(linear, mode)});
   }
-  if (free > 0) result.notices.push_back(Notice{"modes_of_free_bodies", {{"modes", free}}});
+  const int bodies = std::min(free, free_bodies(network));
+  if (bodies > 0) result.notices.push_back(Notice{"modes_of_free_bodies", {{"modes", bodies}}});
+  if (free > bodies) result.notices.push_back(Notice{"slow_modes_lost", {{"modes", free - bodies}}});
   if (falling > 0) result.notices.push_back(Notice{"modes_that_fall_away", {{"modes", falling}}});
   for (const std::string& method : options.method)
     add_method(result.modes, method, options, network, modes, apart, result.notices);

@@ -46,7 +46,4 @@ Result<Network> known_network(Result<NetworkFile> read);
 Result<Network> read_network(std::string_view bytes, const std::string& file);
 Result<Network> open_network(const std::string& path);
 
-/// An Error names a term whose motion is not followed in a network.
-Result<void> check_terms(const Network& network, const std::string& file);
-
 }  // namespace cromer::core

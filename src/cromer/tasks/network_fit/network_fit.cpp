@@ -52,6 +52,14 @@ Result<void> check_columns(const Channels& channels, const NetworkFile& network,
   return {};
 }
 
+/// The fit follows smooth motions.
+Result<void> check_terms(const Network& network, const std::string& file) {
+  const Law law = law_of(network).without(smooth_terms);
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (law.has(i)) return Error{"term_not_in_networks", {{"file", file}, {"term", term_infos[i].name}}};
+  return {};
+}
+
 Result<void> check_sought(const NetworkFile& network, const std::string& file) {
   if (network.open.empty()) return Error{"network_seeks_nothing", {{"file", file}}};
   const std::size_t masses = network.network.masses.size(), most = most_sought(masses);
@@ -61,14 +69,18 @@ Result<void> check_sought(const NetworkFile& network, const std::string& file) {
   return {};
 }
 
-/// "stiffness of left–right"
+/// "stiffness of left–right"; of several links there the second is "stiffness of left–right 2".
 Notice value_of_link(const FittedNetwork& result, std::size_t value) {
   const Network& network = result.asked.network;
   const OpenValue& open = result.asked.open[value];
   const NetworkLink& link = network.links[open.value.link];
-  return Notice{
-      "value_of_link",
-      {{"value", open.key}, {"from", name_of(network, link.from)}, {"to", name_of(network, link.to)}}};
+  std::string to = name_of(network, link.to);
+  if (const std::size_t before = static_cast<std::size_t>(std::count_if(
+          network.links.begin(), network.links.begin() + static_cast<std::ptrdiff_t>(open.value.link),
+          [&](const NetworkLink& other) { return other.from == link.from && other.to == link.to; }));
+      before > 0)
+    to += " " + std::to_string(before + 1);
+  return Notice{"value_of_link", {{"value", open.key}, {"from", name_of(network, link.from)}, {"to", to}}};
 }
 
 /// Why the fit did not succeed.

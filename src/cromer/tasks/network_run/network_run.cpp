@@ -13,7 +13,7 @@
 #include "cromer/model/network_system.h"
 #include "cromer/run/solve.h"
 #include "cromer/tasks/modes/modes.h"
-#include "cromer/tasks/network/network_file.h"
+#include "cromer/tasks/network_run/network_stick_slip.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/early_end.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
@@ -74,11 +74,9 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   for (const Option& option : options_of(options))
     if (is_option_of_networks(option.name))
       if (auto good = check(option); !good) return good;
-  if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
   run.method = options.method.empty() ? "euler-cromer" : options.method.front();
   if (auto good = check_method_name(run.method); !good)
     return Error{"method_is_wrong", {{"what", good.error().notice}}};
-  if (auto good = check_terms(run.network, run.file); !good) return good;
   if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
   if (run.method == "exact")
     if (auto good = check_exact_network(run.network, run.file); !good) return good;
@@ -124,14 +122,21 @@ double stretch(const NetworkLink& link, const Of& of) {
   return link.from == ground ? end : end - of(link.from);
 }
 
+/// What a link stores [J]; `x_of` gives each mass' position.
+template <class Of>
+double stored_energy(const NetworkLink& link, const Of& x_of) {
+  Oscillator<double> law = link.law;
+  law.mass = 0;
+  return energy(law, State<double>{stretch(link, x_of), 0});
+}
+
 /// Kinetic energy, and what the links store [J].
 double energy_of(const Network& network, const State<MassVector>& y) {
   double sum = 0;
   for (std::size_t i = 0; i < network.masses.size(); ++i)
     sum += network.masses[i].mass * (y.v.first[i] * y.v.first[i]) / 2;
   for (const NetworkLink& link : network.links)
-    sum += energy<any_terms>(0.0, link.law, law_of(link.law),
-                             State<double>{stretch(link, [&](std::size_t i) { return y.x.first[i]; }), 0});
+    sum += stored_energy(link, [&](std::size_t i) { return y.x.first[i]; });
   return sum;
 }
 
@@ -142,6 +147,8 @@ class NetworkRecorder {
       : network_(network), every_(every), kept_(kept) {
     kept_.x.resize(network.masses.size());
     kept_.v.resize(network.masses.size());
+    for (std::size_t l = 0; l < network.links.size(); ++l)
+      if (law_of(network.links[l].law).has<Hysteresis>()) kept_.inner.push_back({.link = l});
   }
 
   void operator()(double t, const State<MassVector>& y) {
@@ -152,6 +159,12 @@ class NetworkRecorder {
     for (std::size_t i = 0; i < kept_.x.size(); ++i) {
       kept_.x[i].push_back(y.x.first[i]);
       kept_.v[i].push_back(y.v.first[i]);
+    }
+    for (std::size_t l = 0; l < kept_.inner.size(); ++l) {
+      const NetworkLink& link = network_.links[kept_.inner[l].link];
+      // The inner state is the force over this mass: see InnerLink.
+      const double mass = network_.masses[link.to != ground ? link.to : link.from].mass;
+      kept_.inner[l].force.push_back(mass * y.v.second[l]);
     }
     kept_.energy.push_back(energy_of(network_, y));
   }
@@ -179,6 +192,8 @@ Outcome solved(const M& method, const NetworkRun& run, Recorder& record, const W
                    watch);
     return solve(NetworkByExponential(run.network), method, interval, start, control, record, watch);
   } else {
+    if (law_of(run.network).has<Friction>())
+      return solve_with_contacts(run.network, method, interval, start, control, record, watch);
     return solve(NetworkSystem<>(run.network), method, interval, start, control, record, watch);
   }
 }
@@ -189,29 +204,49 @@ NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, dou
   const auto follow = [&](const auto& force, const Oscillator<double>& law, const auto& state) {
     EnergyLedger ledger(force, law, spacing);
     for (std::size_t n = 0; n < kept.t.size(); ++n) ledger(kept.t[n], state(n));
-    const EnergyBalance balance = ledger.balance();
+    return ledger.balance();
+  };
+  const auto add = [&](const EnergyBalance& balance) {
     sum.start += balance.start;
     sum.end += balance.end;
-    sum.drive += balance.drive;
     sum.taken += balance.taken.sum();
-    return balance;
   };
   for (std::size_t i = 0; i < network.masses.size(); ++i) {
     const auto& [amplitude, frequency, phase] = network.masses[i].drive;
-    follow(HarmonicForce<double>{amplitude, frequency, phase},
-           {.mass = network.masses[i].mass, .stiffness = 0}, [&](std::size_t n) {
-             return State<double>{kept.x[i][n], kept.v[i][n]};
-           });
+    const EnergyBalance balance =
+        follow(HarmonicForce<double>{amplitude, frequency, phase},
+               {.mass = network.masses[i].mass, .stiffness = 0}, [&](std::size_t n) {
+                 return State<double>{kept.x[i][n], kept.v[i][n]};
+               });
+    add(balance);
+    sum.drive += balance.drive;
   }
   for (const NetworkLink& link : network.links) {
     Oscillator<double> law = link.law;
     law.mass = 0;
-    sum.of_links.push_back(follow([](double) { return 0.0; }, law,
-                                  [&](std::size_t n) {
-                                    return State<double>{
-                                        stretch(link, [&](std::size_t i) { return kept.x[i][n]; }),
-                                        stretch(link, [&](std::size_t i) { return kept.v[i][n]; })};
-                                  }));
+    const auto state = [&](std::size_t n) {
+      return State<double>{stretch(link, [&](std::size_t i) { return kept.x[i][n]; }),
+                           stretch(link, [&](std::size_t i) { return kept.v[i][n]; })};
+    };
+    LinkEnergy& of_link = sum.of_links.emplace_back();
+    const EnergyBalance balance = follow([](double) { return 0.0; }, law, state);
+    of_link.end = balance.end;
+    of_link.taken = balance.taken.sum();
+    add(balance);
+  }
+  for (const InnerForce& inner : kept.inner) {
+    // As a drive that pulls against the link. What of its work could come back is not told.
+    const NetworkLink& link = network.links[inner.link];
+    std::size_t n = 0;
+    const double work =
+        -follow([&](double) { return -inner.force[n]; }, {.mass = 0, .stiffness = 0},
+                [&](std::size_t at) {
+                  n = at;
+                  return State<double>{0, stretch(link, [&](std::size_t i) { return kept.v[i][at]; })};
+                })
+             .drive;
+    sum.of_links[inner.link].taken += work;
+    sum.taken += work;
   }
   return sum;
 }
@@ -229,7 +264,8 @@ void add_stability(NetworkRun& run, const SimulateOptions& options) {
                                     .rho_inf = options.rho_inf});
   if (!modes) return;
   for (const Notice& notice : modes->notices)
-    if (notice.code == "method_unstable_on_network") run.notices.push_back(notice);
+    if (notice.code == "method_unstable_on_network" || notice.code == "slow_modes_lost")
+      run.notices.push_back(notice);
 }
 
 }  // namespace
@@ -255,6 +291,29 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   if (spacing * frequency_bound(network) < 0.5 && run.states.t.size() > 1)
     run.energy = energy_over(network, run.states, spacing);
   return run;
+}
+
+Result<std::vector<NetworkRun>> run_network_by_each(const Network& network, const std::string& file,
+                                                    const SimulateOptions& options, const Watch& watch) {
+  std::vector<NetworkRun> runs;
+  const std::size_t count = std::max<std::size_t>(1, options.method.size());
+  for (std::size_t m = 0; m < count && !watch.interrupted(); ++m) {
+    SimulateOptions by_one = options;
+    by_one.memory = options.memory / static_cast<double>(count);
+    if (!options.method.empty()) by_one.method = {options.method[m]};
+    auto run = run_network(network, file, by_one, watch);
+    if (!run) return run.error();
+    runs.push_back(*std::move(run));
+  }
+  return runs;
+}
+
+std::vector<double> stored_by(const NetworkRun& run, std::size_t link) {
+  const NetworkLink& of = run.network.links[link];
+  std::vector<double> stored;
+  for (std::size_t n = 0; n < run.states.t.size(); ++n)
+    stored.push_back(stored_energy(of, [&](std::size_t i) { return run.states.x[i][n]; }));
+  return stored;
 }
 
 }  // namespace cromer::core

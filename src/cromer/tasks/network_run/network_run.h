@@ -1,4 +1,4 @@
-// Task: a run of a network of masses by one method.
+// Task: runs of a network of masses, each by one method.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,33 @@
 
 namespace cromer::core {
 
+/// The force of a link that has memory.
+struct InnerForce {
+  std::size_t link = 0;
+  std::vector<double> force{};  // [N] or [N m]
+};
+
 /// The kept states of a run: a column for each mass, all of one length.
 struct NetworkStates {
   std::vector<double> t;               // [s]
   std::vector<std::vector<double>> x;  // [m] or [rad]
   std::vector<std::vector<double>> v;  // [m/s] or [rad/s]
-  std::vector<double> energy;          // [J] of all masses and links
+  std::vector<double> energy;          // [J] of all masses and links, without what hysteresis stores
+  std::vector<InnerForce> inner{};
+};
+
+/// What a link stores at the end, and what it took [J]: its resistances, friction, and the work done against
+/// hysteresis.
+struct LinkEnergy {
+  double end = 0, taken = 0;
 };
 
 /// Where the energy of a run came from and went, over the kept states.
 struct NetworkEnergy {
-  double start = 0, end = 0;            // [J]
-  double drive = 0;                     // [J] work of all drives
-  double taken = 0;                     // [J] by all resistances
-  std::vector<EnergyBalance> of_links;  ///< what each stores and takes
+  double start = 0, end = 0;  // [J]
+  double drive = 0;           // [J] work of all drives
+  double taken = 0;           // [J] by all links
+  std::vector<LinkEnergy> of_links;
 
   /// [J] made (+) or lost (-) by the method itself.
   double method() const { return (end - start) - (drive - taken); }
@@ -52,11 +65,18 @@ struct NetworkRun {
   bool ok() const { return outcome.status == Status::reached_end; }
 };
 
-/// Runs the network. Of the options those of the integration are used: method (one), step, until, tolerance,
-/// every, beta, gamma, rho_inf, and the memory. An Error names option, value and constraint, or the term that
-/// keeps the network, or the method, from running.
+/// Runs the network. Of the options those of the integration are used: method (the first), step, until,
+/// tolerance, every, beta, gamma, rho_inf, and the memory. An Error names option, value and constraint, or
+/// the term that keeps the network, or the method, from running.
 Result<NetworkRun> run_network(const Network& network, const std::string& file,
                                const SimulateOptions& options, const Watch& watch = {});
+
+/// The same by each of the methods, in their order; fewer where it was interrupted.
+Result<std::vector<NetworkRun>> run_network_by_each(const Network& network, const std::string& file,
+                                                    const SimulateOptions& options, const Watch& watch = {});
+
+/// What a link stores at each kept state [J]; what hysteresis stores is left out.
+std::vector<double> stored_by(const NetworkRun& run, std::size_t link);
 
 /// The options of `simulate` that a network takes.
 bool is_option_of_networks(std::string_view option);

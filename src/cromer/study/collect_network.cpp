@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "cromer/documents/described/network_run.h"
+#include "cromer/study/collect.h"
+#include "cromer/study/facts.h"
+
+namespace cromer::core {
+namespace {
+
+/// "floor 1" as a part of a result's name: "floor_1".
+std::string as_part_of_name(std::string_view name) {
+  std::string part(name);
+  for (char& c : part)
+    if (static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '-')
+      c = '_';
+  return part;
+}
+
+/// The largest value of a column, and where it stands.
+void collect_peak(const std::string& name, const std::vector<double>& t, const std::vector<double>& values,
+                  std::string_view unit, Results& results) {
+  const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto largest = std::max_element(values.begin(), values.end(), size);
+  results.set(name + "peak", std::abs(*largest), unit);
+  results.set(name + "peak_t", t[static_cast<std::size_t>(largest - values.begin())], "s");
+}
+
+void collect_mass(const std::string& name, const NetworkRun& run, std::size_t i, Results& results) {
+  const NetworkStates& kept = run.states;
+  const bool angles = run.network.angles;
+  // Kinetic energy, and what its links to the ground store.
+  std::vector<double> energy(kept.t.size());
+  for (std::size_t n = 0; n < kept.t.size(); ++n)
+    energy[n] = run.network.masses[i].mass * kept.v[i][n] * kept.v[i][n] / 2;
+  for (std::size_t l = 0; l < run.network.links.size(); ++l) {
+    const NetworkLink& link = run.network.links[l];
+    if (!(link.from == ground && link.to == i) && !(link.from == i && link.to == ground)) continue;
+    const std::vector<double> stored = stored_by(run, l);
+    for (std::size_t n = 0; n < kept.t.size(); ++n) energy[n] += stored[n];
+  }
+  collect_peak(name + ".", kept.t, kept.x[i], angles ? "rad" : "m", results);
+  collect_peak(name + ".energy_", kept.t, energy, "J", results);
+  results.set(name + ".x_end", run.last[i].x, angles ? "rad" : "m");
+  results.set(name + ".v_end", run.last[i].v, angles ? "rad/s" : "m/s");
+  results.set_column(name + ".t", kept.t, "s", "time *t*");
+  results.set_column(name + ".x", kept.x[i], angles ? "rad" : "m", angles ? "angle *x*" : "position *x*");
+  results.set_column(name + ".v", kept.v[i], angles ? "rad/s" : "m/s",
+                     angles ? "angular velocity *v*" : "velocity *v*");
+  results.set_column(name + ".energy", std::move(energy), "J", "energy *E*");
+}
+
+void set_estimate(const std::string& name, const Estimate& estimate, std::string_view unit,
+                  Results& results) {
+  results.set(name, Quantity{estimate.value, estimate.standard_error}, unit);
+  results.set(name + ".low", estimate.low, unit);
+  results.set(name + ".high", estimate.high, unit);
+}
+
+}  // namespace
+
+void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results& results) {
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const NetworkRun& run = runs[r];
+    const bool angles = run.network.angles;
+    const std::string name = id + "." + std::to_string(r + 1);
+    Facts(results, [angles](std::string_view unit) -> std::string_view {
+      if (unit == "m or rad") return angles ? "rad" : "m";
+      if (unit == "m/s or rad/s") return angles ? "rad/s" : "m/s";
+      return unit;
+    }).set(name, NetworkDocument{run, false});
+    results.set(name + ".label", run.method);
+    for (std::size_t i = 0; i < run.network.masses.size(); ++i)
+      collect_mass(name + "." + as_part_of_name(run.network.masses[i].name), run, i, results);
+    for (std::size_t l = 0; l < run.network.links.size(); ++l) {
+      const std::string link = name + ".links." + std::to_string(l + 1);
+      std::vector<double> stored = stored_by(run, l);
+      collect_peak(link + ".energy_", run.states.t, stored, "J", results);
+      results.set_column(link + ".t", run.states.t, "s", "time *t*");
+      results.set_column(link + ".energy", std::move(stored), "J", "energy *E*");
+    }
+    results.set_column(name + ".t", run.states.t, "s", "time *t*");
+    results.set_column(name + ".energy", run.states.energy, "J", "energy *E*");
+  }
+}
+
+void collect(const std::string& id, const ModesResult& found, Results& results) {
+  std::vector<double> number, frequency, damping_ratio;
+  for (std::size_t j = 0; j < found.modes.size(); ++j) {
+    const NaturalMode& mode = found.modes[j];
+    const std::string name = id + "." + std::to_string(j + 1);
+    set_estimate(name + ".frequency", mode.frequency, "Hz", results);
+    results.set(name + ".period", 1 / mode.frequency.value, "s");
+    set_estimate(name + ".damping_ratio", mode.damping_ratio, "", results);
+    if (mode.participation) results.set(name + ".participation", *mode.participation);
+    for (std::size_t i = 0; i < found.names.size(); ++i) {
+      const std::string mass = name + "." + as_part_of_name(found.names[i]);
+      // With a sign where it swings in or against the phase of the largest.
+      results.set(mass, std::abs(mode.shape[i]) * (mode.shape[i].real() < 0 ? -1 : 1));
+      results.set(mass + ".phase", std::arg(mode.shape[i]), "rad");
+    }
+    for (std::size_t m = 0; m < mode.methods.size(); ++m) {
+      const ModeByMethod& by = mode.methods[m];
+      const std::string method = name + ".methods." + std::to_string(m + 1);
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      results.set(method + ".label", by.method);
+      results.set(method + ".frequency", by.frequency().value_or(none), "Hz");
+      results.set(method + ".frequency_error", by.frequency().value_or(none) / mode.frequency.value - 1);
+      results.set(method + ".damping_ratio", by.damping_ratio().value_or(none));
+    }
+    number.push_back(static_cast<double>(j + 1));
+    frequency.push_back(mode.frequency.value);
+    damping_ratio.push_back(mode.damping_ratio.value);
+  }
+  results.set(id + ".modes", static_cast<double>(found.modes.size()));
+  if (found.modes.size() == 2) {
+    const double slow = frequency[0], fast = frequency[1];
+    results.set(id + ".beat_frequency", fast - slow, "Hz");
+    results.set(id + ".beat_period", 1 / (fast - slow), "s");
+    results.set(id + ".coupling", (fast * fast - slow * slow) / (fast * fast + slow * slow));
+  }
+  results.set_column(id + ".mode", std::move(number), "", "mode");
+  results.set_column(id + ".frequency", std::move(frequency), "Hz", "frequency *f*");
+  results.set_column(id + ".damping_ratio", std::move(damping_ratio), "", "damping ratio");
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,55 @@
+// The named results of networks: their runs, and their modes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/study/collected.h"
+
+namespace cromer::core {
+namespace {
+
+Network two_masses() {
+  Network network;
+  network.masses = {{"left", 2, {1, 0}}, {"floor 1", 2}};
+  network.links = {{ground, 0, {.stiffness = 8}}, {ground, 1, {.stiffness = 8}}, {0, 1, {.stiffness = 1}}};
+  return network;
+}
+
+TEST(CollectNetwork, NamesMassesAndLinks) {
+  const auto runs =
+      run_network_by_each(two_masses(), "n.toml", {.method = {"rk4", "exact"}, .step = 0.01, .until = 2});
+  ASSERT_TRUE(runs);
+  Results results;
+  collect("beats", *runs, results);
+  EXPECT_EQ(fact(results, "beats.2.label"), "exact");
+  EXPECT_EQ(fact(results, "beats.1.left.peak"), "1 m");
+  EXPECT_EQ(fact(results, "beats.1.left.peak_t"), "0 s");
+  EXPECT_EQ(column(results, "beats.1.left.energy").values.front(), 4);
+  EXPECT_EQ(value(results, "beats.1.floor_1.x_end"), runs->front().last[1].x);
+  EXPECT_EQ(value(results, "beats.1.links.3.energy_peak"), 0.5);
+  const ResultColumn x = column(results, "beats.1.left.x");
+  EXPECT_EQ(x.values.size(), 201u);
+  EXPECT_EQ(x.unit, "m");
+  EXPECT_EQ(column(results, "beats.1.links.1.energy").values.front(), 4);
+  EXPECT_EQ(column(results, "beats.1.energy").values.front(), 4.5);
+}
+
+TEST(CollectNetwork, NamesModesAndTheirBeat) {
+  const auto found = network_modes(two_masses(), "n.toml", {.method = {"newmark"}, .step = 0.1});
+  ASSERT_TRUE(found);
+  Results results;
+  collect("modes", *found, results);
+  const double slow = 2 / (2 * std::numbers::pi), fast = std::sqrt(5.0) / (2 * std::numbers::pi);
+  EXPECT_NEAR(value(results, "modes.1.frequency"), slow, 1e-12);
+  EXPECT_NEAR(value(results, "modes.beat_period"), 1 / (fast - slow), 1e-9);
+  EXPECT_NEAR(value(results, "modes.coupling"), 1.0 / 9, 1e-12);
+  EXPECT_NEAR(value(results, "modes.1.left") * value(results, "modes.1.floor_1"), 1, 1e-12);
+  EXPECT_NEAR(value(results, "modes.2.left") * value(results, "modes.2.floor_1"), -1, 1e-12);
+  EXPECT_EQ(fact(results, "modes.1.methods.1.label"), "newmark");
+  EXPECT_LT(value(results, "modes.1.methods.1.frequency_error"), 0);
+  EXPECT_EQ(column(results, "modes.frequency").values.size(), 2u);
+}
+
+}  // namespace
+}  // namespace cromer::core
