@@ -22,7 +22,7 @@ class Owning final : public Stepper {
 
  private:
   M method_;
-  StepperOf<AnyTerms, M> stepper_;
+  StepperOf<AnyTerms, M, double> stepper_;
 };
 
 }  // namespace

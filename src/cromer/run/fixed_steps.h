@@ -172,10 +172,15 @@ class StepperFor {
 
   virtual const MethodInfo& info() const = 0;
 
-  /// Into how many parts a step must be divided so that no two zeros of the velocity fall into one; 1 where
-  /// the system does not say how far apart they lie (then the step is the caller's choice). The first zero
-  /// ends a phase, so that many parts cost nothing.
-  virtual long long parts_of_step(double h) const = 0;
+  /// No two zeros of the velocity lie closer together than this [s]; infinite where the system does not say
+  /// (then the step is the caller's choice).
+  virtual double zero_spacing() const = 0;
+
+  /// Into how many parts a step must be divided so that no two zeros of the velocity fall into one. The first
+  /// zero ends the phase, so that many parts cost nothing.
+  long long parts_of_step(double h) const {
+    return static_cast<long long>(std::min(1e15, 1 + std::floor(1.01 * h / zero_spacing())));
+  }
 };
 using Stepper = StepperFor<double>;
 
@@ -207,10 +212,9 @@ class StepperOf final : public StepperFor<Real> {
 
   const MethodInfo& info() const override { return M::info; }
 
-  long long parts_of_step(double h) const override {
-    if constexpr (requires { system_.zero_spacing(); })
-      return static_cast<long long>(std::min(1e15, 1 + std::floor(1.01 * h / system_.zero_spacing())));
-    return 1;
+  double zero_spacing() const override {
+    if constexpr (requires { system_.zero_spacing(); }) return system_.zero_spacing();
+    return std::numeric_limits<double>::infinity();
   }
 
  private:
