@@ -143,6 +143,38 @@ TEST(RecordingModes, a_clock_that_drifts_is_named) {
               testing::Not(testing::Contains("clock_drifts")));
 }
 
+TEST(RecordingModes, motion_without_damping_and_growth_are_said) {
+  const std::vector<Swing> steady{{value_of(0.7, 0), 0.06, 0.05}, {value_of(1.3, 0), 0.05, -0.06}};
+  const ModesResult undamped = modes_in(decay(steady, two_angles, both));
+  EXPECT_EQ(undamped.modes.size(), 2u);
+  EXPECT_EQ(undamped.recording->words.code, "modes_of_free_motion");
+  EXPECT_THAT(codes(undamped), testing::Each("mode_does_not_decay"));
+  const ModesResult growing = modes_in(decay({{value_of(0.7, -0.004), 0.06, 0.05}}, two_angles, both));
+  ASSERT_EQ(growing.modes.size(), 1u);
+  EXPECT_NEAR(growing.modes[0].damping_ratio.value, -0.004, 1e-9);
+  EXPECT_EQ(growing.recording->words.code, "modes_of_free_motion");
+  EXPECT_THAT(codes(growing), testing::ElementsAre("mode_grows", "fewer_modes_than_channels"));
+}
+
+TEST(RecordingModes, a_machine_among_random_forces_is_said_and_is_no_mode) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const std::complex<double> turn = std::exp(value_of(0.7, 0.02) * 0.05);
+  std::complex<double> swing = 0;
+  const ModesResult result = modes_in(decay(
+      pendulums, two_angles,
+      [&](auto i, auto, auto) {
+        swing = turn * swing + normal(random);
+        const double machine = 10 * std::sin(full_turn * 2.1 * 0.05 * static_cast<double>(i));
+        return both(i, swing.imag() + machine + 0.1 * normal(random),
+                    0.8 * swing.imag() + machine + 0.1 * normal(random));
+      },
+      12000));
+  EXPECT_THAT(codes(result), testing::Contains("steady_line"));
+  ASSERT_EQ(result.modes.size(), 1u);
+  EXPECT_NEAR(result.modes[0].frequency.value, 0.7, 0.02);
+}
+
 TEST(RecordingModes, noise_has_none_and_says_so) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

@@ -29,8 +29,8 @@ struct ComplexMode {
 double modal_assurance(const std::vector<std::complex<double>>& a,
                        const std::vector<std::complex<double>>& b);
 
-/// All modes, by rising |z|: as many as masses. Where damping leaves the natural modes apart, these. Error:
-/// about 1e-15 of the largest |z|. Eigenvalues that are not told from 0 are 0.
+/// All modes, by rising |z|: as many as masses. Where damping does not couple the natural modes, these.
+/// Error: about 1e-15 of the largest |z|. Eigenvalues that are not told from 0 are 0.
 std::vector<ComplexMode> complex_modes(const LinearNetwork& network);
 
 /// A share of the mass that takes part when the ground shakes along the same direction everywhere: the

@@ -108,16 +108,9 @@ namespace {
 // The local maximum at place k, refined.
 SpectralLine line_at(const Spectrum& spectrum, std::size_t k) {
   const auto& a = spectrum.amplitude;
-  SpectralLine line{static_cast<double>(k) * spectrum.step, a[k]};
-  if (a[k - 1] > 0 && a[k + 1] > 0) {
-    const double left = std::log(a[k - 1] / a[k]), right = std::log(a[k + 1] / a[k]);
-    const double curvature = left + right;
-    if (curvature < 0) {
-      const double offset = 0.5 * (left - right) / curvature;
-      line.angular_frequency += offset * spectrum.step;
-      line.amplitude *= std::exp(-0.125 * (left - right) * (left - right) / curvature);
-    }
-  }
+  const double offset = offset_of_maximum(a[k - 1], a[k], a[k + 1]);
+  SpectralLine line{static_cast<double>(k) * spectrum.step + offset * spectrum.step, a[k]};
+  if (offset != 0) line.amplitude *= std::exp(-0.25 * offset * std::log(a[k - 1] / a[k + 1]));
   return line;
 }
 
@@ -137,6 +130,12 @@ std::vector<SpectralLine> strongest_lines(const Spectrum& spectrum, double share
   for (std::size_t i = 0; i < most && a[maxima[i]] >= share * a[maxima[0]]; ++i)
     lines.push_back(line_at(spectrum, maxima[i]));
   return lines;
+}
+
+double offset_of_maximum(double before, double at, double after) {
+  if (!(before > 0 && at > 0 && after > 0)) return 0;
+  const double left = std::log(before / at), right = std::log(after / at);
+  return left + right < 0 ? 0.5 * (left - right) / (left + right) : 0;
 }
 
 std::optional<SpectralLine> strongest_line(const Spectrum& spectrum) {

@@ -22,6 +22,10 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h);
 /// (2009)). On a grid of times h [s] apart; samples between its points are shared by the two beside them.
 Spectrum least_squares_spectrum(std::span<const double> t, std::span<const double> y, double h);
 
+/// Where a maximum lies of which these are three values one step apart: steps from the middle one, by a
+/// parabola through the logarithms. 0 where they have none.
+double offset_of_maximum(double before, double at, double after);
+
 struct SpectralLine {
   double angular_frequency = 0;  // [rad/s]
   double amplitude = 0;

@@ -39,8 +39,8 @@ UndampedModes undamped_modes(const LinearNetwork& network);
 /// Of each mode the damping 2 b [1/s] in q'' + 2 b q' + w^2 q; empty where damping ties modes together.
 std::vector<double> modal_damping(const LinearNetwork& network, const UndampedModes& modes);
 
-/// A linear network whose damping leaves its modes apart: each moves as one oscillator, by its closed form.
-/// Of one mass with one link it is that oscillator's, to the bit.
+/// A linear network whose damping does not couple its modes: each moves as one oscillator, by its closed
+/// form. Of one mass with one link it is that oscillator's, to the bit.
 class NetworkByModes : public NetworkSystem<> {
  public:
   /// damping: not empty (modal_damping).

@@ -91,7 +91,7 @@ struct Described<ModalSource> {
           [](const ModalSource& s) {
             return s.found.motion == ModalMotion::free_decay ? "free_decay" : "ambient";
           },
-          "", "free_decay or ambient: whether it was let go, or random forces keep it moving"),
+          "", "free_decay (it was let go, or grows by itself) or ambient (random forces keep it moving)"),
       field("quantity", &ModalSource::quantity, "", "what the channels measure"),
       field("unit", &ModalSource::unit, "", "SI unit of the channels"),
       field("samples", &ModalSource::samples, "", "that all channels have"),
@@ -101,6 +101,9 @@ struct Described<ModalSource> {
       field(
           "highest_order", [](const ModalSource& s) { return s.found.highest_order; }, "",
           "of the models; 0 if the recording is too short for any"),
+      field(
+          "lines", [](const ModalSource& s) { return s.found.lines; }, "Hz",
+          "steady oscillations among random forces: of machines, no modes"),
       field(
           "peaks", [](const ModalSource& s) { return s.found.peaks; }, "",
           "of the largest singular value of the spectral matrix (frequency domain decomposition)"),

@@ -206,6 +206,34 @@ constexpr Entry entries[] = {
      "die Bewegung klingt vom ersten Messwert an ab, {percent:.3g} % ihrer Leistung um die Eigenfrequenzen: "
      "dies sind "
      "Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
+    {"modes_of_free_motion", clause,
+     "the motion is free from the first sample on and does not die away, {percent:.3g} % of its power about "
+     "the modes: "
+     "these are modes of a free motion, by least squares",
+     "die Bewegung ist vom ersten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer Leistung um "
+     "die "
+     "Eigenfrequenzen: dies sind Eigenschwingungen einer freien Bewegung, durch kleinste Quadrate"},
+    {"mode_grows", wrong_if_ignored,
+     "the mode at {frequency:.4g} Hz grows: its damping ratio is negative, something feeds it",
+     "die Eigenschwingung bei {frequency:.4g} Hz wächst: ihr Dämpfungsgrad ist negativ, etwas speist sie"},
+    {"mode_does_not_decay", worth_knowing,
+     "the oscillation at {frequency:.4g} Hz does not decay measurably: a mode almost without damping, or a "
+     "machine's",
+     "die Schwingung bei {frequency:.4g} Hz klingt nicht messbar ab: eine Eigenschwingung fast ohne "
+     "Dämpfung, "
+     "oder die einer Maschine"},
+    {"steady_line", worth_knowing,
+     "the line at {frequency:.4g} Hz is steady: it is a machine's and no mode, and was taken out before the "
+     "modes were sought",
+     "die Linie bei {frequency:.4g} Hz ist gleichbleibend: sie ist die einer Maschine und keine "
+     "Eigenschwingung; sie wurde vor der Suche nach Eigenschwingungen abgezogen"},
+    {"fewer_modes_than_channels", worth_knowing,
+     "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
+     "hardly "
+     "excited, or they lie above half the rate",
+     "es gibt {channels} Kanäle und {modes:Eigenschwingung|Eigenschwingungen}: ist jeder Kanal eine Masse, "
+     "so "
+     "wurden die anderen kaum angeregt, oder sie liegen über der halben Abtastrate"},
     {"few_decay_times", worth_knowing,
      "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one would "
      "make its "

@@ -126,10 +126,8 @@ std::vector<ResidualLine> residual_lines_of(const std::vector<double>& values, d
     if (!top || w < 4 * resolution || own.holds(w, 1, skirt)) continue;
     // The window lets a lasting line's amplitude through; its power is half the square.
     if (0.5 * a[k] * a[k] < 0.05 * power || a[k] < 6 * median_around(a, k, 40 * bins)) continue;
-    const double left = std::log(a[k - 1] / a[k]), right = std::log(a[k + 1] / a[k]);
     ResidualLine line;
-    line.angular_frequency =
-        w + (left + right < 0 ? 0.5 * (left - right) / (left + right) : 0) * spectrum.step;
+    line.angular_frequency = w + offset_of_maximum(a[k - 1], a[k], a[k + 1]) * spectrum.step;
     line.amplitude = a[k];
     lines.push_back(line);
   }

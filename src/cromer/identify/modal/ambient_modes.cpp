@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 
 namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // What each block of the record adds to a deviation, of which W is the derivative by the correlations.
 std::vector<std::complex<double>> block_deviations(const BlockCorrelations& correlations,
@@ -65,60 +65,91 @@ class Grouping {
   double widening_;
 };
 
-// A pole with the standard errors of its frequency [Hz] and damping ratio.
-struct KnownPole {
-  std::size_t pole = 0;
-  double frequency_error = 0, damping_error = 0;
+// What each block of the record adds to the deviations of a frequency [Hz] and a damping ratio.
+struct PoleDeviations {
+  std::vector<double> frequency, damping;
 };
 
-class Knowledge {
+// What the poles of one mode at several orders say together, with standard errors.
+struct MeanOfPoles {
+  double frequency = 0, damping_ratio = 0, frequency_error = 0, damping_error = 0;
+  double decay_rate = 0;   // [1/s]
+  std::size_t middle = 0;  ///< the pole whose frequency is the median
+};
+
+class PoleStatistics {
  public:
-  explicit Knowledge(const ModeSearch& search)
+  explicit PoleStatistics(const ModeSearch& search)
       : subspace_(search.subspace),
         correlations_(search.correlations),
         all_(search.stable),
         known_(search.stable.poles.size()) {}
 
-  const KnownPole& of(std::size_t i) {
+  // Each pole weighs as its estimated variance says, and the deviations add up block by block: the pole of
+  // the least estimated error alone would have an error that is larger than the estimate. There must be a
+  // pole.
+  MeanOfPoles mean(std::vector<std::size_t> poles) {
+    std::sort(poles.begin(), poles.end(), [&](std::size_t a, std::size_t b) {
+      return all_.poles[a].frequency < all_.poles[b].frequency;
+    });
+    MeanOfPoles mean;
+    mean.middle = poles[poles.size() / 2];
+    const StabilityPole& middle = all_.poles[mean.middle];
+    const Grouping grouping(correlations_, middle.damping_ratio * two_pi * middle.frequency);
+    const auto weighted = [&](double StabilityPole::*value, std::vector<double> PoleDeviations::*part) {
+      double sum = 0, weights = 0;
+      std::vector<double> deviations(correlations_.sums.size());
+      for (const std::size_t i : poles) {
+        const std::vector<double>& own = of(i).*part;
+        const double weight = 1 / std::max(grouping.variance(own), 1e-300);
+        weights += weight;
+        sum += weight * all_.poles[i].*value;
+        for (std::size_t b = 0; b < own.size(); ++b) deviations[b] += weight * own[b];
+      }
+      return std::pair{sum / weights, std::sqrt(grouping.variance(deviations)) / weights};
+    };
+    std::tie(mean.frequency, mean.frequency_error) =
+        weighted(&StabilityPole::frequency, &PoleDeviations::frequency);
+    std::tie(mean.damping_ratio, mean.damping_error) =
+        weighted(&StabilityPole::damping_ratio, &PoleDeviations::damping);
+    mean.decay_rate = mean.damping_ratio * two_pi * mean.frequency;
+    return mean;
+  }
+
+  MeasuredMode mode(const MeanOfPoles& mean, double duration) const {
+    const Grouping grouping(correlations_, mean.decay_rate);
+    MeasuredMode mode;
+    const double w = two_pi * mean.frequency;
+    mode.eigenvalue = {-mean.decay_rate, w * std::sqrt(1 - mean.damping_ratio * mean.damping_ratio)};
+    mode.frequency = make_estimate(mean.frequency, mean.frequency_error, grouping.student());
+    mode.damping_ratio = make_estimate(mean.damping_ratio, mean.damping_error, grouping.student());
+    mode.lifetimes = mean.decay_rate * duration;
+    mode.order = all_.poles[mean.middle].order;
+    add_shape(mode, all_.poles[mean.middle], grouping);
+    return mode;
+  }
+
+ private:
+  const PoleDeviations& of(std::size_t i) {
     if (known_[i]) return *known_[i];
     const StabilityPole& pole = all_.poles[i];
     const ModelPoles& model = all_.model(pole.order);
     const std::complex<double> value = model.values(pole.index), rate = std::log(value) / correlations_.step;
-    const auto deviations = block_deviations(correlations_, subspace_.value_gradient(model, pole.index));
-    std::vector<double> frequency, damping;
     const double size = std::abs(rate);
-    for (const std::complex<double>& each : deviations) {
+    PoleDeviations result;
+    for (const std::complex<double>& each :
+         block_deviations(correlations_, subspace_.value_gradient(model, pole.index))) {
       const std::complex<double> change = each / (value * correlations_.step);
       const double turned = (std::conj(rate) * change).real() / size;
-      frequency.push_back(turned / two_pi);
-      damping.push_back((-change.real() + rate.real() * turned / size) / size);
+      result.frequency.push_back(turned / two_pi);
+      result.damping.push_back((-change.real() + rate.real() * turned / size) / size);
     }
-    const Grouping grouping(correlations_, -rate.real());
-    known_[i] = KnownPole{i, std::sqrt(grouping.variance(frequency)), std::sqrt(grouping.variance(damping))};
+    known_[i] = std::move(result);
     return *known_[i];
   }
 
-  // Of a group's poles with orders from `low` to `high`, that whose frequency scatters least.
-  std::optional<KnownPole> best(const std::vector<std::size_t>& group, int low, int high) {
-    std::optional<KnownPole> result;
-    for (const std::size_t i : group) {
-      if (all_.poles[i].order < low || all_.poles[i].order > high) continue;
-      if (const KnownPole& each = of(i); !result || each.frequency_error < result->frequency_error)
-        result = each;
-    }
-    return result;
-  }
-
-  MeasuredMode mode(const KnownPole& known, double duration) const {
-    const StabilityPole& pole = all_.poles[known.pole];
+  void add_shape(MeasuredMode& mode, const StabilityPole& pole, const Grouping& grouping) const {
     const ModelPoles& model = all_.model(pole.order);
-    MeasuredMode mode;
-    mode.eigenvalue = std::log(model.values(pole.index)) / correlations_.step;
-    const Grouping grouping(correlations_, -mode.eigenvalue.real());
-    mode.frequency = make_estimate(pole.frequency, known.frequency_error, grouping.student());
-    mode.damping_ratio = make_estimate(pole.damping_ratio, known.damping_error, grouping.student());
-    mode.order = pole.order;
-    mode.lifetimes = -mode.eigenvalue.real() * duration;
     const auto larger = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
     const auto reference = static_cast<Eigen::Index>(
         std::max_element(pole.shape.begin(), pole.shape.end(), larger) - pole.shape.begin());
@@ -139,14 +170,12 @@ class Knowledge {
       mode.shape_error.emplace_back(std::sqrt(grouping.variance(real)),
                                     std::sqrt(grouping.variance(imaginary)));
     }
-    return mode;
   }
 
- private:
   const Subspace& subspace_;
   const BlockCorrelations& correlations_;
   const Stabilisation& all_;
-  std::vector<std::optional<KnownPole>> known_;
+  std::vector<std::optional<PoleDeviations>> known_;
 };
 
 }  // namespace
@@ -154,14 +183,16 @@ class Knowledge {
 std::vector<MeasuredMode> ambient_modes(const ModeSearch& search, const ModalSettings& settings,
                                         double duration) {
   const Stabilisation& all = search.stable;
-  Knowledge knowledge(search);
+  PoleStatistics statistics(search);
   std::vector<std::vector<std::size_t>> groups;
   for (const std::vector<std::size_t>& group : all.groups) {
     const int first = all.poles[group.front()].order;
-    const auto known = knowledge.best(group, first, first + 8);
-    const StabilityPole& pole = all.poles[known->pole];
-    if (known->frequency_error < 0.01 * pole.frequency && known->damping_error < 0.6 * pole.damping_ratio)
-      groups.push_back(group);
+    const bool known = std::any_of(group.begin(), group.end(), [&](std::size_t i) {
+      if (all.poles[i].order > first + 8) return false;
+      const MeanOfPoles pole = statistics.mean({i});
+      return pole.frequency_error < 0.01 * pole.frequency && pole.damping_error < 0.6 * pole.damping_ratio;
+    });
+    if (known) groups.push_back(group);
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [&](const auto& a, const auto& b) { return all.orders(a) > all.orders(b); });
@@ -170,10 +201,10 @@ std::vector<MeasuredMode> ambient_modes(const ModeSearch& search, const ModalSet
   const int together = all.first_common_order(groups);
   std::vector<MeasuredMode> modes;
   for (const auto& group : groups) {
-    auto known = knowledge.best(group, together, together + 10);
-    if (!known) known = knowledge.best(group, 0, search.highest_order);
-    modes.push_back(knowledge.mode(*known, duration));
-    modes.back().seen = all.orders(group);
+    std::vector<std::size_t> poles;
+    for (const std::size_t i : group)
+      if (all.poles[i].order >= together && all.poles[i].order <= together + 10) poles.push_back(i);
+    modes.push_back(statistics.mode(statistics.mean(poles.empty() ? group : poles), duration));
   }
   std::sort(modes.begin(), modes.end(), [](const MeasuredMode& a, const MeasuredMode& b) {
     return a.frequency.value < b.frequency.value;

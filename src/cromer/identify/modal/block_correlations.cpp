@@ -38,8 +38,7 @@ BlockCorrelations block_correlations(const ScaledChannels& channels, const Modal
   result.count = Eigen::VectorXd::Zero(lags);
   for (std::size_t piece = 0; piece < record.starts.size(); ++piece) {
     const auto begin = static_cast<Eigen::Index>(record.starts[piece]);
-    const auto end =
-        piece + 1 < record.starts.size() ? static_cast<Eigen::Index>(record.starts[piece + 1]) : n;
+    const auto end = static_cast<Eigen::Index>(record.end(piece));
     for (Eigen::Index from = begin; from + stride < end; from += length) {
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(r, r * lags);
       Eigen::VectorXd count = Eigen::VectorXd::Zero(lags);

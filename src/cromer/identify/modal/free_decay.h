@@ -2,10 +2,9 @@
 // amplitudes and phases of its own.
 #pragma once
 
-#include <complex>
 #include <vector>
 
-#include "cromer/identify/modal/modal_record.h"
+#include "cromer/identify/modal/decay_fit.h"
 
 namespace cromer::core {
 
@@ -13,23 +12,17 @@ namespace cromer::core {
 inline constexpr std::size_t most_decaying_modes = 10;
 
 struct FreeDecay {
-  std::vector<MeasuredMode> modes;  ///< by rising frequency
+  std::vector<MeasuredMode> modes;  ///< by rising frequency; damping ratios of modes that grow are negative
   bool converged = false;
-  double share = 0;                  ///< decaying_share() of these modes
-  std::vector<double> residual_rms;  ///< by channel, in its unit
+  double share = 0;  ///< of the power about the modes (without steady ones where others are not): what the
+                     ///< fit accounts for
 };
 
-/// How much of the channels' power about these eigenvalues [1/s] is a decay that began at the first sample:
-/// near 1 of a free decay, whatever noise is elsewhere, near 0 of random forces that act for many decay
-/// times.
-double decaying_share(const ModalRecord& record, const std::vector<std::complex<double>>& eigenvalues);
-
-/// Least squares over all channels at once, each weighted by what is left of it, from these start values; at
-/// most most_decaying_modes of them. The amplitudes are solved for at each step (G. H. Golub & V. Pereyra,
-/// SIAM J. Numer. Anal. 10, 413 (1973); L. Kaufman, BIT 15, 49 (1975)). Intervals are those of the residuals'
-/// own correlation. A mode is left out whose frequency is
-/// not known to 1 %, whose amplitude is less than six standard errors in each channel, or that has the shape
-/// of a surer one within the mean of their widths: that is one swing which is not linear.
-FreeDecay fit_free_decay(const ModalRecord& record, std::vector<std::complex<double>> eigenvalues);
+/// Least squares over all channels at once (fit_eigenvalues), each weighted by what is left of it, from these
+/// start values; at most most_decaying_modes of them. Intervals are those of the residuals' own correlation.
+/// An oscillation leaves the fit whose amplitude is less than four standard errors in each channel, or that
+/// has the shape of a surer one within the mean of their widths: that is one swing which is not linear. Of
+/// the others those are modes whose frequency is known to 1 % and whose amplitude to a sixth.
+FreeDecay fit_free_decay(const ModalRecord& record, Eigenvalues eigenvalues);
 
 }  // namespace cromer::core

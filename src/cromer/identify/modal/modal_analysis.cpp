@@ -1,16 +1,20 @@
 #include "cromer/identify/modal/modal_analysis.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/modal/ambient_modes.h"
 #include "cromer/identify/modal/free_decay.h"
+#include "cromer/identify/modal/mode_search.h"
+#include "cromer/identify/modal/steady_lines.h"
 
 namespace cromer::core {
 namespace {
 
 // Start values of a free decay: each group's pole at the lowest order at which all have appeared.
-std::vector<std::complex<double>> eigenvalues_of_groups(const ModeSearch& search,
-                                                        const ModalSettings& settings) {
+Eigenvalues eigenvalues_of_groups(const ModeSearch& search, const ModalSettings& settings) {
   const Stabilisation& all = search.stable;
   auto groups = all.groups;
   std::stable_sort(groups.begin(), groups.end(),
@@ -20,7 +24,7 @@ std::vector<std::complex<double>> eigenvalues_of_groups(const ModeSearch& search
                                : most_decaying_modes;
   if (groups.size() > most) groups.resize(most);
   const int together = all.first_common_order(groups);
-  std::vector<std::complex<double>> result;
+  Eigenvalues result;
   for (const auto& group : groups) {
     std::size_t chosen = group.back();
     for (const std::size_t i : group)
@@ -34,34 +38,110 @@ std::vector<std::complex<double>> eigenvalues_of_groups(const ModeSearch& search
   return result;
 }
 
+// Of motion that grows the correlations show a decay as fast: each eigenvalue gets the sign that accounts for
+// more of the motion.
+void choose_signs(const ModalRecord& record, Eigenvalues& eigenvalues) {
+  const Eigen::MatrixXd values = values_of(record);
+  const auto left = [&](const std::complex<double>& value) {
+    return DecayBasis(record, values, {value}).residuals().squaredNorm();
+  };
+  for (std::complex<double>& each : eigenvalues)
+    if (left(-std::conj(each)) < left(each)) each = -std::conj(each);
+}
+
+double decaying_share(const ModalRecord& record, const Eigenvalues& eigenvalues) {
+  const Eigen::MatrixXd values = values_of(record);
+  return share_of(DecayBasis(record, values, eigenvalues), values, record, eigenvalues);
+}
+
+// Where steady oscillations may be [rad/s]: poles that hardly decay over the record, and peaks that stand out
+// without a pole.
+std::vector<double> candidates_for_lines(const ModalRecord& record, const ModeSearch& search,
+                                         const std::vector<SpectralPeak>& peaks,
+                                         const ModalSettings& settings) {
+  constexpr double lifetimes = 3, stands_out = 20, near = 0.02;
+  const double duration = static_cast<double>(record.samples()) * record.step;
+  std::vector<double> result;
+  for (const auto& group : search.stable.groups)
+    for (const std::size_t i : group) {
+      const StabilityPole& pole = search.stable.poles[i];
+      if (std::abs(pole.damping_ratio) * two_pi * pole.frequency * duration > lifetimes) continue;
+      result.push_back(two_pi * pole.frequency);
+      break;
+    }
+  for (const SpectralPeak& peak : peaks) {
+    if (peak.prominence < stands_out || peak.frequency < settings.from || peak.frequency > settings.to)
+      continue;
+    const bool has_pole =
+        std::any_of(search.stable.groups.begin(), search.stable.groups.end(), [&](const auto& group) {
+          return std::abs(search.stable.poles[group.front()].frequency - peak.frequency) <
+                 near * peak.frequency;
+        });
+    if (!has_pole) result.push_back(two_pi * peak.frequency);
+  }
+  return result;
+}
+
+// The record's times with other values.
+ModalRecord with_channels(const ModalRecord& record, const std::vector<std::vector<double>>& channels) {
+  ModalRecord result = record;
+  result.channels.assign(channels.begin(), channels.end());
+  return result;
+}
+
 }  // namespace
 
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
   ModalAnalysis result;
-  result.spectrum = spectral_matrix(record);
+  const auto straightened = without_oscillations(record, {});
+  const ModalRecord straight = with_channels(record, straightened);
+  result.spectrum = spectral_matrix(straight);
   result.peaks = spectral_peaks(result.spectrum);
-  const auto search = search_modes(record, result.peaks, settings);
+  auto search = search_modes(straight, result.peaks, settings);
   if (!search) return result;
   result.highest_order = search->highest_order;
   result.lags = search->correlations.lags;
   result.lag_step = search->correlations.step;
   result.poles = search->stable.poles;
 
-  const auto start = eigenvalues_of_groups(*search, settings);
-  constexpr double worth_fitting = 0.5, decays = 0.9;
-  if (!start.empty() && decaying_share(record, start) > worth_fitting) {
-    FreeDecay decay = fit_free_decay(record, start);
-    result.decaying_share = decay.share;
-    if (decay.converged && decay.share > decays && !decay.modes.empty()) {
-      result.motion = ModalMotion::free_decay;
-      result.modes = std::move(decay.modes);
-      // Averages are for random forces: one long segment tells more modes apart.
-      result.spectrum = spectral_matrix(record, 1);
-      result.peaks = spectral_peaks(result.spectrum);
-      return result;
-    }
+  const Eigenvalues lines =
+      steady_lines(straight, candidates_for_lines(straight, *search, result.peaks, settings),
+                   two_pi * result.spectrum.step);
+  std::vector<std::vector<double>> without_lines;
+  ModalRecord rest = straight;
+  if (!lines.empty()) {
+    without_lines = without_oscillations(record, lines);
+    rest = with_channels(record, without_lines);
+    search = search_modes(rest, spectral_peaks(spectral_matrix(rest)), settings);
   }
-  result.modes = ambient_modes(*search, settings, static_cast<double>(record.samples()) * record.step);
+
+  Eigenvalues start = search ? eigenvalues_of_groups(*search, settings) : Eigenvalues{};
+  choose_signs(rest, start);
+  const auto is_free = [&](Eigenvalues eigenvalues) {
+    if (eigenvalues.size() > most_decaying_modes) eigenvalues.resize(most_decaying_modes);
+    FreeDecay decay = fit_free_decay(record, eigenvalues);
+    result.decaying_share = decay.share;
+    constexpr double follows = 0.9;
+    if (!decay.converged || decay.share < follows || decay.modes.empty()) return false;
+    result.motion = ModalMotion::free_decay;
+    result.modes = std::move(decay.modes);
+    // Averages are for random forces: one long segment tells more modes apart.
+    result.spectrum = spectral_matrix(straight, 1);
+    result.peaks = spectral_peaks(result.spectrum);
+    return true;
+  };
+  constexpr double worth_fitting = 0.5;
+  if (!start.empty() && decaying_share(rest, start) > worth_fitting) {
+    Eigenvalues all = lines;
+    all.insert(all.end(), start.begin(), start.end());
+    if (is_free(std::move(all))) return result;
+  }
+  if (search)
+    result.modes = ambient_modes(*search, settings, static_cast<double>(record.samples()) * record.step);
+  // Nothing but steady oscillations is a motion without damping.
+  if (result.modes.empty() && !lines.empty() && is_free(lines)) return result;
+  for (const std::complex<double>& line : lines) result.lines.push_back(line.imag() / two_pi);
+  std::sort(result.lines.begin(), result.lines.end());
   return result;
 }
 

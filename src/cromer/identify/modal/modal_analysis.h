@@ -14,7 +14,8 @@ struct ModalAnalysis {
   ModalMotion motion = ModalMotion::ambient;
   std::vector<MeasuredMode> modes;  ///< by rising frequency
   double decaying_share =
-      0;  ///< of the power about the modes: what a decay from the first sample accounts for
+      0;  ///< of the power about the modes: what free motion from the first sample accounts for
+  std::vector<double> lines;  // [Hz] steady oscillations among random forces: no modes
   SpectralMatrix spectrum;
   std::vector<SpectralPeak> peaks;
   std::vector<StabilityPole> poles;  ///< the stabilisation diagram
@@ -23,8 +24,8 @@ struct ModalAnalysis {
   double lag_step = 0;  // [s]
 };
 
-/// A free decay is what nine tenths of the power about the modes follow; all else is ambient vibration. No
-/// channel may be constant.
+/// A free decay (or growth) is what nine tenths of the power about the modes follow; all else is ambient
+/// vibration. Its modes are sought in what steady oscillations leave. No channel may be constant.
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings = {});
 
 }  // namespace cromer::core

@@ -19,6 +19,10 @@ struct ModalRecord {
   std::vector<double> times{};         // [s] of the samples; empty: one step apart from 0 on
 
   std::size_t samples() const { return channels.front().size(); }
+  /// One past the last sample of a stretch.
+  std::size_t end(std::size_t stretch) const {
+    return stretch + 1 < starts.size() ? starts[stretch + 1] : samples();
+  }
   double time(std::size_t i) const { return times.empty() ? static_cast<double>(i) * step : times[i]; }
 };
 
@@ -29,14 +33,14 @@ struct MeasuredMode {
   std::vector<std::complex<double>> shape_error;  ///< standard errors of its real and imaginary parts
   std::complex<double> eigenvalue{};              // [1/s]
   int order = 0;                                  ///< of the model that it is taken from; 0 of a free decay
-  int seen = 0;                                   ///< at so many orders; 0 of a free decay
-  double lifetimes = 0;  ///< decay times 1/(damping ratio times angular frequency) that the record holds
+  double lifetimes = 0;  ///< decay times 1/(damping ratio times angular frequency) that the record holds;
+                         ///< negative of a mode that grows
 };
 
 struct ModalSettings {
   double from = 0;                                      // [Hz] only modes between
   double to = std::numeric_limits<double>::infinity();  // [Hz]
-  int modes = 0;  ///< so many at most, those seen at most orders; 0: all
+  int modes = 0;  ///< at most this many, those at the most orders; 0: all
 };
 
 /// A pole of one order, as the stabilisation diagram shows it.

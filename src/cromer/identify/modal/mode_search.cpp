@@ -46,8 +46,10 @@ std::optional<ModeSearch> search_modes(const ModalRecord& record, const std::vec
       block_correlations(channels, record, 2 * lags.rows - 1, lags.stride, blocks);
   Subspace subspace(correlations, lags.rows, channels.scale);
   subspace.prepare(lags.highest_order);
+  // What grows by less over the record is not told from a mode without damping.
+  const double growth = 3 / (static_cast<double>(record.samples()) * record.step);
   Stabilisation stable = stabilise(subspace, lags.highest_order, correlations.step, settings.from,
-                                   std::min(settings.to, 0.48 / correlations.step));
+                                   std::min(settings.to, 0.48 / correlations.step), growth);
   return ModeSearch{std::move(correlations), std::move(subspace), std::move(stable), lags.highest_order};
 }
 

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
+
+#include "cromer/analysis/spectrum.h"
+#include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 
 namespace cromer::core {
 namespace {
@@ -14,8 +17,7 @@ namespace {
 std::size_t segment_length(const ModalRecord& record, std::size_t segments) {
   std::size_t longest = 0;
   for (std::size_t p = 0; p < record.starts.size(); ++p) {
-    const std::size_t end = p + 1 < record.starts.size() ? record.starts[p + 1] : record.samples();
-    longest = std::max(longest, end - record.starts[p]);
+    longest = std::max(longest, record.end(p) - record.starts[p]);
   }
   constexpr std::size_t shortest = 16;
   const std::size_t most = segments > 1 ? 4096 : 65536;
@@ -23,12 +25,6 @@ std::size_t segment_length(const ModalRecord& record, std::size_t segments) {
   while (2 * length <= most && 2 * length * segments <= record.samples() && 2 * length <= longest)
     length *= 2;
   return length;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -39,8 +35,7 @@ SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments) 
   std::vector<double> window(length);
   double power = 0;
   for (std::size_t i = 0; i < length; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) /
-                                     static_cast<double>(length));
+    window[i] = 0.5 - 0.5 * std::cos(two_pi * (static_cast<double>(i) + 0.5) / static_cast<double>(length));
     power += window[i] * window[i];
   }
   std::vector<double> mean(channels);
@@ -57,7 +52,7 @@ SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments) 
   Eigen::MatrixXcd lines(r, static_cast<Eigen::Index>(half + 1));
   SpectralMatrix result;
   for (std::size_t p = 0; p < record.starts.size(); ++p) {
-    const std::size_t end = p + 1 < record.starts.size() ? record.starts[p + 1] : record.samples();
+    const std::size_t end = record.end(p);
     for (std::size_t from = record.starts[p]; from + length <= end; from += half) {
       for (std::size_t c = 0; c < channels; ++c) {
         for (std::size_t i = 0; i < length; ++i)
@@ -96,11 +91,10 @@ std::vector<SpectralPeak> spectral_peaks(const SpectralMatrix& matrix) {
     std::vector<double> around;
     for (std::size_t i = k > reach ? k - reach : 1; i < std::min(n, k + reach + 1); ++i)
       around.push_back(first(i));
-    const double prominence = first(k) / median_of(std::move(around));
+    const double prominence = first(k) / upper_median(around);
     if (!(prominence > least)) continue;
-    const double before = std::log(first(k - 1)), at = std::log(first(k)), after = std::log(first(k + 1));
-    const double bend = before - 2 * at + after, shift = bend < 0 ? (before - after) / (2 * bend) : 0;
-    peaks.push_back({(static_cast<double>(k) + shift) * matrix.step, prominence});
+    const double offset = offset_of_maximum(first(k - 1), first(k), first(k + 1));
+    peaks.push_back({(static_cast<double>(k) + offset) * matrix.step, prominence});
   }
   return peaks;
 }

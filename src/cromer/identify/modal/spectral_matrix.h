@@ -17,7 +17,7 @@ struct SpectralMatrix {
 };
 
 /// By Welch's method with a Hann window: half-overlapping segments, none across a gap where the stretches are
-/// long enough. Each is a power of two of samples, at most one in so many `segments` of the record.
+/// long enough. Each is a power of two of samples, at most the record over `segments`.
 SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments = 16);
 
 struct SpectralPeak {
@@ -25,8 +25,8 @@ struct SpectralPeak {
   double prominence = 0;  ///< over the median around
 };
 
-/// The peaks of the largest singular value that stand out of what is around: by more than noise with so many
-/// averages does in one record of a hundred.
+/// The peaks of the largest singular value that stand out of what is around: by more than noise with this
+/// many averages does in one record of a hundred.
 std::vector<SpectralPeak> spectral_peaks(const SpectralMatrix& matrix);
 
 }  // namespace cromer::core

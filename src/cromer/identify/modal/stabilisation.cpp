@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <set>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
@@ -16,7 +16,7 @@ constexpr double near_frequency = 0.01;
 
 bool continues(const StabilityPole& pole, const StabilityPole& before) {
   return std::abs(before.frequency - pole.frequency) < near_frequency * pole.frequency &&
-         std::abs(before.damping_ratio - pole.damping_ratio) < 0.5 * pole.damping_ratio + 0.002 &&
+         std::abs(before.damping_ratio - pole.damping_ratio) < 0.5 * std::abs(pole.damping_ratio) + 0.002 &&
          modal_assurance(before.shape, pole.shape) > 0.95;
 }
 
@@ -59,7 +59,8 @@ int Stabilisation::first_common_order(const std::vector<std::vector<std::size_t>
   return order;
 }
 
-Stabilisation stabilise(const Subspace& subspace, int highest_order, double step, double from, double to) {
+Stabilisation stabilise(const Subspace& subspace, int highest_order, double step, double from, double to,
+                        double growth) {
   Stabilisation result;
   std::size_t before = 0;  // first pole of the order before
   for (int order = 2; order <= highest_order; order += 2) {
@@ -70,9 +71,9 @@ Stabilisation stabilise(const Subspace& subspace, int highest_order, double step
       const std::complex<double> rate = std::log(model.values(j)) / step;
       StabilityPole pole;
       pole.order = order;
-      pole.frequency = std::abs(rate) / (2 * std::numbers::pi);
+      pole.frequency = std::abs(rate) / two_pi;
       pole.damping_ratio = -rate.real() / std::abs(rate);
-      if (!(pole.damping_ratio > 0 && pole.damping_ratio < 0.25 && pole.frequency >= from &&
+      if (!(rate.real() < growth && std::abs(pole.damping_ratio) < 0.25 && pole.frequency >= from &&
             pole.frequency <= to))
         continue;
       pole.index = j;

@@ -22,7 +22,9 @@ struct Stabilisation {
 
 /// Orders 2 to highest_order, even; `subspace` is prepared for them. Of each group there are at least five
 /// orders and two fifths of those from its first one on, which is among the lower six tenths. Damping ratios
-/// lie between 0 and 0.25, frequencies between from and to [Hz]. `step` [s] between lags.
-Stabilisation stabilise(const Subspace& subspace, int highest_order, double step, double from, double to);
+/// are less than 0.25, frequencies lie between from and to [Hz]. Poles grow by less than `growth` [1/s].
+/// `step` [s] between lags.
+Stabilisation stabilise(const Subspace& subspace, int highest_order, double step, double from, double to,
+                        double growth);
 
 }  // namespace cromer::core

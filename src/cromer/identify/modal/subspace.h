@@ -32,9 +32,6 @@ class Subspace {
   /// Of 2 block_rows - 1 lags at least; scale: of the channels.
   Subspace(const BlockCorrelations& correlations, int block_rows, const Eigen::VectorXd& scale);
 
-  /// The highest order that the matrices allow.
-  int highest_order() const { return static_cast<int>(left_.cols() - channels_); }
-
   /// order even, from 2 to `most` of prepare().
   ModelPoles poles(int order) const;
   void prepare(int most);
@@ -47,8 +44,6 @@ class Subspace {
   Eigen::MatrixXcd value_gradient(const ModelPoles& poles, Eigen::Index j) const;
   Eigen::MatrixXcd shape_gradient(const ModelPoles& poles, Eigen::Index j, Eigen::Index reference,
                                   Eigen::Index component) const;
-
-  const Eigen::VectorXd& singular_values() const { return singular_; }
 
  private:
   Eigen::MatrixXcd gradient(const ModelPoles& poles, Eigen::Index j, const Eigen::RowVectorXcd& weight,

@@ -1,17 +1,15 @@
 #include "cromer/tasks/modes/law_before_method.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/tasks/methods/method_effect.h"
 
 namespace cromer::core {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
-
 LinearLaw<double> law_of_mode(double frequency, double damping_ratio) {
-  const double w = full_turn * frequency;
+  const double w = two_pi * frequency;
   return {.decay_rate = damping_ratio * w, .stiffness = w * w};
 }
 
@@ -22,7 +20,7 @@ std::optional<std::array<double, 2>> mode_by_method(std::string_view method, con
       effective_oscillator_of(method, settings, law_of_mode(frequency, damping_ratio), h);
   if (!effective.decay_rate || !effective.angular_frequency) return std::nullopt;
   const double w = std::hypot(*effective.decay_rate, *effective.angular_frequency);
-  return std::array{w / full_turn, *effective.decay_rate / w};
+  return std::array{w / two_pi, *effective.decay_rate / w};
 }
 
 }  // namespace

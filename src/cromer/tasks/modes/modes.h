@@ -25,7 +25,7 @@ struct ModesOptions {
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2 by default
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8 by default
   // Of a recording:
-  std::optional<int> modes{};                              ///< so many at most; all by default
+  std::optional<int> modes{};                              ///< at most this many; all by default
   std::optional<double> from_frequency{}, to_frequency{};  // [rad/s] only modes between
   std::string of_method{};                                 ///< that simulated it, with `step`; "" none
   ReadOptions read{};

@@ -72,16 +72,16 @@ std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& mod
   return kept;
 }
 
-/// What the method makes of each mode. Modes that damping leaves apart are oscillators by themselves.
+/// What the method makes of each mode. Modes that damping does not couple are oscillators by themselves.
 void add_method(std::vector<NaturalMode>& into, const std::string& name, const ModesOptions& options,
-                const Network& network, const std::vector<ComplexMode>& modes, bool apart,
+                const Network& network, const std::vector<ComplexMode>& modes, bool uncoupled,
                 std::vector<Notice>& notices) {
   const MethodSettings settings = method_settings_of(options);
   const double h = *options.step;
   std::vector<MethodEffect> effects(modes.size());
   bool stable = true;
   bool unfound = false;
-  if (apart) {
+  if (uncoupled) {
     for (std::size_t j = 0; j < modes.size(); ++j) {
       if (const auto effect = method_effect(name, settings, modes[j].law(), h, false))
         effects[j] = *effect;
@@ -180,7 +180,7 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
                  {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};
   const LinearNetwork linear = linearised(network);
   const std::vector<ComplexMode> modes = complex_modes(linear);
-  const bool apart = !modal_damping(linear, undamped_modes(linear)).empty();
+  const bool uncoupled = !modal_damping(linear, undamped_modes(linear)).empty();
 
   ModesResult result{.file = file, .notices = notices_on(network), .network = network};
   for (const NetworkMass& mass : network.masses) result.names.push_back(mass.name);
@@ -200,7 +200,7 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
   if (free > bodies) result.notices.push_back(Notice{"slow_modes_lost", {{"modes", free - bodies}}});
   if (falling > 0) result.notices.push_back(Notice{"modes_that_fall_away", {{"modes", falling}}});
   for (const std::string& method : options.method)
-    add_method(result.modes, method, options, network, modes, apart, result.notices);
+    add_method(result.modes, method, options, network, modes, uncoupled, result.notices);
   return result;
 }
 

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <optional>
 
 #include "cromer/base/add_once.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
 #include "cromer/tasks/modes/law_before_method.h"
@@ -92,36 +93,67 @@ std::vector<double> peaks_without_mode(const ModalAnalysis& found) {
   std::vector<double> result;
   for (const SpectralPeak& peak : found.peaks)
     if (peak.prominence > stands_out &&
-        std::none_of(found.modes.begin(), found.modes.end(), [&](const MeasuredMode& mode) {
-          return std::abs(mode.frequency.value - peak.frequency) < near * peak.frequency;
-        }))
+        std::none_of(found.modes.begin(), found.modes.end(),
+                     [&](const MeasuredMode& mode) {
+                       return std::abs(mode.frequency.value - peak.frequency) < near * peak.frequency;
+                     }) &&
+        std::none_of(found.lines.begin(), found.lines.end(),
+                     [&](double line) { return std::abs(line - peak.frequency) < near * peak.frequency; }))
       result.push_back(peak.frequency);
   return result;
 }
 
+/// Over this many decay times rounding makes a motion without damping seem to change.
+constexpr double rounding_of_lifetimes = 1e-6;
+
+bool growing(const MeasuredMode& mode) {
+  return mode.damping_ratio.high < 0 && mode.lifetimes < -rounding_of_lifetimes;
+}
+
+bool decaying(const MeasuredMode& mode) {
+  return mode.damping_ratio.low > 0 && mode.lifetimes > rounding_of_lifetimes;
+}
+
 Notice motion_in_words(const ModalAnalysis& found) {
+  const bool dies_away = std::any_of(found.modes.begin(), found.modes.end(), decaying) &&
+                         std::none_of(found.modes.begin(), found.modes.end(), growing);
   if (found.motion == ModalMotion::free_decay)
-    return Notice{"modes_of_free_decay", {{"percent", 100 * found.decaying_share}}};
+    return Notice{dies_away ? "modes_of_free_decay" : "modes_of_free_motion",
+                  {{"percent", 100 * found.decaying_share}}};
   return Notice{"modes_of_random_forces",
                 {{"order", found.highest_order}, {"reach", found.lags * found.lag_step}}};
 }
 
-void doubt_modes(const ModalAnalysis& found, const ModesOptions& options, std::vector<Notice>& notices) {
+void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool all,
+                       std::vector<Notice>& notices) {
+  for (const MeasuredMode& mode : found.modes)
+    if (growing(mode))
+      notices.push_back(Notice{"mode_grows", {{"frequency", mode.frequency.value}}});
+    else if (!decaying(mode))
+      notices.push_back(Notice{"mode_does_not_decay", {{"frequency", mode.frequency.value}}});
+  if (all && found.modes.size() < channels)
+    notices.push_back(
+        Notice{"fewer_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
+}
+
+void doubt_modes(const ModalAnalysis& found, std::size_t channels, const ModesOptions& options,
+                 std::vector<Notice>& notices) {
+  const bool all = !options.from_frequency && !options.to_frequency && !options.modes;
+  if (found.motion == ModalMotion::free_decay) return doubt_free_motion(found, channels, all, notices);
+  for (const double line : found.lines) notices.push_back(Notice{"steady_line", {{"frequency", line}}});
   constexpr double enough = 15;
-  if (found.motion == ModalMotion::free_decay) return;
   for (const MeasuredMode& mode : found.modes)
     if (mode.lifetimes < enough)
       notices.push_back(
           Notice{"few_decay_times", {{"times", mode.lifetimes}, {"frequency", mode.frequency.value}}});
-  if (options.from_frequency || options.to_frequency || options.modes) return;
+  if (!all) return;
   for (const double frequency : peaks_without_mode(found))
     notices.push_back(Notice{"peak_without_mode", {{"frequency", frequency}}});
 }
 
-/// The estimate whose standard error follows to first order, at the t of another.
-Estimate with_error(double value, double standard_error, const Estimate& like) {
-  const double t = like.standard_error > 0 ? (like.high - like.value) / like.standard_error : 0;
-  return {value, standard_error, value - t * standard_error, value + t * standard_error};
+/// Student's t that an estimate's interval was made with.
+double student_of(const Estimate& estimate) {
+  return estimate.standard_error > 0 ? (estimate.high - estimate.value) / estimate.standard_error : 0;
 }
 
 /// Takes the method's share out of a mode, and notes what the method made of it.
@@ -140,10 +172,10 @@ void take_out(NaturalMode& mode, const ModesOptions& options, std::vector<Notice
   }
   const double f = mode.frequency.standard_error, z = mode.damping_ratio.standard_error;
   const auto& slopes = before->slopes;
-  mode.frequency =
-      with_error(before->frequency, std::hypot(slopes[0][0] * f, slopes[0][1] * z), mode.frequency);
-  mode.damping_ratio =
-      with_error(before->damping_ratio, std::hypot(slopes[1][0] * f, slopes[1][1] * z), mode.damping_ratio);
+  mode.frequency = make_estimate(before->frequency, std::hypot(slopes[0][0] * f, slopes[0][1] * z),
+                                 student_of(mode.frequency));
+  mode.damping_ratio = make_estimate(before->damping_ratio, std::hypot(slopes[1][0] * f, slopes[1][1] * z),
+                                     student_of(mode.damping_ratio));
   mode.methods.push_back({options.of_method, h, *effect, effect_notice(*effect, before->law)});
 }
 
@@ -197,9 +229,8 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.notices.push_back(Notice{"clock_drifts", {{"percent", 100 * drift}}});
 
   ModalSettings settings;
-  constexpr double full_turn = 2 * std::numbers::pi;
-  settings.from = options.from_frequency.value_or(0) / full_turn;
-  if (options.to_frequency) settings.to = *options.to_frequency / full_turn;
+  settings.from = options.from_frequency.value_or(0) / two_pi;
+  if (options.to_frequency) settings.to = *options.to_frequency / two_pi;
   settings.modes = options.modes.value_or(0);
   result.recording = ModalSource{.quantity = channels->quantity,
                                  .unit = channels->unit,
@@ -218,7 +249,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.message = found.highest_order > 0 ? Notice{"no_modes_found"} : Notice{"too_short_for_modes"};
   } else {
     result.recording->words = motion_in_words(found);
-    doubt_modes(found, options, result.notices);
+    doubt_modes(found, result.names.size(), options, result.notices);
   }
   if (couples_modes(options, result.modes))
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});

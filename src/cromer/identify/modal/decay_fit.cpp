@@ -1,0 +1,179 @@
+#include "cromer/identify/modal/decay_fit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/FFT>
+
+#include "cromer/base/pi.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+
+namespace cromer::core {
+namespace {
+
+Eigenvalues eigenvalues_of(const Parameters& parameters, std::size_t modes) {
+  Eigenvalues result;
+  for (std::size_t j = 0; j < modes; ++j) result.emplace_back(-parameters[2 * j + 1], parameters[2 * j]);
+  return result;
+}
+
+double power_near(const Eigen::VectorXd& values, const ModalRecord& record, const Eigenvalues& eigenvalues) {
+  const Periodogram spectrum = periodogram(values, record.step);
+  const double resolution = two_pi / (static_cast<double>(values.size()) * record.step);
+  double power = 0;
+  for (std::size_t k = 1; k < spectrum.power.size(); ++k) {
+    const double w = static_cast<double>(k) * spectrum.step;
+    const bool near =
+        std::any_of(eigenvalues.begin(), eigenvalues.end(), [&](const std::complex<double>& each) {
+          return std::abs(w - each.imag()) < std::max(3 * resolution, 2 * std::abs(each.real()));
+        });
+    if (near) power += spectrum.power[k];
+  }
+  return power;
+}
+
+}  // namespace
+
+Eigen::MatrixXd values_of(const ModalRecord& record) {
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(record.samples()),
+                         static_cast<Eigen::Index>(record.channels.size()));
+  for (std::size_t c = 0; c < record.channels.size(); ++c)
+    values.col(static_cast<Eigen::Index>(c)) =
+        Eigen::Map<const Eigen::VectorXd>(record.channels[c].data(), values.rows());
+  return values;
+}
+
+std::vector<std::vector<double>> without_oscillations(const ModalRecord& record,
+                                                      const Eigenvalues& eigenvalues) {
+  const DecayBasis basis(record, values_of(record), eigenvalues);
+  std::vector<std::vector<double>> rest;
+  for (const auto& column : basis.residuals().colwise()) rest.emplace_back(column.begin(), column.end());
+  return rest;
+}
+
+DecayBasis::DecayBasis(const ModalRecord& record, const Eigen::MatrixXd& values,
+                       const Eigenvalues& eigenvalues)
+    : modes_(static_cast<Eigen::Index>(eigenvalues.size())),
+      times_(values.rows()),
+      columns_(values.rows(), 2 * modes_ + 2) {
+  const double start = record.time(0);
+  for (Eigen::Index i = 0; i < times_.size(); ++i)
+    times_(i) = record.time(static_cast<std::size_t>(i)) - start;
+  const double duration = times_(times_.size() - 1);
+  for (Eigen::Index j = 0; j < modes_; ++j) {
+    const double w = eigenvalues[static_cast<std::size_t>(j)].imag(),
+                 rate = eigenvalues[static_cast<std::size_t>(j)].real();
+    for (Eigen::Index i = 0; i < times_.size(); ++i) {
+      const double size = std::exp(rate * times_(i)), angle = w * times_(i);
+      columns_(i, 2 * j) = size * std::cos(angle);
+      columns_(i, 2 * j + 1) = size * std::sin(angle);
+    }
+  }
+  columns_.col(2 * modes_).setOnes();
+  columns_.col(2 * modes_ + 1) = times_.array() / duration - 0.5;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns_);
+  const Eigen::Index n = columns_.cols();
+  orthogonal_ = qr.householderQ() * Eigen::MatrixXd::Identity(columns_.rows(), n);
+  triangle_ = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd projected = orthogonal_.transpose() * values;
+  residuals_ = values - orthogonal_ * projected;
+  amplitudes_ = triangle_.triangularView<Eigen::Upper>().solve(projected);
+}
+
+Eigen::Index DecayBasis::weakest_mode() const {
+  Eigen::Index weakest = 0;
+  const auto power = [&](Eigen::Index j) {
+    return (columns_.middleCols(2 * j, 2) * amplitudes_.middleRows(2 * j, 2)).squaredNorm();
+  };
+  for (Eigen::Index j = 1; j < modes_; ++j)
+    if (power(j) < power(weakest)) weakest = j;
+  return weakest;
+}
+
+Eigen::MatrixXd DecayBasis::derivatives(Eigen::Index channel) const {
+  Eigen::MatrixXd result(columns_.rows(), 2 * modes_);
+  for (Eigen::Index j = 0; j < modes_; ++j) {
+    const double p = amplitudes_(2 * j, channel), q = amplitudes_(2 * j + 1, channel);
+    result.col(2 * j) = times_.cwiseProduct(q * columns_.col(2 * j) - p * columns_.col(2 * j + 1));
+    result.col(2 * j + 1) = -times_.cwiseProduct(p * columns_.col(2 * j) + q * columns_.col(2 * j + 1));
+  }
+  return result;
+}
+
+Eigen::MatrixXd DecayBasis::projected_out(const Eigen::MatrixXd& of) const {
+  return of - orthogonal_ * (orthogonal_.transpose() * of);
+}
+
+Eigen::MatrixXd DecayBasis::coordinates(const Eigen::MatrixXd& of) const {
+  return triangle_.triangularView<Eigen::Upper>().solve(orthogonal_.transpose() * of);
+}
+
+Eigen::VectorXd DecayBasis::dual(Eigen::Index k) const {
+  Eigen::VectorXd unit = Eigen::VectorXd::Unit(columns_.cols(), k);
+  triangle_.triangularView<Eigen::Upper>().transpose().solveInPlace(unit);
+  return orthogonal_ * unit;
+}
+
+double share_of(const DecayBasis& basis, const Eigen::MatrixXd& values, const ModalRecord& record,
+                const Eigenvalues& about) {
+  const DecayBasis line(record, values, {});
+  double all = 0, left = 0;
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    const Eigen::VectorXd motion = line.residuals().col(c);
+    const double scale = motion.squaredNorm();
+    if (!(scale > 0)) continue;
+    all += power_near(motion, record, about) / scale;
+    left += power_near(basis.residuals().col(c), record, about) / scale;
+  }
+  return all > 0 ? 1 - left / all : 0;
+}
+
+std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eigen::MatrixXd& values,
+                                           const Eigenvalues& start) {
+  const auto size = static_cast<int>(2 * start.size());
+  Parameters parameters{};
+  for (std::size_t j = 0; j < start.size(); ++j) {
+    parameters[2 * j] = start[j].imag();
+    parameters[2 * j + 1] = -start[j].real();
+  }
+  LeastSquaresOptions options;
+  options.scale = values.norm();
+  options.residuals = static_cast<int>(std::min<Eigen::Index>(values.size(), 1'000'000'000));
+  const auto model = [&](const Parameters& at) {
+    NormalEquations equations;
+    equations.size = size;
+    const DecayBasis basis(record, values, eigenvalues_of(at, start.size()));
+    equations.sum_of_squares = basis.residuals().squaredNorm();
+    for (Eigen::Index c = 0; c < values.cols(); ++c) {
+      const Eigen::MatrixXd jacobian = basis.projected_out(basis.derivatives(c));
+      const Eigen::MatrixXd matrix = jacobian.transpose() * jacobian;
+      const Eigen::VectorXd right = jacobian.transpose() * basis.residuals().col(c);
+      for (int i = 0; i < size; ++i) {
+        equations.right[i] += right(i);
+        for (int k = 0; k < size; ++k) equations.matrix[i][k] += matrix(i, k);
+      }
+    }
+    return equations;
+  };
+  const LeastSquaresSummary summary = minimise(model, parameters, options);
+  if (summary.reason != LeastSquaresReason::converged) return std::nullopt;
+  return eigenvalues_of(summary.parameters, start.size());
+}
+
+Periodogram periodogram(const Eigen::MatrixXd& values, double step, std::size_t padding) {
+  std::size_t padded = 8;
+  while (padded < padding * static_cast<std::size_t>(values.rows())) padded *= 2;
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  Periodogram result{two_pi / (static_cast<double>(padded) * step), std::vector<double>(padded / 2 + 1)};
+  std::vector<std::complex<double>> transform;
+  for (const auto& column : values.colwise()) {
+    std::vector<double> y(padded, 0.0);
+    std::copy(column.begin(), column.end(), y.begin());
+    fft.fwd(transform, y);
+    for (std::size_t k = 0; k < transform.size(); ++k) result.power[k] += std::norm(transform[k]);
+  }
+  return result;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,147 @@
+// What kind of motion a record of several channels shows: random forces, a machine, a free decay, growth.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cromer/analysis/complex_modes.h"
+#include "cromer/identify/modal/modal_analysis.h"
+#include "tests/identify/modal_records.h"
+
+namespace cromer::core {
+namespace {
+
+std::vector<TrueMode> three_masses() {
+  return {{2.1, 0.010, {0.4, 0.7, 1.0}}, {5.2, 0.012, {-0.9, -0.4, 1.0}}, {7.6, 0.020, {0.7, -1.0, 0.4}}};
+}
+
+double rms(const std::vector<double>& values) {
+  double square = 0;
+  for (const double each : values) square += each * each / static_cast<double>(values.size());
+  return std::sqrt(square);
+}
+
+// A machine of this strength, as a share of each channel's rms, whose phase wanders by so many radians in a
+// second.
+void add_machine(Channels& channels, double frequency, double share, double wander, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> phase(channels.values.front().size());
+  double angle = 0.3;
+  for (double& each : phase) {
+    each = angle;
+    angle +=
+        2 * std::numbers::pi * frequency * channels.step + wander * std::sqrt(channels.step) * normal(random);
+  }
+  for (auto& channel : channels.values) {
+    const double amplitude = std::sqrt(2) * share * rms(channel);
+    for (std::size_t i = 0; i < channel.size(); ++i) channel[i] += amplitude * std::sin(phase[i]);
+  }
+}
+
+TEST(ModalMotion, a_machine_among_random_forces_is_a_line_and_no_mode) {
+  const std::vector<TrueMode> truth = three_masses();
+  int held = 0, found = 0;
+  const int records = 20;
+  for (int seed = 0; seed < records; ++seed) {
+    Channels channels = under_white_forces(truth, 15000, 0.04, static_cast<unsigned>(seed));
+    add_machine(channels, 4.2, seed % 2 ? 1.5 : 0.4, 0, 7);
+    const ModalAnalysis analysis = find_modes(channels.record());
+    EXPECT_EQ(analysis.motion, ModalMotion::ambient);
+    ASSERT_EQ(analysis.lines.size(), 1u);
+    EXPECT_NEAR(analysis.lines[0], 4.2, 1e-4);
+    ASSERT_LE(analysis.modes.size(), truth.size());
+    for (const MeasuredMode& mode : analysis.modes)
+      for (const TrueMode& each : truth)
+        if (std::abs(mode.frequency.value - each.frequency) < 0.03 * each.frequency)
+          ++found, held += holds(mode.frequency, each.frequency);
+  }
+  EXPECT_GE(found, 3 * records - 2);
+  EXPECT_GE(held, 51);  // 95 % of 60, to three standard deviations
+}
+
+TEST(ModalMotion, a_machine_on_a_mode_leaves_the_mode) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    Channels channels = under_white_forces(three_masses(), 15000, 0.04, seed);
+    add_machine(channels, 5.2, 1, 0, 7);
+    const ModalAnalysis analysis = find_modes(channels.record());
+    EXPECT_EQ(analysis.motion, ModalMotion::ambient);
+    ASSERT_EQ(analysis.lines.size(), 1u);
+    ASSERT_EQ(analysis.modes.size(), 3u);
+    EXPECT_NEAR(analysis.modes[1].damping_ratio.value, 0.012, 0.005);
+  }
+}
+
+TEST(ModalMotion, random_forces_alone_show_no_line) {
+  int lines = 0;
+  for (unsigned seed = 0; seed < 30; ++seed)
+    lines += !find_modes(under_white_forces(two_masses(), 6000, 0.0625, seed).record()).lines.empty();
+  EXPECT_EQ(lines, 0);
+}
+
+TEST(ModalMotion, a_decay_beside_a_machine_is_still_a_decay) {
+  Channels channels = let_go(two_masses(), {1, 0.5}, 1200, 0.05, 0.01, 1);
+  add_machine(channels, 3, 0.3, 0, 1);
+  const ModalAnalysis analysis = find_modes(channels.record());
+  EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
+  ASSERT_EQ(analysis.modes.size(), 3u);
+  const double truth[] = {0.006, 0, 0.012};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Estimate& estimate = analysis.modes[j].damping_ratio;
+    EXPECT_NEAR(estimate.value, truth[j], 4 * estimate.standard_error);
+    EXPECT_LT(estimate.standard_error, 1e-4);
+  }
+}
+
+TEST(ModalMotion, a_motion_without_damping_has_modes) {
+  const std::vector<TrueMode> truth{{1.7, 0, {1.0, 0.8}}, {4.7, 0, {-0.8, 1.0}}};
+  for (const double noise : {0.0, 0.02}) {
+    const ModalAnalysis analysis = find_modes(let_go(truth, {1, 0.5}, 1200, 0.05, noise, 1).record());
+    EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
+    ASSERT_EQ(analysis.modes.size(), 2u);
+    EXPECT_NEAR(analysis.modes[0].frequency.value, 1.7, 1e-4);
+    EXPECT_NEAR(analysis.modes[0].damping_ratio.value, 0, 1e-5);
+  }
+}
+
+// Its correlations look like those of a decay as fast.
+TEST(ModalMotion, growth_is_told_from_decay) {
+  for (const double damping_ratio : {-0.004, -0.03}) {
+    const std::vector<TrueMode> truth{{1.7, damping_ratio, {1.0, 0.8}}, {4.7, 0.01, {-0.8, 1.0}}};
+    for (const double noise : {0.0, 0.05}) {
+      const ModalAnalysis analysis = find_modes(let_go(truth, {0.1, 0.1}, 1200, 0.05, noise, 2).record());
+      EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
+      ASSERT_GE(analysis.modes.size(), 1u);
+      EXPECT_NEAR(analysis.modes[0].frequency.value, 1.7, 0.001);
+      EXPECT_NEAR(analysis.modes[0].damping_ratio.value, damping_ratio, 0.0003);
+    }
+  }
+}
+
+TEST(ModalMotion, a_free_body_that_drifts_away_hides_no_mode) {
+  Channels channels = let_go(two_masses(), {0.1, 0.05}, 800, 0.05, 0.02, 3);
+  for (auto& channel : channels.values)
+    for (std::size_t i = 0; i < channel.size(); ++i) channel[i] += 3 + 0.01 * static_cast<double>(i);
+  const ModalAnalysis analysis = find_modes(channels.record());
+  EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
+  ASSERT_EQ(analysis.modes.size(), 2u);
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_TRUE(holds(analysis.modes[j].frequency, two_masses()[j].frequency));
+    EXPECT_TRUE(holds(analysis.modes[j].damping_ratio, two_masses()[j].damping_ratio));
+  }
+}
+
+// The motion of a mode whose frequency is known to worse than 1 % is no noise to the others.
+TEST(ModalMotion, a_mode_that_is_not_reported_does_not_widen_the_others) {
+  const std::vector<TrueMode> truth{{1.7, 0.01, {0.7, 1.0}}, {2.3, 0.15, {1.0, -0.8}}};
+  double deviation = 0, estimated = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const ModalAnalysis analysis = find_modes(let_go(truth, {1, 1}, 400, 0.05, 0.4, seed).record());
+    ASSERT_GE(analysis.modes.size(), 1u);
+    const Estimate& frequency = analysis.modes.front().frequency;
+    deviation += std::pow(frequency.value - 1.7, 2);
+    estimated += std::pow(frequency.standard_error, 2);
+  }
+  EXPECT_NEAR(std::sqrt(estimated / deviation), 1, 0.25);
+}
+
+}  // namespace
+}  // namespace cromer::core
