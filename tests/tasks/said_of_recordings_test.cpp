@@ -228,6 +228,38 @@ TEST(SaidOfRecordings, BeatsAreNamed) {
     }
 }
 
+// Neither line decays: either may be the drive's, and no frequency is the body's for sure.
+TEST(SaidOfRecordings, OfTwoReadingsNeitherIsInTheHeadline) {
+  const FittedRecording fit = fitted(recorded({.duration = 120, .rate = 20}, [](double t) {
+    return 0.05 * std::cos(two_pi * 0.7085 * t) + 0.04 * std::cos(two_pi * 0.8 * t + 1);
+  }));
+  EXPECT_EQ(fit.fit.status, FitStatus::undetermined) << in_words(fit.fit.message);
+  EXPECT_THAT(in_words(fit.fit.message), AllOf(HasSubstr("0.7085"), HasSubstr("0.8000")));
+  EXPECT_THAT(fit.headline, IsEmpty());
+}
+
+// The own swing of a driven body as it dies down.
+TEST(SaidOfRecordings, WhatBeatsWithItsDriveIsDriven) {
+  unsigned seed = 0;
+  for (const double own : cases({0.9, 0.97, 1.06}))
+    for (const double part : cases({0.5, 1.0, 2.0})) {
+      ++seed;
+      const FittedRecording fit = fitted(recorded({.duration = 200, .rate = 20, .seed = seed}, [&](double t) {
+        return 0.2 + 0.05 * (swing(t, two_pi, 0) + part * swing(t, two_pi * own, 0.03, seed));
+      }));
+      ASSERT_TRUE(fit.driven) << seed << ": " << in_words(fit.fit.message);
+      const auto near = [&](std::string_view name, double truth) {
+        const Estimate* found = fit.find(name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_NEAR(found->value, truth, 4.5 * found->standard_error) << seed << ' ' << name;
+      };
+      near("drive_frequency", two_pi);
+      near("decay_rate", 0.03);
+      near("angular_frequency", std::hypot(two_pi * own, 0.03));
+      EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("beats at first"))) << seed;
+    }
+}
+
 // One law for two modes of like size would have a frequency that nothing swings at.
 TEST(SaidOfRecordings, OfTwoModesNoSingleFrequencyIsGiven) {
   unsigned seed = 0;

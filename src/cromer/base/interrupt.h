@@ -19,7 +19,10 @@ struct Watch {
       steps_left{};  ///< integration steps left before the work ends; empty: no limit
 
   void take_steps(double count) const {
-    if (steps_left) *steps_left = *steps_left - count;
+    if (!steps_left) return;
+    double left = steps_left->load();
+    while (!steps_left->compare_exchange_weak(left, left - count)) {
+    }
   }
   bool out_of_steps() const { return steps_left && *steps_left < 0; }
   bool interrupted() const {

@@ -70,7 +70,7 @@ class Part : public LabTold {
                          : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
-         {"drive", in_braces("drive_frequency")},
+         {"drive", in_braces("drive_frequency, Hz")},
          {"amplitude", in_braces(shown().empty() ? "at_amplitude, 3" : "at_amplitude, " + shown() + ", 3")}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
@@ -94,7 +94,7 @@ class Part : public LabTold {
     key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
     if (const Estimate* k = fitted_.find("stiffness"))
       key("stiffness", "stiffness", interval("stiffness", *k));
-    if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency", "");
+    if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
     if (fitted_.driven && fitted_.find("decay_rate"))
       key("decay_rate", "decay_rate", interval("decay_rate", *fitted_.find("decay_rate")));
     if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
@@ -542,17 +542,18 @@ class Part : public LabTold {
     if (fit.drive.kind != DriveKind::harmonic || !simulates() || !(fit.law == law_of("viscous"))) return;
     heading("report_resonance");
     const std::string task = id_ + "_resonance";
-    const double w = fit.motion.angular_frequency(), drive = fit.motion.drive_frequency;
+    const double own = fit.motion.angular_frequency() / two_pi, drive = fit.motion.drive_frequency / two_pi;
     toml_.table("task");
     toml_.text("resonance", task);
     for (const std::string_view option : {"mass", "stiffness", "drive_amplitude"})
       toml_.text(option, fmt::format("{{{}.simulate.{}}}", id_, option));
-    toml_.bare("frequency_from", fmt::format("{:.3g}", 0.5 * std::min(w, drive)));
-    toml_.bare("frequency_to", fmt::format("{:.3g}", 1.5 * std::max(w, drive)));
+    toml_.text("frequency_from", fmt::format("{:.3g} Hz", 0.5 * std::min(own, drive)));
+    toml_.text("frequency_to", fmt::format("{:.3g} Hz", 1.5 * std::max(own, drive)));
+    toml_.text("method", "exact");
     toml_.bare("points", "2000");
     toml_.text("damping_ratios", in_braces("damping_ratio, si"));
     paragraph(words("report_resonance_text",
-                    {{"drive", in_braces("drive_frequency")}, {"natural", in_braces("angular_frequency")}}));
+                    {{"drive", in_braces("drive_frequency, Hz")}, {"natural", in_braces("frequency")}}));
     const std::string curve = task + ".1";
     const std::string ids[] = {figure_id("resonance"), figure_id("lag")};
     FigureLines figure{
@@ -564,6 +565,7 @@ class Part : public LabTold {
         .y = "amplitude",
         .x_name = words("report_drive_axis"),
         .y_name = with_unit(words("report_amplitude"), si() == "m" ? "cm" : units_.displacement),
+        .x_unit = "Hz",
         .y_unit = si() == "m" ? "cm" : ""};
     figure.curves.push_back({.of = curve, .role = "fitted"});
     toml_.figure(figure);

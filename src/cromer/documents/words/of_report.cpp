@@ -297,10 +297,10 @@ constexpr Entry entries[] = {
     // Under other frequencies.
     {"report_resonance", clause, "The resonance of this law", "Die Resonanz dieses Gesetzes"},
     {"report_resonance_text", clause,
-     "The drive of this recording has {drive}; without damping the oscillator itself would have {natural}. "
+     "The drive of this recording has {drive}; the oscillator's own frequency is {natural}. "
      "The figures "
      "show the steady motion of the law under a drive of the same strength at other frequencies.",
-     "Der Antrieb dieser Aufnahme hat {drive}; ohne Dämpfung hätte der Schwinger selbst {natural}. Die "
+     "Der Antrieb dieser Aufnahme hat {drive}; die eigene Frequenz des Schwingers ist {natural}. Die "
      "Abbildungen "
      "zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei anderen "
      "Frequenzen."},
@@ -308,7 +308,7 @@ constexpr Entry entries[] = {
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",
      "Die Amplitude der eingeschwungenen Bewegung nach dem Gesetz."},
-    {"report_drive_axis", clause, "drive frequency *ω* (rad/s)", "Frequenz des Antriebs *ω* (rad/s)"},
+    {"report_drive_axis", clause, "drive frequency (Hz)", "Frequenz des Antriebs (Hz)"},
     {"report_lag_title", clause, "Phase lag against drive frequency",
      "Phasenverzug gegen Frequenz des Antriebs"},
     {"report_lag_caption", clause, "The lag of the steady motion behind the drive, by the law.",

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "cromer/base/both.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -120,7 +121,11 @@ class LawSearch {
   /// `before`: fits of the same motion without some of its samples, or with more; each law begins at its own.
   LawSearch(const Record& record, const LawFitOptions& options, const Watch& watch,
             std::span<const LawFit> before = {})
-      : record_(record), options_(options), watch_(watch), before_(before) {}
+      : record_(record),
+        options_(options),
+        watch_(watch),
+        quiet_{watch.interrupt, {}, {}, watch.steps_left},
+        before_(before) {}
 
   LawChoice among_free(double progress_end) {
     const Beginning beginning = begin_fit(record_, options_, watch_);
@@ -130,11 +135,8 @@ class LawSearch {
     laws.erase(
         std::remove_if(laws.begin() + 1, laws.end(), [&](const Law& law) { return too_many_terms(law); }),
         laws.end());
-    for (std::size_t i = 1; i < laws.size() && !watch_.interrupted(); ++i) {
-      if (watch_.progress)
-        watch_.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
-      try_law(laws[i], beginning.known(laws[i], record_));
-    }
+    try_laws(
+        laws, [&](const Law& law) { return beginning.known(law, record_); }, 0, progress_end);
     try_rare_terms(beginning);
     return chosen(laws);
   }
@@ -158,11 +160,8 @@ class LawSearch {
     if (leading.law != linear) try_law(linear, beginning.known(linear, record_));
     add(beginning.linear, true);
     const std::vector<Law> laws = driven_candidates(linear);
-    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); ++i) {
-      try_law(laws[i], beginning.known(laws[i], record_));
-      if (watch_.progress)
-        watch_.progress(0.15 + 0.85 * static_cast<double>(i + 1) / static_cast<double>(laws.size()));
-    }
+    try_laws(
+        laws, [&](const Law& law) { return beginning.known(law, record_); }, 0.15, 1);
     try_rare_terms(beginning);
     return chosen({});
   }
@@ -189,15 +188,42 @@ class LawSearch {
     return refuse_record(record_, one).has_value();
   }
 
-  void try_law(const Law& law, const KnownMotion& known) {
-    if (tried(law) || too_many_terms(law) || watch_.interrupted()) return;
+  // As finely as it takes to tell whether the law leaves less than the candidates.
+  LawFit rough_fit(const Law& law, const KnownMotion& known, const Watch& watch) const {
     LawFitOptions one = options_;
     one.law = law;
     for (const LawFit& fit : candidates_)
       if (fit.status == FitStatus::converged && fit.residual.rms > 0)
         one.rms_to_beat = std::min(one.rms_to_beat, fit.residual.rms);
-    LawFit fit = fit_motion(record_, one, nearest(law, known), watch_, true);
+    return fit_motion(record_, one, nearest(law, known), watch, true);
+  }
+
+  void try_law(const Law& law, const KnownMotion& known) {
+    if (tried(law) || too_many_terms(law) || watch_.interrupted()) return;
+    LawFit fit = rough_fit(law, known, watch_);
     if (!watch_.interrupted()) add(std::move(fit), false);
+  }
+
+  // Two at a time, also where there is one thread: what a pair leaves to beat is the same everywhere. The
+  // progress goes from one share to another.
+  template <class Start>
+  void try_laws(std::vector<Law> laws, const Start& start_of, double from = 0, double to = 0) {
+    laws.erase(std::remove_if(laws.begin(), laws.end(),
+                              [&](const Law& law) { return tried(law) || too_many_terms(law); }),
+               laws.end());
+    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); i += 2) {
+      std::optional<LawFit> one, other;
+      const auto fit_one = [&] { one = rough_fit(laws[i], start_of(laws[i]), watch_); };
+      if (i + 1 < laws.size())
+        both(fit_one, [&] { other = rough_fit(laws[i + 1], start_of(laws[i + 1]), quiet_); });
+      else
+        fit_one();
+      if (watch_.interrupted()) return;
+      add(*std::move(one), false);
+      if (other) add(*std::move(other), false);
+      const double done = std::min(1.0, static_cast<double>(i + 2) / static_cast<double>(laws.size()));
+      if (watch_.progress && to > from) watch_.progress(from + (to - from) * done);
+    }
   }
 
   void try_rare_terms(const Beginning& beginning) {
@@ -282,10 +308,11 @@ class LawSearch {
       const std::size_t before = best_;
       const LawFit base = candidates_[before];
       if (!base.law.shares(bounding_terms)) return;
+      std::vector<Law> laws;
       for (const Law& addition :
            {law_with<Drag>, law_with<Friction>, law_with<Cubic>, law_with<OddQuadratic>})
-        if (!base.law.contains(addition))
-          try_law(base.law.with(addition), of_fit(base, base.law.with(addition)));
+        if (!base.law.contains(addition)) laws.push_back(base.law.with(addition));
+      try_laws(std::move(laws), [&](const Law& law) { return of_fit(base, law); });
       settle();
       drop_terms();
       if (best_ == before) return;
@@ -293,24 +320,24 @@ class LawSearch {
   }
 
   void add_each(const LawFit& base, const Beginning& beginning, int round) {
+    std::vector<Law> laws;
     for (const Law& addition : additions) {
       if (base.law.contains(addition)) continue;
       // Without a spring there is no place to pull back to.
       if (!base.law.shares(springs) && addition.shares(terms_of_position)) continue;
       // A hysteretic force damps by itself, and bends the spring: it stands in the place of all else.
-      const Law law = addition.has<Hysteresis>()
-                          ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
-                          : base.law.with(addition);
-      if (tried(law)) continue;
-      const bool recorded = is_recorded(options_.drive.kind);
-      if (recorded && law.contains(law_with<OddQuadratic, Quintic>)) {
-        LawFitOptions one = options_;
-        one.law = law;
-        try_law(law, begin_fit(record_, one, watch_).known(law, record_));
-        continue;
-      }
-      try_law(law, nearer_start(base, law, beginning, round));
+      laws.push_back(addition.has<Hysteresis>()
+                         ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
+                         : base.law.with(addition));
     }
+    try_laws(std::move(laws), [&](const Law& law) {
+      const bool recorded = is_recorded(options_.drive.kind);
+      if (!recorded || !law.contains(law_with<OddQuadratic, Quintic>))
+        return nearer_start(base, law, beginning, round);
+      LawFitOptions one = options_;
+      one.law = law;
+      return begin_fit(record_, one, quiet_).known(law, record_);
+    });
   }
 
   // A start from the fit of most of the law, or along the record's amplitudes: in the first round along
@@ -429,6 +456,7 @@ class LawSearch {
   const Record& record_;
   const LawFitOptions& options_;
   const Watch& watch_;
+  const Watch quiet_;  ///< the same for a thread that tells nothing
   std::span<const LawFit> before_;
   std::vector<LawFit> candidates_;
   std::vector<bool> fine_;

@@ -83,6 +83,7 @@ SimulateOptions run_at(const SimulateOptions& options, const Oscillator<double>&
   SimulateOptions run = options;
   const double start = run.drive_phase - exact.phase_lag;
   run.method = {method};
+  run.motion_only = true;
   run.drive_frequency = {w};
   run.position = exact.amplitude * std::cos(start);
   run.velocity = -exact.amplitude * w * std::sin(start);

@@ -246,6 +246,7 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     return check_drive(*std::move(driven), *series, options, watch);
   }
   if (!fits_recorded_forces || options.force_column.empty()) {
+    if (auto beating = fit_beats(*series, file, options, watch)) return *std::move(beating);
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
     return recognise_drive(*std::move(free), *series, options, watch);

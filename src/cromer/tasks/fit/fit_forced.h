@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "cromer/tasks/fit/fit.h"
@@ -18,6 +19,12 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
 /// Whether there is a drive at all is for check_drive to say. `rms_to_beat` as in LawFitOptions.
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {}, double rms_to_beat = HUGE_VAL);
+
+/// The fit of a motion that a drive surely makes: its own swing, as it dies down, beats with the drive's. No
+/// free law of one swing does so, and none but the viscous one is tried. Empty where nothing beats, or a law
+/// or a drive was given.
+std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view file,
+                                         const FitOptions& options, const Watch& watch = {});
 
 /// Returns the free fit, or the same motion fitted as a driven one if it is one: the free law leaves
 /// structure in its residuals, and a steady oscillation that makes up much of the motion explains it better

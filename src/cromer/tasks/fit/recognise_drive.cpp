@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
@@ -89,6 +91,7 @@ Notice of_two_modes(const TwoModes& found, std::string_view unit) {
 // No record can tell which of two readings is right.
 void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice readings) {
   result.modes.assign(found.modes.begin(), found.modes.end());
+  result.headline.clear();
   result.fit.status = FitStatus::undetermined;
   result.fit.message = Notice{"two_readings",
                               {{"readings", readings},
@@ -143,15 +146,41 @@ bool may_be_beats(const LawFit& fit) {
   return refused && fit.explained > 0.1 && fit.residual.rms > 0 && fit.residual.autocorrelation >= structured;
 }
 
+bool may_recognise(const FitOptions& options) {
+  return options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
+}
+
+bool says(const FittedRecording& fitted, std::string_view code) {
+  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
+                     [&](const Notice& notice) { return notice.code == code; });
+}
+
 }  // namespace
+
+std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view file,
+                                         const FitOptions& options, const Watch& watch) {
+  // Of longer ones laws are compared on a part, and a fit to the whole costs more than it saves.
+  constexpr std::size_t most = 200'000;
+  if (!may_recognise(options) || motion.t.size() > most) return std::nullopt;
+  FitOptions viscous;
+  viscous.law = "viscous";
+  viscous.from = options.from;
+  viscous.to = options.to;
+  Result<FittedRecording> free = fit_series(motion, file, viscous, without_progress(watch));
+  if (!free || !free->succeeded() || !says(*free, "amplitude_rises")) return std::nullopt;
+  free->options = options;
+  FittedRecording driven = recognise_drive(*std::move(free), motion, options, watch);
+  if (!says(driven, "beats_at_first") || driven.fit.status != FitStatus::converged) return std::nullopt;
+  return driven;
+}
 
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
                                 const Watch& caller) {
-  const bool automatic = options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
   const bool refused = free.parameters.empty();
   const Residual& left = free.fit.residual;
   const bool is_noise = left.autocorrelation < structured || is_arithmetic(left.rms, free.series.y);
-  if (!automatic || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted()) return free;
+  if (!may_recognise(options) || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted())
+    return free;
   const FittedSamples samples = without_outliers(free.series);
   const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   FitOptions same = options;
