@@ -51,7 +51,16 @@ void ContactPhases::begin(double t, State<MassVector>& y) {
   any_held_ = !to_hold_.empty();
   to_hold_.clear();
 
-  NetworkPhase(network_, friction_.contacts(), directions_).join(y.v.first);
+  // Where one contact stops, others may stop with it: those that close a loop of contacts.
+  for (bool again = true; again;) {
+    NetworkPhase(network_, friction_.contacts(), directions_).join(y.v.first);
+    again = false;
+    for (std::size_t c = 0; c < contacts; ++c)
+      if (directions_[c] != 0 && !(directions_[c] * friction_.speed(c, y.v.first) > 0)) {
+        directions_[c] = 0;
+        again = true;
+      }
+  }
   friction_.decide(smooth_.acceleration(t, y.x, y.v).first, directions_, held_);
   phase_ = std::make_shared<NetworkPhase>(network_, friction_.contacts(), directions_);
   system_ = smooth_.in(phase_);
