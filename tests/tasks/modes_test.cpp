@@ -222,6 +222,20 @@ TEST(Modes, OfMassesThatNothingPullsBack) {
   EXPECT_EQ(in_words(found->modes[0].methods[0].words), "does not swing, as your law does not");
 }
 
+TEST(Modes, ExactKeepsWhatDoesNotSwing) {
+  // Tied by their damper, and one falls away: modes without a frequency.
+  Network network;
+  network.masses = {{"a", 1}, {"b", 1}};
+  network.links = {{ground, 0, {.stiffness = -3}}, {0, 1, {.stiffness = 0, .damping = 1}}};
+  const auto found = network_modes(network, "n.toml", {.method = {"exact"}, .step = 0.1});
+  ASSERT_TRUE(found);
+  for (const NaturalMode& mode : found->modes) {
+    ASSERT_EQ(mode.methods.size(), 1u);
+    EXPECT_FALSE(mode.methods[0].frequency());
+    EXPECT_FALSE(mode.methods[0].words.empty());
+  }
+}
+
 TEST(Modes, SaysThatASlowOneIsLostInRounding) {
   Network network;
   network.masses = {{"a", 1}, {"b", 1}};

@@ -18,8 +18,9 @@ std::string text_of_run(const NetworkRun& run) {
       {angles ? "inertia" : "mass", angles ? "x (rad)" : "x (m)", angles ? "v (rad/s)" : "v (m/s)"}};
   const std::size_t shown = std::min(run.last.size(), most_rows);
   for (std::size_t i = 0; i < shown; ++i)
-    rows.push_back({run.network.masses[i].name, fmt::format("{:.6g}", run.last[i].x),
-                    fmt::format("{:.6g}", run.last[i].v)});
+    // Of -0 this is 0.
+    rows.push_back({run.network.masses[i].name, fmt::format("{:.6g}", run.last[i].x + 0.0),
+                    fmt::format("{:.6g}", run.last[i].v + 0.0)});
   text += text_table(rows, 1, 3);
   if (shown < run.last.size()) text += fmt::format("and {} more\n", run.last.size() - shown);
   if (!run.energy) return text;

@@ -60,11 +60,16 @@ EffectiveNetwork effective_network_of(const M& method, const Network& network,
   });
 }
 
-/// The closed form keeps every mode.
-std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& modes) {
+/// The closed form keeps every mode, in steps of h [s].
+std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& modes, double h) {
   std::vector<EffectiveOscillator> kept;
   for (const ComplexMode& mode : modes) {
     EffectiveOscillator& effective = kept.emplace_back();
+    for (const std::complex<double>& z : {mode.first, mode.second}) {
+      const std::complex<double> of_step = std::exp(z * h);
+      effective.eigenvalues.push_back({of_step.real(), of_step.imag()});
+      effective.spectral_radius = std::max(effective.spectral_radius, std::abs(of_step));
+    }
     if (mode.first.imag() <= 0) continue;
     effective.decay_rate = -mode.first.real();
     effective.angular_frequency = mode.first.imag();
@@ -92,7 +97,7 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
   } else {
     EffectiveNetwork effective;
     if (find_method(name)->is_exact())
-      effective.modes = as_they_are(modes);
+      effective.modes = as_they_are(modes, h);
     else
       effective = visit_method(name, settings, [&](const auto& method) {
         using M = std::decay_t<decltype(method)>;
@@ -106,7 +111,7 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
       effects[j].effective = effective.modes[j];
       effects[j].stable = effects[j].effective.stable();
     }
-    stable = effective.spectral_radius <= 1 + 1e-12;
+    stable = find_method(name)->is_exact() || effective.spectral_radius <= 1 + 1e-12;
   }
   if (unfound) {
     notices.push_back(Notice{"method_finds_no_solution", {{"method", name}, {"step", h}}});
