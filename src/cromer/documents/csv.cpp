@@ -391,7 +391,7 @@ std::vector<std::string> link_names(const Network& network) {
 
 }  // namespace
 
-std::string network_csv(const std::vector<NetworkRun>& runs, const std::string& command) {
+std::string network_csv(std::span<const NetworkRun> runs, const std::string& command) {
   std::string out;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const NetworkRun& run = runs[r];

@@ -57,7 +57,7 @@ std::string motion_csv(std::span<const FittedRecording> fits);
 /// The kept states: "t (s)", then x and v of each mass by its name, "floor 1 x (m),floor 1 v (m/s)", then
 /// "energy (J)" and what each link stores, "ground-floor 1 energy (J)". Of several runs with their number in
 /// front, "run".
-std::string network_csv(const std::vector<NetworkRun>& runs, const std::string& command);
+std::string network_csv(std::span<const NetworkRun> runs, const std::string& command);
 
 /// A row for each value found of a link.
 std::string network_fit_csv(const FittedNetwork& fitted);

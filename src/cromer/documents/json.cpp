@@ -51,7 +51,7 @@ std::string to_json(const RecogniseResult& result, const Voice& voice) {
   return to_text(document);
 }
 
-std::string to_json(const std::vector<NetworkRun>& runs, bool with_states, const Voice& voice) {
+std::string to_json(std::span<const NetworkRun> runs, bool with_states, const Voice& voice) {
   Json all = Json::array();
   for (const NetworkRun& run : runs) {
     Json& document = all.emplace_back(json_of(NetworkDocument{run, with_states}, voice));

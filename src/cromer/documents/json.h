@@ -30,7 +30,7 @@ std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {})
 
 /// {"method", "masses": [...], "links": [...], ...}, with "message" if the run ended early; of several runs
 /// {"runs": [...]}. `with_states` adds the kept states, all on one line.
-std::string to_json(const std::vector<NetworkRun>& runs, bool with_states, const Voice& voice = {});
+std::string to_json(std::span<const NetworkRun> runs, bool with_states, const Voice& voice = {});
 
 /// {"links": [...], "masses": [...], ...}, with "message" if the fit did not succeed.
 std::string to_json(const FittedNetwork& fitted, const Voice& voice = {});

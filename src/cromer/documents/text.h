@@ -85,7 +85,7 @@ std::string methods_text(const MethodsOptions& options, std::span<const MethodRo
 std::string modes_text(const ModesResult& result);
 
 /// Where each mass is at the end of each run, and where the energy went.
-std::string network_text(const std::vector<NetworkRun>& runs);
+std::string network_text(std::span<const NetworkRun> runs);
 
 /// The values found of a network's links, and what is left of each column.
 std::string network_fit_text(const FittedNetwork& fitted);

@@ -418,7 +418,7 @@ Result<void> simulate_network_verb(Call& call, const AskedNetwork& asked, cromer
     result.show(of_mass + "v", run.states.v[i]);
   }
   result.show("1.energy", run.states.energy);
-  result.document = to_json(run, false, call.voice());
+  result.document = to_json(std::span(&run, 1), false, call.voice());
   return {};
 }
 

@@ -57,9 +57,9 @@ struct Writer {
   }
 
   Result<std::string> operator()(const NetworkRun& run) const {
-    if (form == "text") return network_text(run);
-    if (form == "csv") return network_csv(run, no_command);
-    return drawn(network_figure(run));
+    if (form == "text") return network_text({&run, 1});
+    if (form == "csv") return network_csv({&run, 1}, no_command);
+    return drawn(network_figure({&run, 1}));
   }
 
   Result<std::string> operator()(const FittedNetwork& fitted) const {

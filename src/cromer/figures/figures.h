@@ -30,7 +30,7 @@ Figure simulate_figure(const SimulateResult& result, std::span<const MotionPanel
 
 /// The positions of all masses against time, a curve for each; of more than five the first, the last and some
 /// between. Of several runs a panel for each mass, of three at most, with a curve for each method.
-Figure network_figure(const std::vector<NetworkRun>& runs);
+Figure network_figure(std::span<const NetworkRun> runs);
 
 /// What each mass did, measured and fitted: of many masses the first ones.
 Figure network_fit_figure(const FittedNetwork& fitted);

@@ -46,7 +46,7 @@ struct DrawnUnits {
 
 }  // namespace
 
-Figure network_figure(const std::vector<NetworkRun>& runs) {
+Figure network_figure(std::span<const NetworkRun> runs) {
   const NetworkRun& first = runs.front();
   const Network& network = first.network;
   const bool several = runs.size() > 1;

@@ -33,7 +33,7 @@ std::string text_of_run(const NetworkRun& run) {
 
 }  // namespace
 
-std::string network_text(const std::vector<NetworkRun>& runs) {
+std::string network_text(std::span<const NetworkRun> runs) {
   std::string text;
   for (const NetworkRun& run : runs) text += (text.empty() ? "" : "\n") + text_of_run(run);
   return text;

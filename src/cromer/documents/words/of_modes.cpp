@@ -65,6 +65,8 @@ constexpr Entry entries[] = {
     {"too_many_masses_for_exact", error,
      "{--method}: exact takes networks of at most {most} masses, and there are {masses}",
      "{--method}: exact nimmt Netze von höchstens {most} Massen, und es sind {masses}"},
+    {"one_method_of_networks", error, "{--method} is given {methods} times; here a network runs by one",
+     "{--method} ist {methods}-mal angegeben; hier läuft ein Netz mit einer"},
     {"large_network_needs_step", error,
      "the periods of {masses} masses are not sought (of at most {most} they are): give {--step} and "
      "{--until}",

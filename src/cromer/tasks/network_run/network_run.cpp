@@ -74,6 +74,7 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   for (const Option& option : options_of(options))
     if (is_option_of_networks(option.name))
       if (auto good = check(option); !good) return good;
+  if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
   run.method = options.method.empty() ? "euler-cromer" : options.method.front();
   if (auto good = check_method_name(run.method); !good)
     return Error{"method_is_wrong", {{"what", good.error().notice}}};
@@ -297,7 +298,7 @@ Result<std::vector<NetworkRun>> run_network_by_each(const Network& network, cons
                                                     const SimulateOptions& options, const Watch& watch) {
   std::vector<NetworkRun> runs;
   const std::size_t count = std::max<std::size_t>(1, options.method.size());
-  for (std::size_t m = 0; m < count && !watch.interrupted(); ++m) {
+  for (std::size_t m = 0; m < count && (m == 0 || !watch.interrupted()); ++m) {
     SimulateOptions by_one = options;
     by_one.memory = options.memory / static_cast<double>(count);
     if (!options.method.empty()) by_one.method = {options.method[m]};

@@ -65,7 +65,7 @@ struct NetworkRun {
   bool ok() const { return outcome.status == Status::reached_end; }
 };
 
-/// Runs the network. Of the options those of the integration are used: method (the first), step, until,
+/// Runs the network. Of the options those of the integration are used: method (one), step, until,
 /// tolerance, every, beta, gamma, rho_inf, and the memory. An Error names option, value and constraint, or
 /// the term that keeps the network, or the method, from running.
 Result<NetworkRun> run_network(const Network& network, const std::string& file,
