@@ -47,7 +47,7 @@ std::string json(const Simulation& simulation, bool with_states, Language langua
 }
 
 std::string json(const NetworkSimulation& simulation, bool with_states, Language language) {
-  return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
+  return simulation.detail ? core::to_json(alone(simulation.detail), with_states, voice_of(language)) : "";
 }
 
 std::string json(const NetworkFit& fit, Language language) {
@@ -75,7 +75,7 @@ std::string csv(const Simulation& simulation) {
 }
 
 std::string csv(const NetworkSimulation& simulation) {
-  return simulation.detail ? core::network_csv(*simulation.detail, core::no_command) : "";
+  return simulation.detail ? core::network_csv(alone(simulation.detail), core::no_command) : "";
 }
 
 std::string csv(const NetworkFit& fit) { return fit.detail ? core::network_fit_csv(*fit.detail) : ""; }
@@ -107,7 +107,7 @@ std::string svg(const Modes& modes) {
 }
 
 std::string svg(const NetworkSimulation& simulation) {
-  return simulation.detail ? core::drawn(core::network_figure(*simulation.detail)) : "";
+  return simulation.detail ? core::drawn(core::network_figure(alone(simulation.detail))) : "";
 }
 
 std::string svg(const NetworkFit& fit) {
