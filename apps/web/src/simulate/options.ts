@@ -78,8 +78,7 @@ export function resonanceOptions(s: SimulateState, from: number, to: number): Op
 /** What simulates the same in a terminal. */
 export function commandLine(s: SimulateState): string {
   const law: Option[] = s.second ? [['network', 'two.toml']] : lawOptions(s)
-  const methods = s.second ? methodsOf(s).slice(0, 1) : methodsOf(s) // a network runs by one
-  const options = [...law, ...methods.map((name): Option => ['method', name])]
+  const options = [...law, ...methodsOf(s).map((name): Option => ['method', name])]
   options.push(['step', String(s.step)], ['until', String(s.until)])
   return `cromer simulate ${options.map(([name, value]) => `--${name} ${value}`).join(' ')}`
 }

@@ -12,7 +12,7 @@ test('the command line says all that differs from nothing', () => {
 })
 
 test('of two masses the command has their network', () => {
-  expect(commandLine({ ...simulateDefaults, second: true, cubic: 3 })).toBe('cromer simulate --network two.toml --method exact --step 0.025 --until 25')
+  expect(commandLine({ ...simulateDefaults, second: true, cubic: 3, methods: ['exact', 'rk4'] })).toBe('cromer simulate --network two.toml --method exact --method rk4 --step 0.025 --until 25')
 })
 
 test('without an exact solution Dormand-Prince stands in', () => {
