@@ -129,6 +129,16 @@ TEST(ModalMotion, a_free_body_that_drifts_away_hides_no_mode) {
   }
 }
 
+TEST(ModalMotion, a_mode_that_hardly_moves_is_found_in_what_the_others_leave) {
+  const ModalAnalysis analysis =
+      find_modes(let_go(three_masses(), {0.01, 0.003, 1e-6}, 750, 0.04, 0, 1).record());
+  ASSERT_EQ(analysis.modes.size(), 3u);
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_NEAR(analysis.modes[j].frequency.value, three_masses()[j].frequency, 1e-6);
+    EXPECT_NEAR(analysis.modes[j].damping_ratio.value, three_masses()[j].damping_ratio, 1e-6);
+  }
+}
+
 // The motion of a mode whose frequency is known to worse than 1 % is no noise to the others.
 TEST(ModalMotion, a_mode_that_is_not_reported_does_not_widen_the_others) {
   const std::vector<TrueMode> truth{{1.7, 0.01, {0.7, 1.0}}, {2.3, 0.15, {1.0, -0.8}}};

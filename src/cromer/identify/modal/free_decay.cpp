@@ -3,9 +3,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "cromer/analysis/complex_modes.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/modal/steady_lines.h"
@@ -150,9 +153,14 @@ Eigenvalues changing_of(const ModalRecord& record, const Eigenvalues& eigenvalue
   return result.empty() ? eigenvalues : result;
 }
 
-}  // namespace
+// The fit from these start values alone, and what it leaves, each channel over its rms.
+struct FitFromStart {
+  FreeDecay decay;
+  Eigenvalues eigenvalues;
+  Eigen::MatrixXd rest;
+};
 
-FreeDecay fit_free_decay(const ModalRecord& record, Eigenvalues eigenvalues) {
+FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) {
   const Eigen::MatrixXd values = values_of(record);
   const Eigen::VectorXd sizes = DecayBasis(record, values, {}).residuals().colwise().norm();
   FreeDecay result;
@@ -188,7 +196,48 @@ FreeDecay fit_free_decay(const ModalRecord& record, Eigenvalues eigenvalues) {
   std::sort(result.modes.begin(), result.modes.end(), [](const MeasuredMode& a, const MeasuredMode& b) {
     return a.frequency.value < b.frequency.value;
   });
-  return result;
+  FitFromStart all{std::move(result), std::move(eigenvalues), {}};
+  all.rest = DecayBasis(record, values, all.eigenvalues).residuals();
+  const Eigen::VectorXd rms = all.rest.colwise().norm().cwiseMax(1e-300);
+  all.rest *= rms.cwiseInverse().asDiagonal();
+  return all;
+}
+
+// Where the highest peak of the rest stands out, and is no harmonic of another: a start value with the
+// damping ratio of the least damped.
+std::optional<std::complex<double>> start_in_rest(const ModalRecord& record, const FitFromStart& fit) {
+  const Periodogram spectrum = periodogram(fit.rest, record.step);
+  const auto highest = std::max_element(spectrum.power.begin() + 1, spectrum.power.end() - 1);
+  std::vector<double> sorted = spectrum.power;
+  constexpr double stands_out = 30;
+  if (*highest < stands_out * upper_median(sorted)) return std::nullopt;
+  const double w = static_cast<double>(highest - spectrum.power.begin()) * spectrum.step;
+  double damping_ratio = 1;
+  for (const std::complex<double>& each : fit.eigenvalues) {
+    constexpr double near = 0.02;
+    for (const int multiple : {1, 2, 3})
+      if (std::abs(w - multiple * each.imag()) < near * w) return std::nullopt;
+    damping_ratio = std::min(damping_ratio, std::abs(each.real()) / std::abs(each));
+  }
+  return std::complex<double>(-damping_ratio * w, w);
+}
+
+}  // namespace
+
+FreeDecay fit_free_decay(const ModalRecord& record, Eigenvalues eigenvalues) {
+  FitFromStart best = fit_from_start(record, std::move(eigenvalues));
+  // A start value may lack where a mode moves little; with more modes than channels it would be a guess.
+  while (best.decay.converged &&
+         best.eigenvalues.size() < std::min(record.channels.size(), most_decaying_modes)) {
+    const auto start = start_in_rest(record, best);
+    if (!start) break;
+    Eigenvalues more = best.eigenvalues;
+    more.push_back(*start);
+    FitFromStart next = fit_from_start(record, std::move(more));
+    if (!next.decay.converged || next.decay.modes.size() <= best.decay.modes.size()) break;
+    best = std::move(next);
+  }
+  return std::move(best.decay);
 }
 
 }  // namespace cromer::core

@@ -19,7 +19,8 @@ struct FreeDecay {
 };
 
 /// Least squares over all channels at once (fit_eigenvalues), each weighted by what is left of it, from these
-/// start values; at most most_decaying_modes of them. Intervals are those of the residuals' own correlation.
+/// start values and, while there are fewer oscillations than channels, from the peaks of what the fit leaves;
+/// at most most_decaying_modes of them. Intervals are those of the residuals' own correlation.
 /// An oscillation leaves the fit whose amplitude is less than four standard errors in each channel, or that
 /// has the shape of a surer one within the mean of their widths: that is one swing which is not linear. Of
 /// the others those are modes whose frequency is known to 1 % and whose amplitude to a sixth.
