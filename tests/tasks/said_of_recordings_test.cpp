@@ -234,7 +234,7 @@ TEST(SaidOfRecordings, OfTwoReadingsNeitherIsInTheHeadline) {
     return 0.05 * std::cos(two_pi * 0.7085 * t) + 0.04 * std::cos(two_pi * 0.8 * t + 1);
   }));
   EXPECT_EQ(fit.fit.status, FitStatus::undetermined) << in_words(fit.fit.message);
-  EXPECT_THAT(in_words(fit.fit.message), AllOf(HasSubstr("0.7085"), HasSubstr("0.8000")));
+  EXPECT_THAT(in_words(fit.fit.message), AllOf(HasSubstr("at 0.708"), HasSubstr("and 0.800")));
   EXPECT_THAT(fit.headline, IsEmpty());
 }
 
