@@ -260,6 +260,16 @@ TEST(SaidOfRecordings, WhatBeatsWithItsDriveIsDriven) {
     }
 }
 
+// One beat alone shows before the own swing has died down; free laws that chase it take all steps there are.
+TEST(SaidOfRecordings, WhatBeatsOnceWithItsDriveIsDriven) {
+  const double own = 6.308, g = 0.0792;
+  const FittedRecording fit = fitted(recorded({.duration = 140, .rate = 25, .noise = 2e-4}, [&](double t) {
+    return 0.1 + 0.05 * std::cos(6.0792 * t) + 0.04 * swing(t, own, g, 2);
+  }));
+  ASSERT_TRUE(fit.driven) << in_words(fit.fit.message);
+  EXPECT_NEAR(fit.find("decay_rate")->value, g, 4.5 * fit.find("decay_rate")->standard_error);
+}
+
 // One law for two modes of like size would have a frequency that nothing swings at.
 TEST(SaidOfRecordings, OfTwoModesNoSingleFrequencyIsGiven) {
   unsigned seed = 0;

@@ -150,9 +150,20 @@ bool may_recognise(const FitOptions& options) {
   return options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
 }
 
-bool says(const FittedRecording& fitted, std::string_view code) {
+bool amplitude_rises(const FittedRecording& fitted) {
   return std::any_of(fitted.notices.begin(), fitted.notices.end(),
-                     [&](const Notice& notice) { return notice.code == code; });
+                     [](const Notice& notice) { return notice.code == "amplitude_rises"; });
+}
+
+// The drive is clearly beside the own swing, and a whole beat is seen: no free swing grows like that, as one
+// that feeds itself may grow like a swing that is driven at its own frequency.
+bool drives_beside_resonance(const FittedRecording& fitted) {
+  const LawFit& fit = fitted.fit;
+  if (!fitted.driven || fit.status != FitStatus::converged || !is_linear(fit.law)) return false;
+  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
+  if (!(g > 0) || !(w0 > g)) return false;
+  const double apart = std::abs(fit.motion.drive_frequency - std::sqrt(w0 * w0 - g * g));
+  return apart > 2 * g && apart * (fitted.series.t.back() - fitted.series.t.front()) > two_pi;
 }
 
 }  // namespace
@@ -167,10 +178,10 @@ std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view 
   viscous.from = options.from;
   viscous.to = options.to;
   Result<FittedRecording> free = fit_series(motion, file, viscous, without_progress(watch));
-  if (!free || !free->succeeded() || !says(*free, "amplitude_rises")) return std::nullopt;
+  if (!free || !free->succeeded() || !amplitude_rises(*free)) return std::nullopt;
   free->options = options;
   FittedRecording driven = recognise_drive(*std::move(free), motion, options, watch);
-  if (!says(driven, "beats_at_first") || driven.fit.status != FitStatus::converged) return std::nullopt;
+  if (!drives_beside_resonance(driven)) return std::nullopt;
   return driven;
 }
 
