@@ -1,40 +1,26 @@
 // The C interface: what comes back, and that nothing a caller may hand in breaks it.
-#include "cromer/c.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/door/c_answer.h"
+
 namespace {
 
+using cromer::tests::Answer;
+using cromer::tests::array;
+using cromer::tests::document;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
 
-struct Free {
-  void operator()(cromer_result* result) const { cromer_free(result); }
-};
-using Answer = std::unique_ptr<cromer_result, Free>;
-
 Answer call(const char* verb, const char* request, const std::vector<cromer_array>& arrays = {}) {
   return Answer(cromer_call(verb, request, arrays.data(), arrays.size(), nullptr, nullptr));
-}
-
-json document(const Answer& answer) { return json::parse(cromer_document(answer.get())); }
-
-std::vector<double> array(const Answer& answer, const std::string& name) {
-  std::size_t count = 0;
-  const cromer_array* arrays = cromer_arrays(answer.get(), &count);
-  for (std::size_t i = 0; i < count; ++i)
-    if (arrays[i].name == name) return {arrays[i].values, arrays[i].values + arrays[i].length};
-  ADD_FAILURE() << "no array " << name;
-  return {};
 }
 
 struct Swing {

@@ -4,18 +4,20 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "cromer/c.h"
 #include "cromer/cromer.h"
+#include "tests/door/c_answer.h"
 
 namespace {
 
 using cromer::sought;
+using cromer::tests::Answer;
+using cromer::tests::array;
+using cromer::tests::document;
 using nlohmann::json;
 using testing::HasSubstr;
 
@@ -184,25 +186,9 @@ TEST(DoorNetwork, ProgressEndsIt) {
   EXPECT_FALSE(run->succeeded());
 }
 
-struct Free {
-  void operator()(cromer_result* result) const { cromer_free(result); }
-};
-using Answer = std::unique_ptr<cromer_result, Free>;
-
 Answer call(const char* verb, const json& request, const std::vector<cromer_array>& arrays = {}) {
   return Answer(cromer_call(verb, request.dump().c_str(), arrays.data(), arrays.size(), nullptr, nullptr));
 }
-
-std::vector<double> array(const Answer& answer, const std::string& name) {
-  std::size_t count = 0;
-  const cromer_array* arrays = cromer_arrays(answer.get(), &count);
-  for (std::size_t i = 0; i < count; ++i)
-    if (arrays[i].name == name) return {arrays[i].values, arrays[i].values + arrays[i].length};
-  ADD_FAILURE() << "no array " << name;
-  return {};
-}
-
-json document(const Answer& answer) { return json::parse(cromer_document(answer.get())); }
 
 const json carts_in_json = json::parse(R"({
   "mass": [{"name": "left", "mass": "2000 g", "position": "10 cm"}, {"name": "right", "mass": 2}],

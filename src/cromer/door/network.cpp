@@ -115,15 +115,7 @@ Result<NetworkSimulation> simulate(const Network& network, const NetworkRunOptio
   const auto known = core::known_network(core::network_of(network));
   if (!known) return core::of_network(known.error());
   core::SimulateOptions asked;
-  asked.method = {options.method.name()};
-  asked.step = options.step;
-  asked.until = options.until;
-  asked.tolerance = options.tolerance;
-  asked.beta = options.beta;
-  asked.gamma = options.gamma;
-  asked.rho_inf = options.rho_inf;
-  asked.every = options.every;
-  asked.memory = core::memory_for_states;
+  core::set_integration(asked, options);
   const core::Watching watching(options.progress);
   auto run = core::run_network(*known, core::given_network, asked, watching.watch());
   if (!run) return core::of_network(run.error());

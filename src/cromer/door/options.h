@@ -56,6 +56,20 @@ Result<Recording> recording_of(std::span<const double> t, const std::vector<Give
 Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
                                std::span<const double> force, Observed observed);
 
+/// How a run of an oscillator or of a network is integrated, and which states are kept.
+template <class RunOptions>
+void set_integration(SimulateOptions& task, const RunOptions& options) {
+  task.method = {options.method.name()};
+  task.step = options.step;
+  task.until = options.until;
+  task.tolerance = options.tolerance;
+  task.beta = options.beta;
+  task.gamma = options.gamma;
+  task.rho_inf = options.rho_inf;
+  task.every = options.every;
+  task.memory = memory_for_states;
+}
+
 /// A recorded force, or the acceleration of the ground, as the drive of a run.
 enum class RecordOf { force, ground };
 Result<void> set_record(SimulateOptions& options, RecordOf what, std::span<const double> values,

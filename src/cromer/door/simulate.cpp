@@ -80,17 +80,9 @@ Result<core::SimulateOptions> task_options(const Oscillator& oscillator, const S
   if (auto good = std::visit(SetDrive{o}, options.drive); !good) return good.error();
   o.position = options.position;
   o.velocity = options.velocity;
-  o.method = {options.method.name()};
-  o.step = options.step;
-  o.until = options.until;
-  o.tolerance = options.tolerance;
+  core::set_integration(o, options);
   o.accuracy = options.accuracy;
-  o.beta = options.beta;
-  o.gamma = options.gamma;
-  o.rho_inf = options.rho_inf;
-  o.every = options.every;
   o.compensated = options.compensated;
-  o.memory = core::memory_for_states;
   return o;
 }
 

@@ -151,11 +151,10 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
 Notice beats_at_first(const FittedRecording& result) {
   const LawFit& fit = result.fit;
   const Estimate *push = fit.find("drive_amplitude"), *phase = fit.find("drive_phase");
-  if (!push || !phase || !is_linear(fit.law)) return {};
+  const std::optional<double> swings_at = own_frequency(fit);
+  if (!push || !phase || !swings_at) return {};
   const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate(),
-               w = fit.motion.drive_frequency;
-  if (!(g > 0) || !(w0 > g)) return {};
-  const double own = std::sqrt(w0 * w0 - g * g);
+               w = fit.motion.drive_frequency, own = *swings_at;
   const SteadyState steady =
       frequency_response({.mass = 1, .stiffness = w0 * w0, .damping = 2 * g}, push->value, w);
   const double angle = phase->value - steady.phase_lag;
@@ -181,6 +180,12 @@ void add_unused_notices(FittedRecording& result) {
 }
 
 }  // namespace
+
+std::optional<double> own_frequency(const LawFit& driven) {
+  const double w0 = driven.motion.angular_frequency(), g = driven.motion.decay_rate();
+  if (!is_linear(driven.law) || !(g > 0) || !(w0 > g)) return std::nullopt;
+  return std::sqrt(w0 * w0 - g * g);
+}
 
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch) {

@@ -159,11 +159,11 @@ bool amplitude_rises(const FittedRecording& fitted) {
 // that feeds itself may grow like a swing that is driven at its own frequency.
 bool drives_beside_resonance(const FittedRecording& fitted) {
   const LawFit& fit = fitted.fit;
-  if (!fitted.driven || fit.status != FitStatus::converged || !is_linear(fit.law)) return false;
-  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
-  if (!(g > 0) || !(w0 > g)) return false;
-  const double apart = std::abs(fit.motion.drive_frequency - std::sqrt(w0 * w0 - g * g));
-  return apart > 2 * g && apart * (fitted.series.t.back() - fitted.series.t.front()) > two_pi;
+  const std::optional<double> own = own_frequency(fit);
+  if (!fitted.driven || fit.status != FitStatus::converged || !own) return false;
+  const double apart = std::abs(fit.motion.drive_frequency - *own);
+  return apart > 2 * fit.motion.decay_rate() &&
+         apart * (fitted.series.t.back() - fitted.series.t.front()) > two_pi;
 }
 
 }  // namespace
