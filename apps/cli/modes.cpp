@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
@@ -24,13 +26,28 @@ int run_modes(const Arguments& arguments) {
                 .example =
                     "  cromer modes data/networks/frame.toml\n"
                     "  cromer modes data/networks/frame.toml --method newmark --step 0.02 --plot frame.svg\n"
-                    "  cromer modes data/networks/floors_in_wind.csv --plot modes.svg"};
+                    "  cromer modes data/networks/floors_in_wind.csv --network data/networks/frame.toml \\\n"
+                    "    --plot modes.svg"};
+  std::string network_file;
+  const auto after = std::find_if(syntax.options.begin(), syntax.options.end(),
+                                  [](const Option& option) { return option.name == "of-method"; });
+  syntax.options.insert(after + 1,
+                        {"network", &network_file, "", Range::any,
+                         "the file of a network whose masses are the channels, in its order: its modes are "
+                         "set beside those of the recording",
+                         "none", after->group});
   add_output_options(syntax.options, output, {}, "the modes as .csv or .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   const std::string& file = files.front();
-  const auto result = modes_of_file(file, options);
+  std::optional<Network> network;
+  if (!network_file.empty()) {
+    auto opened = open_network(network_file);
+    if (!opened) return refuse(opened.error());
+    network = *std::move(opened);
+  }
+  const auto result = modes_of_file(file, options, network ? &*network : nullptr);
   if (!result) return refuse(result.error());
   return give({.text = [&] { return modes_text(*result); },
                .json = [&] { return to_json(*result); },

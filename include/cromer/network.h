@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <concepts>
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -177,6 +178,7 @@ struct ModesOptions {
   std::optional<double> from_frequency{};  // [rad/s] only modes between
   std::optional<double> to_frequency{};    // [rad/s]
   std::optional<Method> of_method{};       ///< that simulated it, with `step`: its share is taken out
+  std::optional<Network> network{};        ///< to set its modes beside; its masses are the channels, in order
   ReadOptions read{};                      ///< of a file
   Observed observed = Observed::position;  ///< of channels
 };
@@ -190,12 +192,21 @@ struct ModeByMethod {
   bool stable = true;                     ///< the mode stays bounded
 };
 
+/// The mode of a network that one of a recording is.
+struct ModeOfNetwork {
+  std::size_t mode = 0;  ///< from 1, by rising frequency
+  double frequency = 0;  // [Hz]
+  double damping_ratio = 0;
+  double mac = 0;  ///< modal assurance criterion of the two shapes: 1 for the same, 0 for unlike ones
+};
+
 struct Mode {
   Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; NaN where it falls away from rest
   Estimate damping_ratio{};                   ///< NaN without a frequency
   std::vector<std::complex<double>> shape{};  ///< of each name; the largest is 1
   std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings
   std::optional<double> participation{};            ///< effective modal mass over the whole; of networks
+  std::optional<ModeOfNetwork> of_network{};        ///< of recordings, with ModesOptions::network
   std::vector<ModeByMethod> methods{};
 };
 

@@ -636,8 +636,9 @@ class Methods(Result, Sequence[Dict[str, Any]]):
 class Mode:
     """A mode: `frequency` [Hz] and `damping_ratio` with their errors (0 of a network, which is known), the complex
     `shape` of shape (names,), its largest 1, `shape_standard_error` of its parts (empty of a network),
-    `participation` (effective modal mass over the whole, None of a recording), and `methods`, what each really simulates ("method", "step", "frequency", "damping_ratio", "stable",
-    "in_words")."""
+    `participation` (effective modal mass over the whole, None of a recording), `methods`, what each really simulates
+    ("method", "step", "frequency", "damping_ratio", "stable", "in_words"), and `of_network`, the mode of the network beside
+    a recording that it is ("mode", "frequency", "damping_ratio", "mac"; None without one)."""
 
     def __init__(self, document: Dict[str, Any]) -> None:
         self.frequency = _estimate("frequency", document["frequency"])
@@ -645,6 +646,7 @@ class Mode:
         self.shape = np.array([complex(re, im) for re, im in document["shape"]])
         self.shape_standard_error = np.array([complex(re, im) for re, im in document["shape_standard_error"]])
         self.participation: Optional[float] = document["participation"]
+        self.of_network: Optional[Dict[str, Any]] = document["of_network"]
         self.methods: List[Dict[str, Any]] = document["methods"]
 
     def __repr__(self) -> str:

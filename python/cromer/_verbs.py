@@ -332,8 +332,8 @@ def methods(*, recognise: "Union[None, str, os.PathLike[str]]" = None, language:
 
 
 @_documented
-def modes(t: Any, channels: Any = None, *, observed: Optional[str] = None, language: Optional[str] = None, strict: bool = False,
-          **options: "Unpack[ModesOptions]") -> Modes:
+def modes(t: Any, channels: Any = None, *, network: Optional[Network] = None, observed: Optional[str] = None,
+          language: Optional[str] = None, strict: bool = False, **options: "Unpack[ModesOptions]") -> Modes:
     """The modes of a network of masses, or in a recording of several channels: natural frequencies, damping ratios,
     shapes; and what methods make of them.
 
@@ -344,6 +344,9 @@ def modes(t: Any, channels: Any = None, *, observed: Optional[str] = None, langu
         TOML file, or what that holds, {"mass": [...], "link": [...]} (docs/networks.md).
     channels : list of arrays of shape (n,), array of shape (channels, n), mapping or DataFrame
         What was recorded together [SI unit of `observed`]; NaN is a missing value. A mapping names the channels.
+    network : str, path or mapping, optional
+        Of a recording: the network whose masses are the channels, in its order, likewise; each mode then has the one of
+        the network that it is, `of_network`.
     observed : str, optional
         "position" (if not given), "angle", "velocity", "angular_velocity" or "acceleration", of channels.
     {options}
@@ -354,10 +357,14 @@ def modes(t: Any, channels: Any = None, *, observed: Optional[str] = None, langu
     """
     arrays: Dict[str, Any] = {}
     if isinstance(t, Mapping):
+        if network is not None:
+            raise ValueError("network: it is set beside a recording, and `t` is a network")
         request: Dict[str, Any] = {"network": request_of_network(t)}
     else:
         request, arrays = _channels("modes", t, channels, unit_of_observed(observed))
     request.update(request_of({**options, "observed": observed, "language": language}, "modes"))
+    if network is not None:
+        request["network"] = request_of_network(network)
     answer = call("modes", request, arrays)
     made = Modes(answer)
     told(made, answer, strict, made.to_dict().get("message", ""))

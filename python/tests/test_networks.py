@@ -83,6 +83,19 @@ def test_modes_are_found_in_channels():
     assert named.names == ["a (m/s)", "b (m/s)"] and len(named) == 2
 
 
+def test_modes_of_a_recording_are_set_beside_a_network(tmp_path):
+    record = cromer.simulate(network=carts(damping=0.05), method="exact", step=0.1, until=60)
+    path = tmp_path / "carts.csv"
+    path.write_text(record.to_csv())
+    for found in (cromer.modes(record.t, record.x, network=carts()), cromer.modes(path, network=carts())):
+        assert [each.of_network["mode"] for each in found] == [1, 2]
+        assert all(each.of_network["mac"] > 0.999 for each in found)
+        assert found[1].of_network["frequency"] == pytest.approx(AGAINST / (2 * np.pi))
+    assert cromer.modes(record.t, record.x)[0].of_network is None
+    with pytest.raises(ValueError, match="beside a recording"):
+        cromer.modes(carts(), network=carts())
+
+
 def test_a_network_that_cannot_be_used_is_refused():
     wrong = carts()
     wrong["link"][2]["to"] = "rihgt"

@@ -130,7 +130,23 @@ TEST(DoorNetwork, ModesAreFoundInChannels) {
   EXPECT_NEAR(found->modes[1].frequency.value, std::sqrt(7) / (2 * std::numbers::pi), 1e-6);
   EXPECT_NEAR(std::abs(found->modes[1].shape[0] + found->modes[1].shape[1]), 0, 1e-6);
   EXPECT_THAT(cromer::svg(*found), HasSubstr("</svg>"));
-  EXPECT_EQ(cromer::svg(*cromer::modes(carts())), "");
+  EXPECT_THAT(cromer::svg(*cromer::modes(carts())), HasSubstr("</svg>"));
+}
+
+TEST(DoorNetwork, ModesAreSetBesideANetwork) {
+  const auto run = cromer::simulate(damped_carts(), {.method = "exact", .step = 0.1, .until = 60});
+  const auto found = cromer::modes(run->t, {run->x[0], run->x[1]}, {.network = carts()});
+  ASSERT_TRUE(found) << found.error().message();
+  ASSERT_EQ(found->modes.size(), 2u);
+  for (std::size_t j = 0; j < 2; ++j) {
+    ASSERT_TRUE(found->modes[j].of_network);
+    EXPECT_EQ(found->modes[j].of_network->mode, j + 1);
+    EXPECT_NEAR(found->modes[j].of_network->mac, 1, 1e-6);
+    EXPECT_NEAR(found->modes[j].of_network->frequency, found->modes[j].frequency.value, 1e-3);
+  }
+  const auto refused = cromer::modes(carts(), {.network = carts()});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("network"));
 }
 
 TEST(DoorNetwork, ErrorsNameTheArgument) {

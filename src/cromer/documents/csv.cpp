@@ -471,6 +471,18 @@ std::string modes_csv(const ModesResult& result) {
       add(result.names[i] + " im standard error",
           [&](const NaturalMode& mode) { return mode.shape_error[i].imag(); });
     }
+  if (result.recording && result.network) {
+    const auto add_of_network = [&](std::string header, auto ModeOfNetwork::*member) {
+      add(std::move(header), [&](const NaturalMode& mode) {
+        return mode.of_network ? static_cast<double>((*mode.of_network).*member)
+                               : std::numeric_limits<double>::quiet_NaN();
+      });
+    };
+    add_of_network("mode of the network", &ModeOfNetwork::mode);
+    add_of_network("frequency of the network (Hz)", &ModeOfNetwork::frequency);
+    add_of_network("damping ratio of the network", &ModeOfNetwork::damping_ratio);
+    add_of_network("MAC", &ModeOfNetwork::assurance);
+  }
   if (!result.modes.empty() && !result.modes.front().methods.empty())
     for (std::size_t k = 0; k < result.modes.front().methods.size(); ++k) {
       const std::string& method = result.modes.front().methods[k].method;

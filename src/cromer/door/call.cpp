@@ -469,7 +469,7 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   return {};
 }
 
-/// What modes are sought of: a network, a file of either kind, or arrays.
+/// What modes are sought of: a network, a file of either kind, or arrays; of the last two beside a network.
 Result<ModesResult> modes_of_call(Call& call, const std::optional<AskedNetwork>& asked) {
   ModesOptions options;
   const auto file = call.take_text("file");
@@ -481,22 +481,27 @@ Result<ModesResult> modes_of_call(Call& call, const std::optional<AskedNetwork>&
     if (auto good = call.refuse_of_files(); !good) return good.error();
   if (!of_arrays && !word->empty()) return Error{Notice{"observed_of_file"}, "observed"};
   if (auto good = call.assign_rest(options_of(options)); !good) return good.error();
+  std::optional<Network> network;
   if (asked) {
-    const auto network = known_network(asked->network);
-    if (!network) return of_network(network.error());
-    auto found = network_modes(*network, asked->name, options);
+    auto known = known_network(asked->network);
+    if (!known) return of_network(known.error());
+    network = *std::move(known);
+  }
+  const Network* const beside = network ? &*network : nullptr;
+  if (beside && !of_arrays && file->empty()) {
+    auto found = network_modes(*beside, asked->name, options);
     if (!found) return of_network(found.error());
     return found;
   }
   if (!of_arrays) {
     if (file->empty()) return Error{Notice{"no_file"}, "file"};
-    return modes_of_file(*file, options);
+    return modes_of_file(*file, options, beside);
   }
   const auto observed = observed_of(*word);
   if (!observed) return observed.error();
   const auto motion = take_channels_of(call, options.read, *file, *observed);
   if (!motion) return motion.error();
-  auto found = recording_modes(motion->recording, options);
+  auto found = recording_modes(motion->recording, options, beside);
   if (!found) return in_arguments(found.error(), true);
   put_in_arguments(*found, true);
   return found;

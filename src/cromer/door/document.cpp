@@ -103,7 +103,7 @@ std::string svg(const Simulation& simulation) {
 }
 
 std::string svg(const Modes& modes) {
-  return modes.detail && modes.detail->recording ? core::drawn(core::modes_figure(*modes.detail)) : "";
+  return modes.detail ? core::drawn(core::modes_figure(*modes.detail)) : "";
 }
 
 std::string svg(const NetworkSimulation& simulation) {

@@ -52,8 +52,7 @@ struct Writer {
   Result<std::string> operator()(const ModesResult& result) const {
     if (form == "text") return modes_text(result);
     if (form == "csv") return modes_csv(result);
-    if (result.recording) return drawn(modes_figure(result));
-    return has_no_form();
+    return drawn(modes_figure(result));
   }
 
   Result<std::string> operator()(const NetworkRun& run) const {

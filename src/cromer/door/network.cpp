@@ -86,6 +86,14 @@ core::ModesOptions modes_task_options(const ModesOptions& options) {
   return asked;
 }
 
+/// The network that a recording's modes are set beside, if one is given.
+Result<std::optional<core::Network>> network_beside(const ModesOptions& options) {
+  if (!options.network) return std::optional<core::Network>{};
+  auto known = core::known_network(core::network_of(*options.network));
+  if (!known) return core::of_network(known.error());
+  return std::optional(*std::move(known));
+}
+
 Modes modes_of(core::ModesResult found, bool of_arrays) {
   core::put_in_arguments(found, of_arrays);
   const auto result = std::make_shared<const core::ModesResult>(std::move(found));
@@ -95,7 +103,9 @@ Modes modes_of(core::ModesResult found, bool of_arrays) {
   modes.message = result->message;
   for (const core::NaturalMode& mode : result->modes) {
     Mode& shown = modes.modes.emplace_back(
-        Mode{mode.frequency, mode.damping_ratio, mode.shape, mode.shape_error, mode.participation, {}});
+        Mode{mode.frequency, mode.damping_ratio, mode.shape, mode.shape_error, mode.participation, {}, {}});
+    if (const auto& of = mode.of_network)
+      shown.of_network = {of->mode, of->frequency, of->damping_ratio, of->assurance};
     for (const core::ModeByMethod& by : mode.methods)
       shown.methods.push_back({by.method, by.step, by.frequency(), by.damping_ratio(), by.effect.stable});
   }
@@ -151,12 +161,16 @@ Result<NetworkFit> fit(const Recording& recording, const Network& network, const
 }
 
 Result<Modes> modes(const std::string& file, const ModesOptions& options) {
-  auto found = core::modes_of_file(file, modes_task_options(options));
+  const auto beside = network_beside(options);
+  if (!beside) return beside.error();
+  auto found = core::modes_of_file(file, modes_task_options(options), *beside ? &**beside : nullptr);
   if (!found) return core::in_arguments(found.error());
   return modes_of(*std::move(found), false);
 }
 
 Result<Modes> modes(const Network& network, const ModesOptions& options) {
+  if (options.network)
+    return core::in_arguments(Error{Notice{"network_beside_network", {{"file", core::given_network}}}});
   const auto known = core::known_network(core::network_of(network));
   if (!known) return core::of_network(known.error());
   auto found = core::network_modes(*known, core::given_network, modes_task_options(options));
@@ -167,7 +181,9 @@ Result<Modes> modes(const Network& network, const ModesOptions& options) {
 Result<Modes> modes(std::span<const double> t, const Channels& channels, const ModesOptions& options) {
   const auto recording = core::recording_of(t, columns_of(channels, {}), options.observed, "channels");
   if (!recording) return recording.error();
-  auto found = core::recording_modes(*recording, modes_task_options(options));
+  const auto beside = network_beside(options);
+  if (!beside) return beside.error();
+  auto found = core::recording_modes(*recording, modes_task_options(options), *beside ? &**beside : nullptr);
   if (!found) return core::in_arguments(found.error(), true);
   return modes_of(*std::move(found), true);
 }

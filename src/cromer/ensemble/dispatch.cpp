@@ -4,14 +4,16 @@
 
 extern "C" {
 bool cromer_advance_baseline(cromer_group::Group& group, const cromer_group::Order& order);
-cromer_walk::Functions cromer_walk_baseline();
 #if defined(__x86_64__)
 bool cromer_advance_avx2(cromer_group::Group& group, const cromer_group::Order& order);
-cromer_walk::Functions cromer_walk_avx2();
 bool cromer_advance_avx512(cromer_group::Group& group, const cromer_group::Order& order);
-cromer_walk::Functions cromer_walk_avx512();
 #endif
 }
+cromer_walk::Functions cromer_walk_baseline();
+#if defined(__x86_64__)
+cromer_walk::Functions cromer_walk_avx2();
+cromer_walk::Functions cromer_walk_avx512();
+#endif
 
 namespace cromer::core {
 namespace {

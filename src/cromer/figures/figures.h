@@ -37,7 +37,7 @@ Figure network_fit_figure(const FittedNetwork& fitted);
 
 /// Of a network: its drawing, and the shapes of the first modes on it; of many masses as curves over their
 /// numbers. Of a recording: the singular values of its spectral matrix with the modes marked, over the
-/// stabilisation diagram.
+/// stabilisation diagram; beside a network also its shapes on that.
 Figure modes_figure(const ModesResult& result);
 
 /// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate

@@ -9,6 +9,7 @@
 #include "cromer/base/length_unit.h"
 #include "cromer/base/quantity.h"
 #include "cromer/figures/motion_curves.h"
+#include "cromer/figures/panels.h"
 #include "cromer/report/enhanced_text.h"
 
 namespace cromer::core {
@@ -139,20 +140,6 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
     figure.panels.back().title = "What the law leaves of what was held out";
   }
   if (fitted.decay_by_amplitude.size() >= 3) figure.panels.push_back(decay_panel(fitted));
-}
-
-/// The name of a file without its folders; a long one is cut in the middle.
-std::string short_name(std::string_view file) {
-  constexpr std::size_t longest = 34, end = 14;
-  const auto slash = file.find_last_of('/');
-  std::string name(slash == std::string_view::npos ? file : file.substr(slash + 1));
-  if (name.size() <= longest) return name;
-  // Do not cut a UTF-8 character.
-  const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80; };
-  std::size_t front = longest - end - 1, back = name.size() - end;
-  while (front > 0 && inside(front)) --front;
-  while (back < name.size() && inside(back)) ++back;
-  return name.substr(0, front) + "…" + name.substr(back);
 }
 
 /// One small panel for each recording, with its title above.

@@ -5,6 +5,7 @@
 
 #include "cromer/figures/figures.h"
 #include "cromer/figures/network_drawing.h"
+#include "cromer/figures/panels.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/report/palette.h"
 
@@ -100,34 +101,43 @@ Panel shape_panel(const ModesResult& result, const NaturalMode& mode) {
   return panel;
 }
 
-Figure network_modes_figure(const ModesResult& result) {
-  constexpr std::size_t most = 4;
-  Figure figure;
-  figure.id = "modes";
-  figure.title = "Modes";
-  const std::size_t shown = std::min(most, result.modes.size());
-  figure.caption = fmt::format("{}: {} masses, the shapes of {} of {} modes.", result.file,
-                               result.names.size(), shown, result.modes.size());
-  figure.size = FigureSize::wide;
-  if (result.names.size() <= most_masses_drawn) {
-    figure.panels.push_back(network_drawing(*result.network));
-    figure.panels.back().title = figure_text(result.file);
-  }
-  for (std::size_t j = 0; j < shown; ++j) {
+constexpr std::size_t most_shapes = 4;
+
+/// The shapes of the first modes on the network.
+void add_shapes(Figure& figure, const ModesResult& result) {
+  for (std::size_t j = 0; j < std::min(most_shapes, result.modes.size()); ++j) {
     const NaturalMode& mode = result.modes[j];
     Panel& panel = figure.panels.emplace_back(shape_panel(result, mode));
     panel.title = fmt::format("Mode {}", j + 1);
     if (std::isfinite(mode.frequency.value)) panel.title += fmt::format(": {:.4g} Hz", mode.frequency.value);
     if (std::isfinite(mode.damping_ratio.value))
       panel.title += fmt::format(", damping ratio {:.3g} %", 100 * mode.damping_ratio.value);
+    if (mode.of_network)
+      panel.title += fmt::format(", MAC {:.3f} with the network's mode {}", mode.of_network->assurance,
+                                 mode.of_network->mode);
   }
+}
+
+Figure network_modes_figure(const ModesResult& result) {
+  Figure figure;
+  figure.id = "modes";
+  figure.title = "Modes";
+  figure.caption =
+      fmt::format("{}: {} masses, the shapes of {} of {} modes.", result.file, result.names.size(),
+                  std::min(most_shapes, result.modes.size()), result.modes.size());
+  figure.size = FigureSize::wide;
+  if (result.names.size() <= most_masses_drawn) {
+    figure.panels.push_back(network_drawing(*result.network));
+    figure.panels.back().title = figure_text(short_name(result.file));
+  }
+  add_shapes(figure, result);
   return figure;
 }
 
 }  // namespace
 
 Figure modes_figure(const ModesResult& result) {
-  if (result.network) return network_modes_figure(result);
+  if (!result.recording) return network_modes_figure(result);
   const ModalSource& source = *result.recording;
   Figure figure;
   figure.id = "modes";
@@ -135,7 +145,7 @@ Figure modes_figure(const ModesResult& result) {
   figure.caption =
       fmt::format("{}: {} channels, {} modes.", result.file, result.names.size(), result.modes.size());
   figure.size = FigureSize::wide;
-  figure.shared_x = true;
+  figure.shared_x = !result.network;
   figure.panels.push_back(spectrum_panel(source));
   if (!source.found.poles.empty()) figure.panels.push_back(stabilisation_panel(source));
   const double lags = source.found.lag_step > 0 ? 0.5 / source.found.lag_step : source.rate;
@@ -145,6 +155,7 @@ Figure modes_figure(const ModesResult& result) {
     panel.x.high = std::min(source.rate / 2, lags);
   }
   mark_modes(figure.panels.front(), source.found.modes);
+  if (result.network) add_shapes(figure, result);
   return figure;
 }
 

@@ -73,7 +73,7 @@ Figure network_figure(std::span<const NetworkRun> runs) {
                                network.masses.size(), first.step);
   if (network.masses.size() <= most_masses_drawn) {
     figure.panels.push_back(network_drawing(network));
-    figure.panels.back().title = figure_text(first.file);
+    figure.panels.back().title = figure_text(short_name(first.file));
   }
   if (!several) {
     Panel& panel = figure.panels.emplace_back(units.panel(quantity));

@@ -71,6 +71,19 @@ TimeUnit time_unit(double duration) {
   return duration >= 5e-4 ? TimeUnit{"ms", 1e-3} : TimeUnit{"µs", 1e-6};
 }
 
+std::string short_name(std::string_view file) {
+  constexpr std::size_t longest = 34, end = 14;
+  const auto slash = file.find_last_of('/');
+  std::string name(slash == std::string_view::npos ? file : file.substr(slash + 1));
+  if (name.size() <= longest) return name;
+  // Do not cut a UTF-8 character.
+  const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80; };
+  std::size_t front = longest - end - 1, back = name.size() - end;
+  while (front > 0 && inside(front)) --front;
+  while (back < name.size() && inside(back)) ++back;
+  return name.substr(0, front) + "…" + name.substr(back);
+}
+
 std::string samples_in_words(std::size_t samples) {
   return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
 }

@@ -42,6 +42,9 @@ struct TimeUnit {
 };
 TimeUnit time_unit(double duration);
 
+/// The name of a file without its folders; a long one is cut in the middle.
+std::string short_name(std::string_view file);
+
 /// "1 sample", "12 samples".
 std::string samples_in_words(std::size_t samples);
 

@@ -23,6 +23,18 @@ struct Described<ModeByMethod> {
 };
 
 template <>
+struct Described<ModeOfNetwork> {
+  static constexpr std::string_view name = "ModeOfNetwork";
+  static constexpr auto entries =
+      members(field("mode", &ModeOfNetwork::mode, "", "from 1, by rising frequency"),
+              field("frequency", &ModeOfNetwork::frequency, "Hz", "the network's").known(),
+              field("damping_ratio", &ModeOfNetwork::damping_ratio, "", "the network's").known(),
+              field("mac", &ModeOfNetwork::assurance, "",
+                    "modal assurance criterion of the two shapes: 1 for the same, 0 for unlike ones")
+                  .known());
+};
+
+template <>
 struct Described<NaturalMode> {
   static constexpr std::string_view name = "NaturalMode";
   static constexpr auto entries =
@@ -59,6 +71,8 @@ struct Described<NaturalMode> {
               field("participation", &NaturalMode::participation, "",
                     "effective modal mass over the whole mass, for ground that shakes all the same; null for "
                     "recordings"),
+              field("of_network", &NaturalMode::of_network, "",
+                    "the mode of the network beside it that it is; null without one"),
               field("methods", &NaturalMode::methods, "", "what each method really simulates of it"));
 };
 

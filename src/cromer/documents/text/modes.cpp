@@ -39,21 +39,44 @@ std::string shapes_text(const ModesResult& result) {
   return "\n" + text_table(rows, 1, rows[0].size());
 }
 
+std::string percent_off_if_known(const std::optional<double>& value, double asked) {
+  return value && asked != 0 && std::isfinite(asked) ? percent_off(*value / asked - 1) : "";
+}
+
+/// The network's modes against what was recorded.
+std::string network_text(const ModesResult& result) {
+  if (!result.recording || !result.network) return "";
+  std::vector<std::vector<std::string>> rows{
+      {"mode", "of the network", "frequency (Hz)", "off by", "damping ratio", "off by", "MAC"}};
+  for (std::size_t j = 0; j < result.modes.size(); ++j) {
+    const NaturalMode& mode = result.modes[j];
+    rows.push_back({fmt::format("{}", j + 1)});
+    if (const auto& of = mode.of_network)
+      for (const std::string& cell :
+           {fmt::format("mode {}", of->mode), known_or_dash(of->frequency),
+            percent_off_if_known(of->frequency, mode.frequency.value), known_or_dash(of->damping_ratio),
+            percent_off_if_known(of->damping_ratio, mode.damping_ratio.value),
+            fmt::format("{:.4f}", of->assurance)})
+        rows.back().push_back(cell);
+    else
+      rows.back().insert(rows.back().end(), {"-", "", "", "", "", ""});
+  }
+  return "\n" + text_table(rows, 1, rows[0].size());
+}
+
 std::string methods_text(const ModesResult& result) {
   if (result.modes.empty() || result.modes.front().methods.empty()) return "";
   std::vector<std::vector<std::string>> rows{
       {"mode", "method", "step (s)", "frequency (Hz)", "off by", "damping ratio", "off by", "stable"}};
   std::string words;
-  const auto off = [](const std::optional<double>& value, double asked) {
-    return value && asked != 0 && std::isfinite(asked) ? percent_off(*value / asked - 1) : "";
-  };
   const auto number = [](const std::optional<double>& value) { return value ? known_or_dash(*value) : "-"; };
   for (std::size_t j = 0; j < result.modes.size(); ++j)
     for (const ModeByMethod& by : result.modes[j].methods) {
       const NaturalMode& mode = result.modes[j];
       rows.push_back({fmt::format("{}", j + 1), by.method, fmt::format("{:.6g}", by.step),
-                      number(by.frequency()), off(by.frequency(), mode.frequency.value),
-                      number(by.damping_ratio()), off(by.damping_ratio(), mode.damping_ratio.value),
+                      number(by.frequency()), percent_off_if_known(by.frequency(), mode.frequency.value),
+                      number(by.damping_ratio()),
+                      percent_off_if_known(by.damping_ratio(), mode.damping_ratio.value),
                       by.effect.stable ? "yes" : "no"});
       words += fmt::format("mode {}: {} {}\n", j + 1, by.method, in_words(by.words));
     }
@@ -75,7 +98,8 @@ std::string modes_text(const ModesResult& result) {
     if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");
   }
   const std::string motion = result.recording ? "\n" + in_words(result.recording->words) + "\n" : "";
-  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + methods_text(result) + motion;
+  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + network_text(result) +
+         methods_text(result) + motion;
 }
 
 }  // namespace cromer::core

@@ -53,6 +53,8 @@ constexpr Entry entries[] = {
      "{--step} einer Aufnahme braucht die {--of-method}, die ihn machte"},
     {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
      "{--of-method} braucht den {--step}, den sie machte"},
+    {"network_beside_network", error, "{file}: {--network} is set beside a recording, and this is a network",
+     "{file}: {--network} wird mit einer Aufnahme verglichen, und dies ist ein Netz"},
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
      "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.
@@ -229,6 +231,25 @@ constexpr Entry entries[] = {
      "modes were sought",
      "die Linie bei {frequency:.4g} Hz ist gleichbleibend: sie ist die einer Maschine und keine "
      "Eigenschwingung; sie wurde vor der Suche nach Eigenschwingungen abgezogen"},
+    {"channels_look_swapped", wrong_if_ignored,
+     "\"{first}\" and \"{second}\" look swapped: if they are, the shapes agree with the network's (mean MAC "
+     "{swapped:.2f}), and as they stand they do not ({mac:.2f}); columns are to stand in the order of the "
+     "masses",
+     "„{first}“ und „{second}“ sehen vertauscht aus: vertauscht stimmen die Formen mit denen des Netzes "
+     "überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen in der "
+     "Reihenfolge der Massen stehen"},
+    {"channel_looks_reversed", wrong_if_ignored,
+     "\"{column}\" looks turned round: with its sign changed the shapes agree with the network's (mean MAC "
+     "{reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way its sensor points",
+     "„{column}“ sieht umgedreht aus: mit anderem Vorzeichen stimmen die Formen mit denen des Netzes überein "
+     "(mittlerer MAC {reversed:.2f}), so wie sie steht nicht ({mac:.2f}); bitte die Richtung des Sensors "
+     "prüfen"},
+    {"mode_unlike_network", worth_knowing,
+     "the mode at {frequency:.4g} Hz has a shape like none of the network's",
+     "die Eigenschwingung bei {frequency:.4g} Hz hat eine Form wie keine des Netzes"},
+    {"network_mode_not_found", worth_knowing,
+     "the network's mode {mode}, at {frequency:.4g} Hz, was not found in the recording",
+     "die Eigenschwingung {mode} des Netzes, bei {frequency:.4g} Hz, wurde in der Aufnahme nicht gefunden"},
     {"fewer_modes_than_channels", worth_knowing,
      "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
      "hardly "

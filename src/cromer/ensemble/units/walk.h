@@ -93,7 +93,7 @@ void walk_lanes(const cromer_walk::Filters& filters, const cromer_walk::Walk& wa
 
 }  // namespace cromer::core
 
-extern "C" cromer_walk::Functions CROMER_JOIN(cromer_walk, CROMER_UNIT)() {
+cromer_walk::Functions CROMER_JOIN(cromer_walk, CROMER_UNIT)() {
   using Pack = cromer::core::Pack<CROMER_PACK_ARCH>;
   return {cromer::core::walk_lanes<Pack>, cromer::core::walk_two<Pack>, cromer::core::reach_of_points<Pack>,
           cromer::core::reach_of_path<Pack>};

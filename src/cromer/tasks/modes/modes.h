@@ -45,12 +45,21 @@ struct ModeByMethod {
   std::optional<double> damping_ratio() const;
 };
 
+/// The mode of a network that one of a recording is.
+struct ModeOfNetwork {
+  std::size_t mode = 0;  ///< from 1, by rising frequency
+  double frequency = 0;  // [Hz]
+  double damping_ratio = 0;
+  double assurance = 0;  ///< how alike their shapes are, 0 to 1 (MAC)
+};
+
 struct NaturalMode {
   Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; not a number where nothing pulls back
   Estimate damping_ratio{};                   ///< not a number where the frequency is 0 or none
   std::vector<std::complex<double>> shape{};  ///< its largest component 1
   std::optional<double> participation{};      ///< effective modal mass over the whole; of networks
   std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings
+  std::optional<ModeOfNetwork> of_network{};        ///< of recordings set beside a network
   std::vector<ModeByMethod> methods{};
 };
 
@@ -71,7 +80,7 @@ struct ModesResult {
   std::vector<NaturalMode> modes{};  ///< by rising frequency
   std::vector<Notice> notices{};
   std::optional<ModalSource> recording{};  ///< empty of a network
-  std::optional<Network> network{};        ///< empty of a recording
+  std::optional<Network> network{};        ///< that has these modes, or beside which they are set
   Notice message{};                        ///< why no modes were found; empty if some were
 
   bool ok() const { return message.empty(); }
@@ -84,8 +93,10 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
 
 /// The modes in a recording: all columns of one kind are its channels, those that a fit would take. With
 /// `of_method` they are those of the law that was simulated, without the method's share, and `methods` has
-/// what the recording itself shows. An Error says what is wrong with the options or the columns.
-Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {});
+/// what the recording itself shows. They are set beside those of a network whose masses are the channels, in
+/// this order. An Error says what is wrong with the options or the columns.
+Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {},
+                                    const Network* beside = nullptr);
 
 /// The most masses whose modes are sought.
 inline constexpr std::size_t most_masses_for_modes = 500;

@@ -9,6 +9,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
+#include "cromer/tasks/modes/beside_network.h"
 #include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/modes/modes_options.h"
 
@@ -136,9 +137,11 @@ void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool al
         Notice{"fewer_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
 }
 
-void doubt_modes(const ModalAnalysis& found, std::size_t channels, const ModesOptions& options,
-                 std::vector<Notice>& notices) {
-  const bool all = !options.from_frequency && !options.to_frequency && !options.modes;
+bool seeks_all(const ModesOptions& options) {
+  return !options.from_frequency && !options.to_frequency && !options.modes;
+}
+
+void doubt_modes(const ModalAnalysis& found, std::size_t channels, bool all, std::vector<Notice>& notices) {
   if (found.motion == ModalMotion::free_decay) return doubt_free_motion(found, channels, all, notices);
   for (const double line : found.lines) notices.push_back(Notice{"steady_line", {{"frequency", line}}});
   constexpr double enough = 15;
@@ -201,7 +204,8 @@ bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& 
 
 }  // namespace
 
-Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options) {
+Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options,
+                                    const Network* beside) {
   if (!options.method.empty()) return Error{"method_of_networks", {{"file", recording.file}}};
   if (options.step && options.of_method.empty()) return Error{"step_needs_of_method"};
   if (!options.step && !options.of_method.empty()) return Error{"of_method_needs_step"};
@@ -249,12 +253,14 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.message = found.highest_order > 0 ? Notice{"no_modes_found"} : Notice{"too_short_for_modes"};
   } else {
     result.recording->words = motion_in_words(found);
-    doubt_modes(found, result.names.size(), options, result.notices);
+    doubt_modes(found, result.names.size(), seeks_all(options), result.notices);
   }
   if (couples_modes(options, result.modes))
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty())
     for (NaturalMode& mode : result.modes) take_out(mode, options, result.notices);
+  if (beside)
+    if (auto good = set_beside(result, *beside, seeks_all(options)); !good) return good.error();
   return result;
 }
 

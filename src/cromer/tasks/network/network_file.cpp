@@ -248,4 +248,12 @@ Result<Network> read_network(std::string_view bytes, const std::string& file) {
 
 Result<Network> open_network(const std::string& path) { return known_network(open_network_file(path)); }
 
+Result<void> check_a_column_for_each_mass(const std::vector<std::string>& columns, const Network& network,
+                                          const std::string& file) {
+  if (columns.size() == network.masses.size()) return {};
+  return Error{
+      "columns_for_masses",
+      {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", network.masses.size()}}};
+}
+
 }  // namespace cromer::core

@@ -46,4 +46,8 @@ Result<Network> known_network(Result<NetworkFile> read);
 Result<Network> read_network(std::string_view bytes, const std::string& file);
 Result<Network> open_network(const std::string& path);
 
+/// As many columns of the recording `file` as masses, or an Error.
+Result<void> check_a_column_for_each_mass(const std::vector<std::string>& columns, const Network& network,
+                                          const std::string& file);
+
 }  // namespace cromer::core

@@ -38,10 +38,7 @@ Result<void> crop(Channels& channels, const FitOptions& options) {
 Result<void> check_columns(const Channels& channels, const NetworkFile& network, const std::string& file) {
   std::vector<std::string> columns;
   for (const Channel& channel : channels.each) columns.push_back(channel.column);
-  const std::size_t masses = network.network.masses.size();
-  if (channels.each.size() != masses)
-    return Error{"columns_for_masses",
-                 {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", masses}}};
+  if (auto good = check_a_column_for_each_mass(columns, network.network, file); !good) return good;
   const char* wanted = network.network.angles ? "angle" : "position";
   if (!channels.quantity.empty() && channels.quantity != wanted)
     return Error{"network_of_another_quantity", {{"file", file}}};
