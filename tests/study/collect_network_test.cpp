@@ -1,4 +1,5 @@
 // The named results of networks: their runs, and their modes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,6 +50,38 @@ TEST(CollectNetwork, NamesModesAndTheirBeat) {
   EXPECT_EQ(fact(results, "modes.1.methods.1.label"), "newmark");
   EXPECT_LT(value(results, "modes.1.methods.1.frequency_error"), 0);
   EXPECT_EQ(column(results, "modes.frequency").values.size(), 2u);
+}
+
+TEST(CollectNetwork, NamesWhatIsFound) {
+  const auto run = run_network(two_masses(), "n.toml", {.method = {"exact"}, .step = 0.05, .until = 30});
+  std::string bytes = "t (s),left (m),floor 1 (m)";
+  for (std::size_t n = 0; n < run->states.t.size(); ++n)
+    bytes += fmt::format("\n{:.17g},{:.17g},{:.17g}", run->states.t[n], run->states.x[0][n],
+                         run->states.x[1][n] + 0.25);
+  const auto recording = read_recording(bytes, "masses.csv", {});
+  ASSERT_TRUE(recording);
+  const auto open = read_network_file(
+      "[[mass]]\nname = \"left\"\nmass = 2\n[[mass]]\nname = \"floor 1\"\nmass = 2\n"
+      "[[link]]\nto = \"left\"\nstiffness = 8\n[[link]]\nto = \"floor 1\"\nstiffness = 8\n"
+      "[[link]]\nfrom = \"left\"\nto = \"floor 1\"\nstiffness = \"?\"\n",
+      "n.toml");
+  ASSERT_TRUE(open);
+  const auto fitted = fit_network(*recording, *open, "n.toml", {});
+  ASSERT_TRUE(fitted);
+  Results results;
+  collect("joint", *fitted, results);
+  EXPECT_NEAR(value(results, "joint.links.3.stiffness"), 1, 1e-9);
+  EXPECT_LE(value(results, "joint.links.3.stiffness.low"), value(results, "joint.links.3.stiffness.high"));
+  EXPECT_EQ(fact(results, "joint.links.3.to"), "floor 1");
+  EXPECT_NEAR(value(results, "joint.left.position"), 1, 1e-9);
+  EXPECT_NEAR(value(results, "joint.floor_1.equilibrium"), 0.25, 1e-9);
+  const ResultColumn measured = column(results, "joint.left.measured");
+  EXPECT_EQ(measured.unit, "m");
+  ASSERT_EQ(measured.values.size(), 601u);
+  EXPECT_EQ(column(results, "joint.t").values.size(), 601u);
+  for (const std::size_t n : {std::size_t{0}, std::size_t{333}})
+    EXPECT_EQ(column(results, "joint.left.fitted").values[n],
+              measured.values[n] - column(results, "joint.left.residual").values[n]);
 }
 
 }  // namespace

@@ -194,5 +194,24 @@ TEST(RunStudy, OptionsOfStudiesAloneReachTheirTasks) {
   EXPECT_EQ(fact(error, "e.2.label"), "verlet");
 }
 
+TEST(RunStudy, ModesOfARecordingStandBesideANetwork) {
+  const std::string networks = "../../../../data/networks/";
+  const StudyRun run = done("[[task]]\nmodes = \"wind\"\nfile = \"" + networks +
+                            "floors_in_wind.csv\"\nnetwork = \"" + networks + "frame.toml\"\n");
+  EXPECT_TRUE(run.failure.empty());
+  EXPECT_EQ(value(run.results, "wind.2.of_network.mode"), 2);
+  EXPECT_GT(value(run.results, "wind.2.of_network.mac"), 0.99);
+  EXPECT_NEAR(value(run.results, "wind.2.of_network.frequency") / value(run.results, "wind.2.frequency") - 1,
+              value(run.results, "wind.2.of_network.frequency_error"), 1e-12);
+}
+
+TEST(RunStudy, FitsOfNetworksSayWhatIsMissing) {
+  const std::string fit = "[[task]]\nfit = \"a\"\nnetwork = \"../../../../data/networks/";
+  EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\n"), HasSubstr("file"));
+  EXPECT_THAT(refusal(fit + "pendulums.toml\"\nfile = \"two_runs.csv\"\n"), HasSubstr("no value is open"));
+  EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\nfile = \"two_runs.csv\"\nmass = 2\n"),
+              HasSubstr("mass"));
+}
+
 }  // namespace
 }  // namespace cromer::core

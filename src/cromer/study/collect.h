@@ -11,6 +11,7 @@
 #include "cromer/tasks/curves/work_precision.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
@@ -29,9 +30,15 @@ void collect(const std::string& id, const SimulateResult& result, Results& resul
 /// of each mass; t, energy of each link, "id.N.links.N", which has energy_peak, energy_peak_t.
 void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results& results);
 
+/// "id": the entries of its description. "id.links.N.NAME" for each value found of link N, with .low and
+/// .high; "id.NAME" for each mass (its name as above): position, velocity, equilibrium, likewise, rms,
+/// r_squared. Columns t, and measured, fitted, residual of each mass.
+void collect(const std::string& id, const FittedNetwork& fitted, Results& results);
+
 /// "id": modes; of two modes beat_frequency, beat_period, and coupling, the difference of their squared
 /// frequencies over the sum. "id.N" for mode N: frequency, period, damping_ratio, participation; for each
-/// component of its shape NAME and NAME.phase; "id.N.methods.N": label, frequency, frequency_error,
+/// component of its shape NAME and NAME.phase; beside a network of_network.mode, .frequency,
+/// .frequency_error, .damping_ratio, .mac; "id.N.methods.N": label, frequency, frequency_error,
 /// damping_ratio. Columns mode, frequency, damping_ratio.
 void collect(const std::string& id, const ModesResult& found, Results& results);
 

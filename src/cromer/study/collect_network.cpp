@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/documents/described/modes.h"
+#include "cromer/documents/described/network_fit.h"
 #include "cromer/documents/described/network_run.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/facts.h"
@@ -52,11 +54,13 @@ void collect_mass(const std::string& name, const NetworkRun& run, std::size_t i,
   results.set_column(name + ".energy", std::move(energy), "J", "energy *E*");
 }
 
-void set_estimate(const std::string& name, const Estimate& estimate, std::string_view unit,
-                  Results& results) {
-  results.set(name, Quantity{estimate.value, estimate.standard_error}, unit);
-  results.set(name + ".low", estimate.low, unit);
-  results.set(name + ".high", estimate.high, unit);
+/// Facts with the units of lengths or of angles.
+Facts facts_of(bool angles, Results& results) {
+  return Facts(results, [angles](std::string_view unit) -> std::string_view {
+    if (unit == "m or rad") return angles ? "rad" : "m";
+    if (unit == "m/s or rad/s") return angles ? "rad/s" : "m/s";
+    return unit;
+  });
 }
 
 }  // namespace
@@ -64,13 +68,8 @@ void set_estimate(const std::string& name, const Estimate& estimate, std::string
 void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results& results) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const NetworkRun& run = runs[r];
-    const bool angles = run.network.angles;
     const std::string name = id + "." + std::to_string(r + 1);
-    Facts(results, [angles](std::string_view unit) -> std::string_view {
-      if (unit == "m or rad") return angles ? "rad" : "m";
-      if (unit == "m/s or rad/s") return angles ? "rad/s" : "m/s";
-      return unit;
-    }).set(name, NetworkDocument{run, false});
+    facts_of(run.network.angles, results).set(name, NetworkDocument{run, false});
     results.set(name + ".label", run.method);
     for (std::size_t i = 0; i < run.network.masses.size(); ++i)
       collect_mass(name + "." + as_part_of_name(run.network.masses[i].name), run, i, results);
@@ -86,20 +85,47 @@ void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results
   }
 }
 
+void collect(const std::string& id, const FittedNetwork& fitted, Results& results) {
+  const Network& network = fitted.asked.network;
+  const std::string_view unit = network.angles ? "rad" : "m";
+  const Facts facts = facts_of(network.angles, results);
+  facts.set(id, fitted);
+  results.set_column(id + ".t", fitted.channels.t, "s", "time *t*");
+  for (std::size_t i = 0; i < network.masses.size(); ++i) {
+    const std::string mass = id + "." + as_part_of_name(network.masses[i].name);
+    const std::vector<double>& measured = fitted.channels.each[i].y;
+    results.set_column(mass + ".measured", measured, unit, network.angles ? "angle *x*" : "position *x*");
+    if (i >= fitted.fit.columns.size()) continue;
+    facts.set(mass, MassOfFit{fitted, i});
+    const std::vector<double>& residual = fitted.fit.columns[i].residual;
+    std::vector<double> curve(residual.size());
+    for (std::size_t n = 0; n < curve.size(); ++n) curve[n] = measured[n] - residual[n];
+    results.set_column(mass + ".fitted", std::move(curve), unit,
+                       network.angles ? "angle *x*" : "position *x*");
+    results.set_column(mass + ".residual", residual, unit, "residual");
+  }
+}
+
 void collect(const std::string& id, const ModesResult& found, Results& results) {
+  const Facts facts(results, [](std::string_view unit) { return unit; });
   std::vector<double> number, frequency, damping_ratio;
   for (std::size_t j = 0; j < found.modes.size(); ++j) {
     const NaturalMode& mode = found.modes[j];
     const std::string name = id + "." + std::to_string(j + 1);
-    set_estimate(name + ".frequency", mode.frequency, "Hz", results);
+    facts.set(name + ".frequency", mode.frequency, "Hz");
     results.set(name + ".period", 1 / mode.frequency.value, "s");
-    set_estimate(name + ".damping_ratio", mode.damping_ratio, "", results);
+    facts.set(name + ".damping_ratio", mode.damping_ratio, "");
     if (mode.participation) results.set(name + ".participation", *mode.participation);
     for (std::size_t i = 0; i < found.names.size(); ++i) {
       const std::string mass = name + "." + as_part_of_name(found.names[i]);
       // With a sign where it swings in or against the phase of the largest.
       results.set(mass, std::abs(mode.shape[i]) * (mode.shape[i].real() < 0 ? -1 : 1));
       results.set(mass + ".phase", std::arg(mode.shape[i]), "rad");
+    }
+    if (mode.of_network) {
+      facts.set(name + ".of_network", *mode.of_network);
+      results.set(name + ".of_network.frequency_error",
+                  mode.of_network->frequency / mode.frequency.value - 1);
     }
     for (std::size_t m = 0; m < mode.methods.size(); ++m) {
       const ModeByMethod& by = mode.methods[m];

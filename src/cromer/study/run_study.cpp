@@ -1,154 +1,24 @@
 #include "cromer/study/run_study.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <span>
 
-#include "cromer/base/ascii.h"
-#include "cromer/base/nearest.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/in_file.h"
 #include "cromer/study/collect.h"
+#include "cromer/study/network_tasks.h"
+#include "cromer/study/work.h"
 #include "cromer/tasks/fit/said_of_runs.h"
-#include "cromer/tasks/modes_of_file.h"
-#include "cromer/tasks/network/network_file.h"
-#include "cromer/tasks/network_run/network_run.h"
-#include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
-#include "cromer/tasks/option_owner.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
 namespace {
 
-Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Option>& options) {
-  std::vector<std::string_view> names;
-  for (const Option& option : options) names.push_back(option.name);
-  const std::string near = nearest(setting.option, names);
-  if (task.command == "sweep")
-    if (const Notice why = sweep_refusal(setting.option, ""); !why.empty()) return setting.place.error(why);
-  Notice more;
-  if (const std::string_view owner = option_owner(setting.option); !owner.empty())
-    more = Notice{"option_of_other", {{"owner", owner}}};
-  else if (!near.empty())
-    more = Notice{"perhaps_quoted", {{"near", with_underscores(near)}}};
-  return setting.place.error(
-      Notice{"no_option_of_task",
-             {{"key", with_underscores(setting.option)}, {"task", task.command}, {"more", more}}});
-}
-
-/// Assigns every setting to its option, with results filled into the texts. Errors name the place in the
-/// study file; of an unknown key the nearest option is suggested.
-Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options,
-                             const Results& results) {
-  for (const Setting& setting : task.settings) {
-    const auto option = std::find_if(options.begin(), options.end(),
-                                     [&](const Option& each) { return each.name == setting.option; });
-    if (option == options.end()) return unknown(setting, task, options);
-    if (setting.values.size() != 1 && !option->is_list())
-      return setting.place.error(Notice{"key_takes_one_value", {{"key", with_underscores(setting.option)}}});
-    for (const std::string& value : setting.values) {
-      const auto text = fill(value, results);
-      if (!text) return setting.place.error(text.error().notice);
-      if (const auto assigned = assign(*option, *text); !assigned)
-        return setting.place.error(assigned.error().notice);
-    }
-  }
-  return {};
-}
-
-/// A path relative to the study file.
-std::string path_from(const Study& study, const std::string& file) {
-  return (std::filesystem::path(study.folder) / file).string();
-}
-
-/// What a task says besides its results.
-struct TaskReport {
-  std::vector<Notice> notices;
-  Notice failure;  ///< why it did not succeed; empty if it succeeded
-};
-
-/// A task of a study, and where its results go.
-struct Work {
-  const TaskSpec& task;
-  const Study& study;
-  Results& results;
-  const Watch& watch;
-
-  /// `file` is relative to the study file.
-  Result<Recording> recording(const std::string& file, const ReadOptions& options) const {
-    if (file.empty()) return task.place.error(Notice{"task_needs_file", {{"command", task.command}}});
-    auto recording = open_recording(path_from(study, file), options, file);
-    if (!recording) return error(recording.error());
-    return recording;
-  }
-
-  Error error(const Error& inner) const { return task.place.error(inner.notice); }
-};
-
-/// An option that only studies have.
-Option own_option(std::string_view name, Option::Target target, std::string_view unit = "",
-                  Range range = Range::any) {
-  return {.name = name,
-          .target = target,
-          .unit = unit,
-          .range = range,
-          .help = "",
-          .default_text = "",
-          .group = ""};
-}
-
-bool has_setting(const TaskSpec& task, std::string_view option) {
-  return std::any_of(task.settings.begin(), task.settings.end(),
-                     [&](const Setting& setting) { return setting.option == option; });
-}
-
-/// Runs of a network, whose file says what moves.
-Result<TaskReport> simulate_network(const Work& work) {
-  constexpr double memory_for_states = 1e9;  // [bytes]
-  SimulateOptions options;
-  options.memory = memory_for_states;
-  std::string file;
-  std::vector<Option> table;
-  for (const Option& option : options_of(options))
-    if (is_option_of_networks(option.name)) table.push_back(option);
-  table.push_back(own_option("network", &file));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto network = open_network(path_from(work.study, file));
-  if (!network) return work.error(network.error());
-  const auto runs = run_network_by_each(*network, file, options, work.watch);
-  if (!runs) return work.error(runs.error());
-  TaskReport report;
-  for (const NetworkRun& run : *runs) {
-    report.notices.insert(report.notices.end(), run.notices.begin(), run.notices.end());
-    if (!run.ok())
-      return TaskReport{report.notices,
-                        Notice{"run_ended_early", {{"run", run.method}, {"what", run.message}}}};
-  }
-  if (work.watch.interrupted()) return report;
-  collect(work.task.id, *runs, work.results);
-  return report;
-}
-
-Result<TaskReport> run_modes(const Work& work) {
-  ModesOptions options;
-  std::string file;
-  auto table = options_of(options);
-  table.push_back(own_option("file", &file));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  if (file.empty()) return work.task.place.error(Notice{"task_needs_file", {{"command", work.task.command}}});
-  const auto found = modes_of_file(path_from(work.study, file), options);
-  if (!found) return work.error(found.error());
-  if (!found->ok()) return TaskReport{found->notices, found->message};
-  collect(work.task.id, *found, work.results);
-  return TaskReport{found->notices, {}};
-}
-
 Result<TaskReport> run_simulate(const Work& work) {
-  if (has_setting(work.task, "network")) return simulate_network(work);
+  if (work.has_setting("network")) return simulate_network_task(work);
   SimulateOptions options;
-  if (const auto done = assign_settings(work.task, options_of(options), work.results); !done)
-    return done.error();
+  if (const auto done = work.assign_settings(options_of(options)); !done) return done.error();
   if (const auto done = load_drive(options, work.study.folder); !done) return work.error(done.error());
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
@@ -176,7 +46,7 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   std::string file;
   auto table = options_of(options);
   table.push_back(own_option("file", &file));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  if (const auto done = work.assign_settings(table); !done) return done.error();
   const auto recording = work.recording(file, read_of(options));
   if (!recording) return recording.error();
   const auto found = task(*recording, options, work.watch);
@@ -194,7 +64,9 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   return report;
 }
 
-Result<TaskReport> run_fit(const Work& work) { return run_on_recording<FitOptions>(work, fit); }
+Result<TaskReport> run_fit(const Work& work) {
+  return work.has_setting("network") ? fit_network_task(work) : run_on_recording<FitOptions>(work, fit);
+}
 
 Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }
 
@@ -203,7 +75,7 @@ template <class Options, class Task>
 Result<TaskReport> run_curves(const Work& work, Options& options, const std::vector<Option>& own, Task task) {
   auto table = options_of(options.simulate);
   table.insert(table.end(), own.begin(), own.end());
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  if (const auto done = work.assign_settings(table); !done) return done.error();
   const auto result = task();
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
@@ -250,7 +122,7 @@ Result<TaskReport> run_spectrum(const Work& work) {
   std::vector<std::string> names;
   auto table = options_of(options);
   table.push_back(own_option("file", &names));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  if (const auto done = work.assign_settings(table); !done) return done.error();
   if (names.empty()) names.emplace_back();
   std::vector<Recording> recordings;
   for (const auto& name : names) {
@@ -284,7 +156,8 @@ Result<TaskReport> run_sweep(const Work& work) {
   SweepOptions options;
   options.memory = memory_for_rows;
   const auto table = options_of(options);
-  if (const auto done = assign_settings(with_joined_grids(work.task, table), table, work.results); !done)
+  const TaskSpec joined = with_joined_grids(work.task, table);
+  if (const auto done = Work{joined, work.study, work.results, work.watch}.assign_settings(table); !done)
     return done.error();
   const auto result = sweep(options, work.watch);
   if (!result) return work.error(result.error());
@@ -300,9 +173,7 @@ Result<TaskReport> run_sweep(const Work& work) {
 /// The largest distance between the positions of two results, row by row.
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
-  if (const auto done =
-          assign_settings(work.task, {own_option("of", &of), own_option("minus", &minus)}, work.results);
-      !done)
+  if (const auto done = work.assign_settings({own_option("of", &of), own_option("minus", &minus)}); !done)
     return done.error();
   const auto a = work.results.column(of + ".x"), b = work.results.column(minus + ".x");
   if (!a) return work.error(a.error());
@@ -332,7 +203,7 @@ constexpr Command commands[] = {{"simulate", run_simulate},
                                 {"work-precision", run_work_precision},
                                 {"spectrum", run_spectrum},
                                 {"sweep", run_sweep},
-                                {"modes", run_modes}};
+                                {"modes", modes_task}};
 
 /// Runs one task and adds its results under its id.
 Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
