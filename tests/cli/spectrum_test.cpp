@@ -141,6 +141,10 @@ TEST(Spectrum, OfAFolderIsThatOfEachOfItsFiles) {
   EXPECT_EQ(document["motions"][2]["files"][0], "records/c.csv");
   EXPECT_THAT(document["motions"][2]["message"].get<std::string>(), HasSubstr("no rows of numbers"));
   EXPECT_FALSE(document["motions"][2].contains("spectra"));
+  std::filesystem::remove(folder.path("records/c.csv"));
+  const auto good = run({"records", "--json"}).json();
+  EXPECT_EQ(good["motions"].size(), 2u);
+  EXPECT_FALSE(good.contains("message"));
 }
 
 TEST(Spectrum, OfPairsIsThatOfEachPair) {

@@ -60,7 +60,8 @@ TEST(NetworkFigure, DrawsTheNetworkBesideItsMotion) {
   ASSERT_GE(figure.panels.size(), 2u);
   EXPECT_EQ(figure.panels[0].title, "carts.toml");
   for (const char* what : {"left", "right", "1.5 kg", "2.5 kg", "30 N/m", "7 N/m"})
-    EXPECT_TRUE(names(figure.panels[0], what)) << what << " in " << testing::PrintToString(texts_of(figure.panels[0]));
+    EXPECT_TRUE(names(figure.panels[0], what))
+        << what << " in " << testing::PrintToString(texts_of(figure.panels[0]));
 }
 
 TEST(NetworkFigure, DrawsTheShapesOfTheModes) {

@@ -209,8 +209,7 @@ TEST(RunStudy, FitsOfNetworksSayWhatIsMissing) {
   const std::string fit = "[[task]]\nfit = \"a\"\nnetwork = \"../../../../data/networks/";
   EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\n"), HasSubstr("file"));
   EXPECT_THAT(refusal(fit + "pendulums.toml\"\nfile = \"two_runs.csv\"\n"), HasSubstr("no value is open"));
-  EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\nfile = \"two_runs.csv\"\nmass = 2\n"),
-              HasSubstr("mass"));
+  EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\nfile = \"two_runs.csv\"\nmass = 2\n"), HasSubstr("mass"));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void collect_mass(const std::string& name, const NetworkRun& run, std::size_t i,
 }
 
 /// Facts with the units of lengths or of angles.
-Facts facts_of(bool angles, Results& results) {
+Facts network_facts(bool angles, Results& results) {
   return Facts(results, [angles](std::string_view unit) -> std::string_view {
     if (unit == "m or rad") return angles ? "rad" : "m";
     if (unit == "m/s or rad/s") return angles ? "rad/s" : "m/s";
@@ -69,7 +69,7 @@ void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const NetworkRun& run = runs[r];
     const std::string name = id + "." + std::to_string(r + 1);
-    facts_of(run.network.angles, results).set(name, NetworkDocument{run, false});
+    network_facts(run.network.angles, results).set(name, NetworkDocument{run, false});
     results.set(name + ".label", run.method);
     for (std::size_t i = 0; i < run.network.masses.size(); ++i)
       collect_mass(name + "." + as_part_of_name(run.network.masses[i].name), run, i, results);
@@ -88,7 +88,7 @@ void collect(const std::string& id, const std::vector<NetworkRun>& runs, Results
 void collect(const std::string& id, const FittedNetwork& fitted, Results& results) {
   const Network& network = fitted.asked.network;
   const std::string_view unit = network.angles ? "rad" : "m";
-  const Facts facts = facts_of(network.angles, results);
+  const Facts facts = network_facts(network.angles, results);
   facts.set(id, fitted);
   results.set_column(id + ".t", fitted.channels.t, "s", "time *t*");
   for (std::size_t i = 0; i < network.masses.size(); ++i) {
@@ -96,8 +96,13 @@ void collect(const std::string& id, const FittedNetwork& fitted, Results& result
     const std::vector<double>& measured = fitted.channels.each[i].y;
     results.set_column(mass + ".measured", measured, unit, network.angles ? "angle *x*" : "position *x*");
     if (i >= fitted.fit.columns.size()) continue;
-    facts.set(mass, MassOfFit{fitted, i});
-    const std::vector<double>& residual = fitted.fit.columns[i].residual;
+    const FittedColumn& column = fitted.fit.columns[i];
+    facts.set(mass + ".position", column.position, unit);
+    facts.set(mass + ".velocity", column.velocity, network.angles ? "rad/s" : "m/s");
+    facts.set(mass + ".equilibrium", column.offset, unit);
+    results.set(mass + ".rms", column.rms, unit);
+    results.set(mass + ".r_squared", column.explained);
+    const std::vector<double>& residual = column.residual;
     std::vector<double> curve(residual.size());
     for (std::size_t n = 0; n < curve.size(); ++n) curve[n] = measured[n] - residual[n];
     results.set_column(mass + ".fitted", std::move(curve), unit,

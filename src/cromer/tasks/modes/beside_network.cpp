@@ -101,9 +101,8 @@ std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vecto
     Mounting reversed(channels);
     reversed.sign[a] = -1;
     try_it(reversed, [&](double assurance) {
-      return Notice{
-          "channel_looks_reversed",
-          {{"column", found.names[a]}, {"mac", as_it_is.assurance}, {"reversed", assurance}}};
+      return Notice{"channel_looks_reversed",
+                    {{"column", found.names[a]}, {"mac", as_it_is.assurance}, {"reversed", assurance}}};
     });
   }
   return said;
@@ -122,8 +121,8 @@ Result<void> set_beside(ModesResult& found, const Network& network, bool all) {
   std::vector<bool> seen(modes->modes.size());
   for (const Match& each : chosen) {
     const NaturalMode& mode = modes->modes[each.of_network];
-    found.modes[each.found].of_network = ModeOfNetwork{
-        each.of_network + 1, mode.frequency.value, mode.damping_ratio.value, each.assurance};
+    found.modes[each.found].of_network =
+        ModeOfNetwork{each.of_network + 1, mode.frequency.value, mode.damping_ratio.value, each.assurance};
     seen[each.of_network] = true;
   }
   if (const auto wrong = mounted_wrongly(found, modes->modes, Agreement(chosen, found.modes.size()))) {
