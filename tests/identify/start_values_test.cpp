@@ -9,6 +9,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/motion/damped_phasor.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
@@ -212,6 +213,19 @@ TEST(StartValues, PendulumFromALargeAngleIsChosen) {
       EXPECT_TRUE(fit.law.has<Pendulum>()) << to_text(fit.law);
       EXPECT_NEAR(fit.angular_frequency().value, w0, 5 * fit.angular_frequency().standard_error);
     }
+}
+
+// A swing that does not decay seems to grow a little in every other record: noise is no reason to begin with
+// a negative decay rate.
+TEST(StartValues, ASwingThatDoesNotDecayIsNotTakenToGrow) {
+  Engine engine(3);
+  for (int i = 0; i < 20; ++i) {
+    const SyntheticRecord record = gappy_record({.noise = 0.02}, std::vector<bool>(2000, true), engine);
+    const auto start = find_start_values(record.record());
+    ASSERT_TRUE(start);
+    EXPECT_GE(start->phasor[DampedPhasor::decay_rate], 0) << i;
+    EXPECT_NEAR(start->phasor[DampedPhasor::angular_frequency], w0, 0.01);
+  }
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ Figure network_figure(std::span<const NetworkRun> runs) {
   }
   if (!several) {
     Panel& panel = figure.panels.emplace_back(units.panel(quantity));
+    panel.title = figure.title;
     for (std::size_t k = 0; k < drawn.size(); ++k)
       panel.curves.push_back(units.curve(first, drawn[k], family_role(k, drawn.size()),
                                          figure_text(network.masses[drawn[k]].name)));

@@ -239,11 +239,12 @@ constexpr Entry entries[] = {
      "überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen in der "
      "Reihenfolge der Massen stehen"},
     {"channel_looks_reversed", wrong_if_ignored,
-     "\"{column}\" looks turned round: with its sign changed the shapes agree with the network's (mean MAC "
-     "{reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way its sensor points",
-     "„{column}“ sieht umgedreht aus: mit anderem Vorzeichen stimmen die Formen mit denen des Netzes überein "
-     "(mittlerer MAC {reversed:.2f}), so wie sie steht nicht ({mac:.2f}); bitte die Richtung des Sensors "
-     "prüfen"},
+     "\"{column}\" looks turned round against the other channels: with its sign changed the shapes agree with "
+     "the network's (mean MAC {reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way the "
+     "sensors point",
+     "„{column}“ sieht gegen die anderen Kanäle umgedreht aus: mit anderem Vorzeichen stimmen die Formen mit "
+     "denen des Netzes überein (mittlerer MAC {reversed:.2f}), so wie sie steht nicht ({mac:.2f}); bitte die "
+     "Richtungen der Sensoren prüfen"},
     {"mode_unlike_network", worth_knowing,
      "the mode at {frequency:.4g} Hz has a shape like none of the network's",
      "die Eigenschwingung bei {frequency:.4g} Hz hat eine Form wie keine des Netzes"},
