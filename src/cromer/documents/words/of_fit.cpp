@@ -119,6 +119,14 @@ constexpr Entry entries[] = {
      "{--to}|the handles} choose another part",
      "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit {|{--from} und "
      "{--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+    {"swing_until_caught", worth_knowing,
+     "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
+     "less than a tenth of it, as when a hand catches it: only what comes before, {kept} of {samples} "
+     "samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
+     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
+     "} auf weniger als ein Zehntel davon, wie von einer Hand gehalten: nur was davor kommt, {kept} von "
+     "{samples} Messwerten, wird angepasst; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer "
+     "Teil wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "

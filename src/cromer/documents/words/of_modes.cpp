@@ -239,7 +239,8 @@ constexpr Entry entries[] = {
      "überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen in der "
      "Reihenfolge der Massen stehen"},
     {"channel_looks_reversed", wrong_if_ignored,
-     "\"{column}\" looks turned round against the other channels: with its sign changed the shapes agree with "
+     "\"{column}\" looks turned round against the other channels: with its sign changed the shapes agree "
+     "with "
      "the network's (mean MAC {reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way the "
      "sensors point",
      "„{column}“ sieht gegen die anderen Kanäle umgedreht aus: mit anderem Vorzeichen stimmen die Formen mit "

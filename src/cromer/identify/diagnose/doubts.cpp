@@ -108,13 +108,13 @@ std::size_t last_free(const Record& record, double begin, double end, double per
 
 }  // namespace
 
-Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
+std::optional<SwingStop> find_stop(const Record& record, double period, bool described) {
   // Friction stops a motion too, but the amplitude then halves within the last swings. Where a law describes
   // the record, only a stop after a slower fall is reported.
   constexpr double no_friction = 0.7;
   const double least_before = described ? no_friction : 0.6;
   std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
-  if (windows.size() < 8) return {};
+  if (windows.size() < 8) return std::nullopt;
   // And one window that ends with the record.
   if (const double end = record.t.back(); end > windows.back().to + 0.25 * period) {
     const auto first = std::lower_bound(record.t.begin(), record.t.end(), end - period) - record.t.begin();
@@ -139,13 +139,16 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
         std::upper_bound(record.t.begin(), record.t.end(), record.t[last] - period) - record.t.begin();
     const auto whole =
         record.y.subspan(static_cast<std::size_t>(first), last + 1 - static_cast<std::size_t>(first));
-    return Notice{"swing_stops",
-                  {{"from", record.t[last]},
-                   {"to", windows[i].from},
-                   {"amplitude", sinusoid_amplitude(whole)},
-                   {"unit", unit}}};
+    return SwingStop{record.t[last], windows[i].from, sinusoid_amplitude(whole)};
   }
-  return {};
+  return std::nullopt;
+}
+
+Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
+  const auto stop = find_stop(record, period, described);
+  if (!stop) return {};
+  return Notice{"swing_stops",
+                {{"from", stop->from}, {"to", stop->to}, {"amplitude", stop->amplitude}, {"unit", unit}}};
 }
 
 Notice few_samples(const Record& record, double w) {

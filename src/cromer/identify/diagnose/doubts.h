@@ -1,6 +1,7 @@
 // What speaks against a fit that converged: a swing that is not free, or that no law tried describes.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,17 @@ Notice wandering_zero(const Record& record, std::span<const double> residuals, s
 /// Share of the residuals' variance that the better of the two accounts for.
 double wandering_share(const Record& record, std::span<const double> residuals);
 
-/// The swing stops from one period to the next, with less than a tenth of its amplitude left, and does not
-/// come back. Else empty. Friction stops a swing nearly as fast: if a law describes the record
-/// (`described`), only stops that no friction makes are reported.
+struct SwingStop {
+  double from = 0, to = 0;  // [s] it is free until `from`, and has stopped by `to`
+  double amplitude = 0;     ///< up to `from`
+};
+
+/// Where the swing stops from one period to the next, with less than a tenth of its amplitude left, and does
+/// not come back. Friction stops a swing nearly as fast: if a law describes the record (`described`), only
+/// stops that no friction makes are found.
+std::optional<SwingStop> find_stop(const Record& record, double period, bool described);
+
+/// The same in words; empty without a stop.
 Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described);
 
 /// Even samples, fewer than four in a period: which other frequencies would look the same. Else empty.

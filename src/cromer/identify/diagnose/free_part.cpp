@@ -89,12 +89,12 @@ struct SwingAbout {
   double period = 0;  // [s]
 };
 
-// Period and centre without a spectrum: the median time between upward crossings of the last third's mean,
-// told from noise by a band about it.
-std::optional<SwingAbout> swing_of(const Record& record) {
-  const std::size_t n = record.t.size(), third = n - n / 3;
+// Period and centre without a spectrum: the median time between upward crossings of the mean of a part of the
+// samples, told from noise by a band about it.
+std::optional<SwingAbout> swing_about_mean_of(std::span<const double> part, const Record& record) {
+  const std::size_t n = record.t.size();
   SwingAbout swing;
-  for (std::size_t i = third; i < n; ++i) swing.centre += record.y[i] / static_cast<double>(n - third);
+  for (const double y : part) swing.centre += y / static_cast<double>(part.size());
   double squares = 0;
   for (const double y : record.y) squares += (y - swing.centre) * (y - swing.centre);
   const double band = 0.25 * std::sqrt(squares / static_cast<double>(n));
@@ -113,6 +113,11 @@ std::optional<SwingAbout> swing_of(const Record& record) {
   if (intervals.size() < 4) return std::nullopt;
   swing.period = upper_median(intervals);
   return swing;
+}
+
+// Of a swing that may have been held or driven at first.
+std::optional<SwingAbout> swing_of(const Record& record) {
+  return swing_about_mean_of(record.y.last(record.y.size() / 3), record);
 }
 
 // Root two times the standard deviation, over windows of two periods, each begun half a period after the
@@ -265,6 +270,11 @@ std::optional<FreePart> find_free_part(const Record& record) {
   if (!swing) return std::nullopt;
   if (auto part = after_the_drive(windows_of(record, swing->period), swing->period)) return part;
   return after_the_hold(record, *swing);
+}
+
+std::optional<double> period_of_crossings(const Record& record) {
+  const auto swing = swing_about_mean_of(record.y.first(record.y.size() / 3), record);
+  return swing ? std::optional(swing->period) : std::nullopt;
 }
 
 std::optional<LostMotion> find_lost_motion(const Record& record) {

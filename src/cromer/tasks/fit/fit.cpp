@@ -105,6 +105,40 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
   return choice;
 }
 
+// The samples from options.from to options.to alone.
+void keep(const FitOptions& part, Series& series, FittedSamples& samples) {
+  series = *used_part(std::move(series), part);
+  samples = without_outliers(series);
+}
+
+// What is driven or held at first is left out, with a notice.
+void begin_where_free(Series& series, FittedSamples& samples, std::vector<Notice>& notices) {
+  const auto part = find_free_part({samples.t, samples.y, series.resolution});
+  if (!part) return;
+  const std::size_t all = series.t.size();
+  keep({.from = part->from}, series, samples);
+  notices.push_back(
+      Notice{"free_part_taken", {{"reason", part->reason}, {"kept", series.t.size()}, {"samples", all}}});
+}
+
+// A swing that is caught in full swing is taken until then, with a notice.
+void end_where_caught(Series& series, FittedSamples& samples, std::vector<Notice>& notices) {
+  const Record record{samples.t, samples.y, series.resolution};
+  const auto period = period_of_crossings(record);
+  const auto stop = period ? find_stop(record, *period, true) : std::nullopt;
+  if (!stop) return;
+  constexpr double turning = 0.1;  // of a period: held where it turns, a swing looks free so much longer
+  const std::size_t all = series.t.size();
+  keep({.to = stop->from - turning * *period}, series, samples);
+  notices.push_back(Notice{"swing_until_caught",
+                           {{"from", stop->from},
+                            {"to", stop->to},
+                            {"amplitude", stop->amplitude},
+                            {"unit", unit_of(series)},
+                            {"kept", series.t.size()},
+                            {"samples", all}}});
+}
+
 // Why no law settles: the swing stops. Else empty. A viscous law is fitted without integration.
 Notice stop_of(const Record& record, bool angle, std::string_view unit, const Watch& watch) {
   LawFitOptions viscous;
@@ -162,19 +196,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   FittedRecording result = row_to_fit(series, *std::move(used), file, options);
   FittedSamples samples = without_outliers(result.series);
-  if (!options.from && !options.to) {
-    const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
-    if (part) {
-      FitOptions later = options;
-      later.from = part->from;
-      const std::size_t before = result.series.t.size();
-      result.series = *used_part(std::move(result.series), later);
-      samples = without_outliers(result.series);
-      result.notices.push_back(
-          Notice{"free_part_taken",
-                 {{"reason", part->reason}, {"kept", result.series.t.size()}, {"samples", before}}});
-    }
-  }
+  if (!options.from && !options.to) begin_where_free(result.series, samples, result.notices);
+  if (!options.to) end_where_caught(result.series, samples, result.notices);
   // The law's motion begins at the first sample that the fit sees; so must the series.
   if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
     FitOptions later = options;
