@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -140,6 +141,26 @@ TEST(SaidOfRecordings, ACaughtSwingIsFittedUntilThen) {
         EXPECT_GT(fit.series.t.back(), caught - 0.8);
         EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("as when a hand catches it: only what comes")));
       }
+}
+
+// A drive that ends leaves a strongly damped swing no time: what is fitted is the driven motion before.
+TEST(SaidOfRecordings, ADrivenMotionIsFittedUntilItsDriveEnds) {
+  const std::complex<double> own(-1.8, std::sqrt(36 - 1.8 * 1.8)), drive(0, 5);
+  const std::complex<double> steady = 0.5 / (drive * drive + 3.6 * drive + 36.0);
+  // From rest at the origin: x = Re(steady e^(i 5 t) + rest e^(own t)).
+  const double position = -steady.real(), velocity = -(drive * steady).real();
+  const std::complex<double> rest(position, (own.real() * position - velocity) / own.imag());
+  const auto moved = [&](double t) { return (steady * std::exp(drive * t) + rest * std::exp(own * t)).real(); };
+  const double end = 35;
+  const auto bytes = recorded({.duration = 50, .noise = 1e-4}, [&](double t) {
+    return t < end ? moved(t) : moved(end) * std::exp(-1.8 * (t - end)) * std::cos(own.imag() * (t - end));
+  });
+  const FittedRecording fit = fitted(bytes);
+  ASSERT_TRUE(fit.driven);
+  EXPECT_NEAR(fit.find("drive_frequency")->value, 5, 1e-3);
+  EXPECT_NEAR(fit.find("decay_rate")->value, 1.8, 0.2);
+  EXPECT_LT(fit.series.t.back(), end);
+  EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("the swing stops between")));
 }
 
 // What friction stops is no catch, however few swings are left.

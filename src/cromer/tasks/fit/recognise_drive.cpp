@@ -226,6 +226,8 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
+  for (const Notice& notice : free.notices)
+    if (notice.code == "swing_until_caught") driven->notices.push_back(notice);
   if (undecided) {
     leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes, unit_of(driven->series)));
   } else {
