@@ -43,7 +43,7 @@ std::vector<Match> matches(const std::vector<NaturalMode>& found, const std::vec
   for (std::size_t j = 0; j < found.size(); ++j) {
     const Shape shape = mounting.seen_by_masses(found[j].shape);
     for (std::size_t k = 0; k < of_network.size(); ++k) {
-      if (!(of_network[k].frequency.value > 0)) continue;
+      if (!(found[j].frequency.value > 0) || !(of_network[k].frequency.value > 0)) continue;
       const double alike = modal_assurance(shape, of_network[k].shape);
       const double apart = std::abs(std::log(found[j].frequency.value / of_network[k].frequency.value));
       if (alike >= least_assurance) all.push_back({j, k, alike, alike - apart});
