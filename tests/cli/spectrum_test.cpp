@@ -212,8 +212,9 @@ TEST(Spectrum, AnInterruptLeavesTheMotionsThatAreDone) {
   EXPECT_LT(motions.size(), 400u);
   EXPECT_EQ(document["missing"].size(), 400 - motions.size());
   EXPECT_EQ(document["missing"].back(), "r399.csv");
+  // Where none was done there is no table.
   const std::size_t rows = lines_of(folder.read("done.csv")).size();
-  EXPECT_EQ(rows, 1 + 2000 * motions.size());
+  EXPECT_EQ(rows, motions.empty() ? 0 : 1 + 2000 * motions.size());
 }
 
 TEST(Spectrum, OfAShock) {

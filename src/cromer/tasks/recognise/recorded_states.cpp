@@ -60,7 +60,8 @@ std::vector<double> rounding_steps(const std::vector<double>& values) {
     last_place = std::min(last_place, each.last_place());
   }
   // Written to a decimal place, no value has a digit beyond that of the largest.
-  const bool to_a_place = last_place >= largest - most_digits + 1;
+  const bool to_a_place =
+      last_place >= largest - (most_digits - 1);  // of zeros alone `largest` is the least int
   std::vector<double> steps;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double of_double = std::numeric_limits<double>::epsilon() * std::abs(values[i]);
