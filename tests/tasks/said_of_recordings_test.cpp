@@ -150,7 +150,9 @@ TEST(SaidOfRecordings, ADrivenMotionIsFittedUntilItsDriveEnds) {
   // From rest at the origin: x = Re(steady e^(i 5 t) + rest e^(own t)).
   const double position = -steady.real(), velocity = -(drive * steady).real();
   const std::complex<double> rest(position, (own.real() * position - velocity) / own.imag());
-  const auto moved = [&](double t) { return (steady * std::exp(drive * t) + rest * std::exp(own * t)).real(); };
+  const auto moved = [&](double t) {
+    return (steady * std::exp(drive * t) + rest * std::exp(own * t)).real();
+  };
   const double end = 35;
   const auto bytes = recorded({.duration = 50, .noise = 1e-4}, [&](double t) {
     return t < end ? moved(t) : moved(end) * std::exp(-1.8 * (t - end)) * std::cos(own.imag() * (t - end));

@@ -9,7 +9,8 @@ constexpr Entry entries[] = {
     // The report of one's own recordings: its head.
     {"report_file_head", clause,
      "# To make the report again: cromer report study.toml -o report\n"
-     "# Numbers are put in anew each time. Which sentences stand here was decided by the numbers of the first\n"
+     "# Numbers are put in anew each time. Which sentences stand here was decided by the numbers of the "
+     "first\n"
      "# time: with other recordings, or another mass or part, begin with: cromer report FILE... -o report",
      "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht\n"
      "# Zahlen werden jedes Mal neu eingesetzt. Welche Sätze hier stehen, haben die Zahlen beim ersten Mal\n"

@@ -106,7 +106,7 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
 }
 
 // The samples from options.from to options.to alone.
-void keep(const FitOptions& part, Series& series, FittedSamples& samples) {
+void keep_part(const FitOptions& part, Series& series, FittedSamples& samples) {
   series = *used_part(std::move(series), part);
   samples = without_outliers(series);
 }
@@ -116,7 +116,7 @@ void begin_where_free(Series& series, FittedSamples& samples, std::vector<Notice
   const auto part = find_free_part({samples.t, samples.y, series.resolution});
   if (!part) return;
   const std::size_t all = series.t.size();
-  keep({.from = part->from}, series, samples);
+  keep_part({.from = part->from}, series, samples);
   notices.push_back(
       Notice{"free_part_taken", {{"reason", part->reason}, {"kept", series.t.size()}, {"samples", all}}});
 }
@@ -129,7 +129,7 @@ void end_where_caught(Series& series, FittedSamples& samples, std::vector<Notice
   if (!stop) return;
   constexpr double turning = 0.1;  // of a period: held where it turns, a swing looks free so much longer
   const std::size_t all = series.t.size();
-  keep({.to = stop->from - turning * *period}, series, samples);
+  keep_part({.to = stop->from - turning * *period}, series, samples);
   notices.push_back(Notice{"swing_until_caught",
                            {{"from", stop->from},
                             {"to", stop->to},
