@@ -124,6 +124,12 @@ const go = async (page, hash) => {
     await settled(page)
     assert.match(await command(), /^cromer fit words\.csv --skip-bad-rows$/)
     await fitted(page, 'caught.csv', recording(20, (t, i) => 0.2 + (t < 12 ? 0.03 * Math.exp(-0.02 * t) * Math.cos(9 * t) : 0) + noise(i)))
+    // what comes after the catch is left out unasked; who takes some of it in is offered to trim
+    assert.match(await page.locator('main').innerText(), /as when a hand catches it: only what comes before/)
+    assert.match(await command(), /^cromer fit caught\.csv$/)
+    await page.getByRole('slider', { name: 'end of the free part' }).focus()
+    await page.keyboard.press('ArrowLeft')
+    await settled(page)
     await page.getByRole('button', { name: 'Trim to the swing' }).click()
     await settled(page)
     assert.match(await command(), /^cromer fit caught\.csv --to (11|12)/)
