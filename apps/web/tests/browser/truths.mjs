@@ -127,6 +127,7 @@ const go = async (page, hash) => {
     // what comes after the catch is left out unasked; who takes some of it in is offered to trim
     assert.match(await page.locator('main').innerText(), /as when a hand catches it: only what comes before/)
     assert.match(await command(), /^cromer fit caught\.csv$/)
+    assert.match(await page.locator('.caption', { hasText: 'Free part' }).innerText(), /0\.00\u00a0s to 11\.\d\d\u00a0s/)
     await page.getByRole('slider', { name: 'end of the free part' }).focus()
     await page.keyboard.press('ArrowLeft')
     await settled(page)
