@@ -121,25 +121,30 @@ std::optional<SwingStop> find_stop(const Record& record, double period, bool des
     windows.push_back(
         {end - period, end, sinusoid_amplitude(record.y.subspan(static_cast<std::size_t>(first)))});
   }
-  double largest = 0, later = 0;
+  double largest = 0;
   for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
-  // From the end: the largest amplitude of all that follows, against the one before the window between.
-  for (std::size_t i = windows.size() - 1; i >= 4; --i) {
-    later = std::max(later, windows[i].amplitude);
-    const double before = windows[i - 2].amplitude;
-    // Below half a rounding step nothing is seen of a swing that goes on.
-    const bool in_full_swing = before > 0.2 * largest && before > 5 * record.resolution &&
-                               before > least_before * windows[i - 4].amplitude,
-               nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
-                             before > no_friction * windows[i - 4].amplitude;
-    if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
-    const double ratio = std::min(1.0, windows[i - 3].amplitude / windows[i - 4].amplitude);
-    const std::size_t last = last_free(record, windows[i - 2].from, windows[i].from, period, ratio);
-    const auto first =
-        std::upper_bound(record.t.begin(), record.t.end(), record.t[last] - period) - record.t.begin();
-    const auto whole =
-        record.y.subspan(static_cast<std::size_t>(first), last + 1 - static_cast<std::size_t>(first));
-    return SwingStop{record.t[last], windows[i].from, sinusoid_amplitude(whole)};
+  // From the end: the largest amplitude of all that follows, against the one before the window between, or
+  // before two windows, in which it is stopped slowly.
+  for (const std::size_t back : {2, 3}) {
+    const double least = back == 2 ? least_before : no_friction;
+    double later = 0;
+    for (std::size_t i = windows.size() - 1; i >= back + 2; --i) {
+      later = std::max(later, windows[i].amplitude);
+      const double before = windows[i - back].amplitude, earlier = windows[i - back - 2].amplitude;
+      // Below half a rounding step nothing is seen of a swing that goes on.
+      const bool in_full_swing =
+                     before > 0.2 * largest && before > 5 * record.resolution && before > least * earlier,
+                 nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
+                               before > no_friction * earlier;
+      if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
+      const double ratio = std::min(1.0, windows[i - back - 1].amplitude / earlier);
+      const std::size_t last = last_free(record, windows[i - back].from, windows[i].from, period, ratio);
+      const auto first =
+          std::upper_bound(record.t.begin(), record.t.end(), record.t[last] - period) - record.t.begin();
+      const auto whole =
+          record.y.subspan(static_cast<std::size_t>(first), last + 1 - static_cast<std::size_t>(first));
+      return SwingStop{record.t[last], windows[i].from, sinusoid_amplitude(whole)};
+    }
   }
   return std::nullopt;
 }
