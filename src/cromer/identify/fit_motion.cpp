@@ -211,6 +211,7 @@ struct FoundMinimum {
   Minimum minimum;
   double h = 0;
   int iterations = 0;
+  bool hopeless = false;  // no minimum: it was given up on the way
 };
 
 // Most of the way in coarse steps and on few samples, then as fine as the residuals ask for.
@@ -228,15 +229,16 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
   coarse.residuals = static_cast<int>(thinned.record.t.size());
   const Grown start = grow(problem, known, found.h, steps.period());
-  // What is only compared, and hopeless, is seen as it is.
+  // What is hopeless is seen as it is.
   const auto as_it_is = [&](const Parameters& parameters, LeastSquaresReason reason) {
     LeastSquaresSummary& here = found.minimum.bounded;
     here = {.reason = reason, .parameters = parameters, .equations = problem.model(found.h)(parameters)};
     if (!std::isfinite(here.equations.sum_of_squares)) here.reason = LeastSquaresReason::not_finite;
     found.minimum.free = here;
+    found.hopeless = true;
     return found;
   };
-  if (roughly && start.hopeless) return as_it_is(start.parameters, LeastSquaresReason::iteration_limit);
+  if (start.hopeless) return as_it_is(start.parameters, LeastSquaresReason::iteration_limit);
   const LeastSquaresSummary summary =
       minimise(problem.model(thinned.record, found.h), start.parameters, coarse);
   found.iterations = summary.iterations;
@@ -247,8 +249,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   constexpr double refined = 1.2;
   const bool beaten = leaves(refined);
   const bool settled = summary.reason == LeastSquaresReason::converged;
-  if (roughly && (leaves(given_up) || (beaten && settled)))
-    return as_it_is(summary.parameters, summary.reason);
+  if (leaves(given_up) || (roughly && beaten && settled)) return as_it_is(summary.parameters, summary.reason);
   if (roughly || beaten) {
     settings.error_tolerance = 1e-2;
     found.minimum = minimise_both(problem.model(found.h), summary.parameters, settings);
@@ -557,7 +558,7 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
 
   // Of the minima for several numbers of half swings before a rest the lowest counts.
   std::vector<LeastSquaresSummary> minima{minimum.bounded};
-  if (options.drive.kind == DriveKind::none && options.law.has<Friction>()) {
+  if (options.drive.kind == DriveKind::none && options.law.has<Friction>() && !found.hopeless) {
     const LeastSquaresOptions settings = problem.settings(record);
     minima = rest_minima(record, fitted, minimum.bounded, settings, found.h, watch);
     if (minima.front().equations.sum_of_squares < minimum.bounded.equations.sum_of_squares) {

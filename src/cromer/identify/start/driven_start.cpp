@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
@@ -55,19 +56,55 @@ std::vector<double> highest_lines(std::span<const double> y, double h, std::size
   return lines;
 }
 
-// E, the decaying sinusoid's cosine and sine, the steady one's.
-LinearFit best_linear(const EvenSamples& samples, double w, double g, double drive) {
-  NormalEquations equations{.size = 5};
-  const double h = samples.t[1] - samples.t[0];
-  const auto turn = std::polar(std::exp(-g * h), w * h), drive_turn = std::polar(1.0, drive * h);
-  std::complex<double> a = 1, b = 1;
-  for (std::size_t i = 0; i < samples.t.size(); ++i) {
-    const double row[] = {1, a.real(), a.imag(), b.real(), b.imag()};
-    equations.add_row(row, samples.y[i]);
-    a = {a.real() * turn.real() - a.imag() * turn.imag(), a.real() * turn.imag() + a.imag() * turn.real()};
-    b = {b.real() * drive_turn.real() - b.imag() * drive_turn.imag(),
-         b.real() * drive_turn.imag() + b.imag() * drive_turn.real()};
+// The powers 1, z, z², … of a turn z, one for each sample: a steady or decaying sinusoid, its cosine and
+// sine.
+struct Turning {
+  std::complex<double> turn, with_samples;  // and their sum of products with the samples
+};
+
+Turning turning(std::complex<double> turn, const EvenSamples& samples) {
+  double re = 1, im = 0, cosines = 0, sines = 0;
+  for (const double y : samples.y) {
+    cosines += re * y;
+    sines += im * y;
+    const double next = re * turn.real() - im * turn.imag();
+    im = re * turn.imag() + im * turn.real();
+    re = next;
   }
+  return {turn, {cosines, sines}};
+}
+
+// 1 + z + … + zⁿ⁻¹.
+std::complex<double> geometric_sum(std::complex<double> z, double n) {
+  const std::complex<double> rest = 1.0 - z;
+  return std::abs(rest) < 1e-12 ? n : (1.0 - std::pow(z, n)) / rest;
+}
+
+// E, the decaying sinusoid's cosine and sine, the steady one's; E's equation is given. All sums of products
+// but those with the samples are geometric.
+LinearFit best_linear(NormalEquations equations, const Turning& decaying, const Turning& steady) {
+  const double n = equations.matrix[0][0];
+  // Sums of the products of cosines and sines of two of them, from their turns' product and quotient.
+  const auto multiply = [&](const Turning& one, const Turning& other, int row, int column) {
+    const auto together = geometric_sum(one.turn * other.turn, n),
+               apart = geometric_sum(one.turn * std::conj(other.turn), n);
+    equations.matrix[row][column] = (apart.real() + together.real()) / 2;
+    equations.matrix[row + 1][column + 1] = (apart.real() - together.real()) / 2;
+    equations.matrix[row][column + 1] = (together.imag() - apart.imag()) / 2;
+    equations.matrix[row + 1][column] = (together.imag() + apart.imag()) / 2;
+  };
+  multiply(decaying, decaying, 1, 1);
+  multiply(decaying, steady, 1, 3);
+  multiply(steady, steady, 3, 3);
+  for (const auto& [each, column] : {std::pair{decaying, 1}, std::pair{steady, 3}}) {
+    const std::complex<double> sum = geometric_sum(each.turn, n);
+    equations.matrix[0][column] = sum.real();
+    equations.matrix[0][column + 1] = sum.imag();
+    equations.right[column] = each.with_samples.real();
+    equations.right[column + 1] = each.with_samples.imag();
+  }
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < i; ++j) equations.matrix[i][j] = equations.matrix[j][i];
   return solve(equations, 1e-9);
 }
 
@@ -114,21 +151,32 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const EvenSamples coarse =
       even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
+  const double step = coarse.t[1] - coarse.t[0];
+  std::vector<Turning> driven;
+  for (const double wd : drives) driven.push_back(turning(std::polar(1.0, wd * step), coarse));
+  NormalEquations level_alone{.size = 5};
+  for (const double y : coarse.y) {
+    const double row[] = {1};
+    level_alone.add_row(row, y);
+  }
   double w_best = 0, g_best = 0, drive_best = 0;
   LinearFit best;
-  for (double wd : drives)
-    for (double w : natural) {
-      if (!(w > 0.2 * resolution) || !(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
-      for (double g = 0.3 / T; g < w; g *= 2.5) {
-        const LinearFit fit = best_linear(coarse, w, g, wd);
-        if (fit.rest < best.rest) {
-          best = fit;
-          w_best = w;
-          g_best = g;
-          drive_best = wd;
-        }
+  for (const double w : natural) {
+    if (!(w > 0.2 * resolution)) continue;
+    for (double g = 0.3 / T; g < w; g *= 2.5) {
+      const Turning decaying = turning(std::polar(std::exp(-g * step), w * step), coarse);
+      for (std::size_t i = 0; i < drives.size(); ++i) {
+        const double wd = drives[i];
+        if (!(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
+        const LinearFit fit = best_linear(level_alone, decaying, driven[i]);
+        if (!(fit.rest < best.rest)) continue;
+        best = fit;
+        w_best = w;
+        g_best = g;
+        drive_best = wd;
       }
     }
+  }
   if (!std::isfinite(best.rest)) return std::nullopt;
 
   const double s1 = w_best * w_best + g_best * g_best;
