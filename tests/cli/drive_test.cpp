@@ -83,6 +83,18 @@ TEST(Drive, IsNamedInTheParameters) {
   EXPECT_EQ(drive({"--drive", "base", "--base-displacement", "2 mm", "--drive-frequency", "1 Hz"}), "base");
 }
 
+// How long a drive lasts is one of its parameters; a step does not end.
+TEST(Drive, LastsAsLongAsAsked) {
+  const Folder folder;
+  const auto duration = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"simulate", "--drive-amplitude", "1", "--json", "--drive"});
+    return folder.run(arguments).json()["runs"][0]["parameters"].value("drive_duration", -1.0);
+  };
+  EXPECT_EQ(duration({"half-sine", "--drive-duration", "0.3"}), 0.3);
+  EXPECT_EQ(duration({"chirp", "--drive-duration", "5", "--drive-frequency", "1", "--drive-to", "20"}), 5);
+  EXPECT_EQ(duration({"step"}), -1);
+}
+
 TEST(Drive, SaysWhatGetsThrough) {
   const Folder folder;
   const std::vector<std::string> arguments{

@@ -106,6 +106,17 @@ TEST(SimulateFigure, CutsEveryPanelWhereARunGrowsWithoutEnd) {
   }
 }
 
+// What grows beyond all bounds within the two periods that are drawn is cut at three heights of the frame.
+TEST(SimulateFigure, DrawsNothingFarOutsideTheFrame) {
+  SimulateOptions options = swing({"exact", "forward-euler"});
+  options.step = 0.2;  // two radians: it more than doubles at each step
+  const Panel panel = drawn(options, "position").panels[0];
+  const Curve& grows = curve(panel, "forward Euler");
+  const double height = panel.y.high / 1.1;
+  EXPECT_NEAR(*std::max_element(grows.y.begin(), grows.y.end()), 3 * height, 1e-9);
+  EXPECT_NEAR(*std::min_element(grows.y.begin(), grows.y.end()), -3 * height, 1e-9);
+}
+
 /// The remark of the only run's position.
 std::string remark_of(const SimulateOptions& options) {
   return drawn(options, "position").panels[0].curves[0].remark;

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
@@ -259,6 +262,24 @@ TEST_F(MakePage, SaysWhereATextIsThatCannotBeFilled) {
   EXPECT_EQ(refusal(), "lab.toml:9:1: \"b\" has no runs to list");
   study_.key_figures[1].remark = {"{missing}", {"lab.toml", 4, 10}};
   EXPECT_EQ(refusal(), "lab.toml:4:10: \"missing\" is no result of this study");
+}
+
+// Of a report that fails nothing is left, and the folder only where it was there before.
+TEST(WriteReport, LeavesTheFolderAsItWas) {
+  const std::string place = testing::TempDir() + "cromer_reports";
+  std::filesystem::remove_all(place);
+  const std::string study = place + "/lab.toml", made = place + "/made", there = place + "/there";
+  std::filesystem::create_directories(there);
+  std::ofstream(study) << "title = \"Away\"\n[[task]]\nsimulate = \"away\"\nmethod = \"forward-euler\"\n"
+                          "step = 1\nuntil = 2000\n";
+  for (const std::string& folder : {made, there}) {
+    const auto written = write_report(study, folder, "today", "cromer");
+    ASSERT_TRUE(written) << in_words(written.error());
+    EXPECT_THAT(in_words(written->failure), testing::HasSubstr("diverged"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(made));
+  EXPECT_TRUE(std::filesystem::is_empty(there));
+  std::filesystem::remove_all(place);
 }
 
 }  // namespace

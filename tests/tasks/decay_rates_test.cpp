@@ -104,6 +104,16 @@ TEST(DecayByAmplitude, NeedsTwentyFourSamples) {
   EXPECT_THAT(decay_by_amplitude(fewer, fit), IsEmpty());
 }
 
+// A sinusoid that is fitted to noise has about the amplitude that noise shows.
+TEST(DecaySegments, ASwingThatIsOverHasNoRate) {
+  Swing swing;
+  NormalDeviates noise(5);
+  for (std::size_t i = 0; i < swing.t.size(); ++i)
+    if (swing.t[i] > 13) swing.y[i] = 1e-3 * noise.next();
+  const DecaySegments one = fit_segments(swing.record(), 1, 3, {});
+  EXPECT_EQ(one.segments.size(), 1u);
+}
+
 TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
   Swing swing;
   for (std::size_t i = 0; i < swing.t.size(); ++i)
