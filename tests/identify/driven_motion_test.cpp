@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "cromer/identify/motion/motion_system.h"
 #include "tests/identify/forced_truth.h"
 
@@ -56,6 +60,27 @@ TEST(DrivenMotion, DerivativesByAllParametersAreExact) {
                                observed, 0.01);
     }
   }
+}
+
+// A slow drive holds the body against its friction, and breaks it loose, twice in a period: when it does is
+// found within the step.
+TEST(DrivenMotion, BreaksLooseWhenThePullExceedsTheFriction) {
+  Motion motion{.law = law_of("viscous+friction"), .cosine = 2, .drive_frequency = 1, .position = 0.03};
+  motion.set_angular_frequency(6);
+  motion.set_decay_rate(0.1);
+  motion.per_mass.friction = 0.7;
+  std::vector<double> t;
+  for (int i = 0; i <= 400; ++i) t.push_back(0.05 * i);
+  const std::vector<double> coarse = observed_motion(motion, Drive::harmonic(), t, 0, 0.1),
+                            fine = observed_motion(motion, Drive::harmonic(), t, 0, 0.001);
+  ASSERT_EQ(coarse.size(), t.size());
+  double off = 0, held = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    off = std::max(off, std::abs(coarse[i] - fine[i]));
+    if (i > 0 && fine[i] == fine[i - 1]) ++held;
+  }
+  EXPECT_LT(off, 1e-5);
+  EXPECT_GT(held, 100);
 }
 
 TEST(DrivenMotion, IsOfFourthOrderUnderARecordedForce) {
