@@ -219,6 +219,11 @@ int run_report(const Arguments& arguments) {
       notices->insert(notices->end(), each.fitted.notices.begin(), each.fitted.notices.end());
     for (const auto& each : recordings)
       if (!each.fitted.succeeded()) failures.push_back(failure_text(each.fitted));
+    if (std::all_of(recordings.begin(), recordings.end(),
+                    [](const ReportedRecording& each) { return each.fitted.wrong_input; })) {
+      for (const std::string& each : failures) complain(each);
+      return wrong_input;
+    }
     std::erase_if(given, [&](const TypedOption& typed) { return !is_of_fit(typed); });
     const auto path = write_study(recordings, given, *front, options.folder);
     if (!path) return refuse(path.error());

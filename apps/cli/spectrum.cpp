@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <optional>
 #include <utility>
@@ -70,6 +71,9 @@ Result<Motions> motions_of(const RecordingFiles& found, const std::string& files
       files.empty() ? Result<std::size_t>(two_alone ? 1 : 0) : choice<2>("files", files, {"each", "pairs"});
   if (!typed) return typed.error();
   const std::size_t of_each = *typed + 1;
+  std::error_code none;
+  for (const std::string& file : found.files)
+    if (!std::filesystem::exists(file, none)) return read_file(file).error();
   if (found.files.size() % of_each != 0) return Error{"no_pairs", {{"files", found.files.size()}}};
   Motions motions;
   for (auto file = found.files.begin(); file != found.files.end();

@@ -192,12 +192,12 @@ struct ModeByMethod {
   bool stable = true;                     ///< the mode stays bounded
 };
 
-/// The mode of a network that one of a recording is.
+/// The mode of a network that matches one of a recording.
 struct ModeOfNetwork {
   std::size_t mode = 0;  ///< from 1, by rising frequency
   double frequency = 0;  // [Hz]
   double damping_ratio = 0;
-  double mac = 0;  ///< modal assurance criterion of the two shapes: 1 for the same, 0 for unlike ones
+  double mac = 0;  ///< modal assurance criterion of the two shapes, 0.5 to 1: 1 for the same
 };
 
 struct Mode {

@@ -637,8 +637,8 @@ class Mode:
     """A mode: `frequency` [Hz] and `damping_ratio` with their errors (0 of a network, which is known), the complex
     `shape` of shape (names,), its largest 1, `shape_standard_error` of its parts (empty of a network),
     `participation` (effective modal mass over the whole, None of a recording), `methods`, what each really simulates
-    ("method", "step", "frequency", "damping_ratio", "stable", "in_words"), and `of_network`, the mode of the network beside
-    a recording that it is ("mode", "frequency", "damping_ratio", "mac"; None without one)."""
+    ("method", "step", "frequency", "damping_ratio", "stable", "in_words"), and `of_network`, the network's mode that
+    matches it, of a recording beside a network ("mode", "frequency", "damping_ratio", "mac"; None without one)."""
 
     def __init__(self, document: Dict[str, Any]) -> None:
         self.frequency = _estimate("frequency", document["frequency"])

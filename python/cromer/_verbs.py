@@ -345,8 +345,8 @@ def modes(t: Any, channels: Any = None, *, network: Optional[Network] = None, ob
     channels : list of arrays of shape (n,), array of shape (channels, n), mapping or DataFrame
         What was recorded together [SI unit of `observed`]; NaN is a missing value. A mapping names the channels.
     network : str, path or mapping, optional
-        Of a recording: the network whose masses are the channels, in its order, likewise; each mode then has the one of
-        the network that it is, `of_network`.
+        Of a recording: the network whose masses are the channels, in its order, likewise; `of_network` of each mode
+        is then the one that matches it.
     observed : str, optional
         "position" (if not given), "angle", "velocity", "angular_velocity" or "acceleration", of channels.
     {options}

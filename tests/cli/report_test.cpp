@@ -245,6 +245,15 @@ TEST(ReportOfRecordings, OfWhatCannotBeFittedHasTheReason) {
   EXPECT_EQ(folder.read("again/index.html"), folder.read("out/index.html"));
 }
 
+// Where nothing could be read there is nothing to report, and nothing is written.
+TEST(ReportOfRecordings, OfFilesThatAreNotThereIsNone) {
+  const Folder folder;
+  const Finished end = folder.run({"report", "one.csv", "two.csv", "-o", "lab"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, AllOf(HasSubstr("one.csv"), HasSubstr("two.csv"), HasSubstr("cannot be")));
+  EXPECT_FALSE(folder.has("lab"));
+}
+
 TEST(ReportOfRecordings, RefusesWhatDoesNotGoTogether) {
   const Folder folder;
   const std::string lab = std::string(source) + "/data/recording1.csv",

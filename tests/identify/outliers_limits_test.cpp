@@ -132,6 +132,8 @@ TEST(KeptSamples, LackOnlyThoseSetAside) {
   EXPECT_THAT(moved.t, ElementsAre(0, 1, 1.5, 2, 3));
   EXPECT_THAT(moved.y, ElementsAre(-1, 20, 30, 40, 60));
   EXPECT_THAT(KeptSamples(record, {}, {}).y, testing::ElementsAreArray(y));
+  // Of a fit that failed there is nothing to move it to.
+  EXPECT_EQ(KeptSamples(record, {0}, {}).y.front(), y.front());
 }
 
 TEST(Outliers, AreSoughtFiveTimesAtMost) {

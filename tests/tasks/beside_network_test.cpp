@@ -69,7 +69,7 @@ TEST(BesideNetwork, EachModeIsTheOneOfItsShape) {
     EXPECT_EQ(of->mode, j + 1);
     EXPECT_EQ(of->frequency, known->modes[j].frequency.value);
     EXPECT_EQ(of->damping_ratio, known->modes[j].damping_ratio.value);
-    EXPECT_NEAR(of->assurance, 1, 1e-9);
+    EXPECT_NEAR(of->mac, 1, 1e-9);
     EXPECT_NEAR(result.modes[j].frequency.value / of->frequency, 1, 1e-7);
   }
   EXPECT_THAT(codes(result), testing::IsEmpty());
@@ -81,8 +81,8 @@ TEST(BesideNetwork, AStifferSpringIsSeenInTheFrequencies) {
   for (const NaturalMode& mode : result.modes) {
     ASSERT_TRUE(mode.of_network);
     EXPECT_GT(mode.of_network->frequency, mode.frequency.value);
-    EXPECT_GT(mode.of_network->assurance, 0.9);
-    EXPECT_LT(mode.of_network->assurance, 0.99999);
+    EXPECT_GT(mode.of_network->mac, 0.9);
+    EXPECT_LT(mode.of_network->mac, 0.99999);
   }
   EXPECT_THAT(codes(result), testing::IsEmpty());
 }
@@ -107,6 +107,7 @@ TEST(BesideNetwork, ASensorThatPointsBackIsNamed) {
     signs[c] = -1;
     const ModesResult result = beside(recorded({0, 1, 2}, signs), carts());
     ASSERT_THAT(codes(result), testing::ElementsAre("channel_looks_reversed"));
+    EXPECT_THAT(in_words(result.notices[0]), testing::StartsWith(fmt::format("\"x{} (m)\" ", c + 1)));
   }
   // All three point the same other way: shapes have no sign.
   EXPECT_THAT(codes(beside(recorded({0, 1, 2}, {-1, -1, -1}), carts())), testing::IsEmpty());

@@ -481,7 +481,7 @@ std::string modes_csv(const ModesResult& result) {
     add_of_network("mode of the network", &ModeOfNetwork::mode);
     add_of_network("frequency of the network (Hz)", &ModeOfNetwork::frequency);
     add_of_network("damping ratio of the network", &ModeOfNetwork::damping_ratio);
-    add_of_network("MAC", &ModeOfNetwork::assurance);
+    add_of_network("MAC", &ModeOfNetwork::mac);
   }
   if (!result.modes.empty() && !result.modes.front().methods.empty())
     for (std::size_t k = 0; k < result.modes.front().methods.size(); ++k) {

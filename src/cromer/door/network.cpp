@@ -105,7 +105,7 @@ Modes modes_of(core::ModesResult found, bool of_arrays) {
     Mode& shown = modes.modes.emplace_back(
         Mode{mode.frequency, mode.damping_ratio, mode.shape, mode.shape_error, mode.participation, {}, {}});
     if (const auto& of = mode.of_network)
-      shown.of_network = {of->mode, of->frequency, of->damping_ratio, of->assurance};
+      shown.of_network = {of->mode, of->frequency, of->damping_ratio, of->mac};
     for (const core::ModeByMethod& by : mode.methods)
       shown.methods.push_back({by.method, by.step, by.frequency(), by.damping_ratio(), by.effect.stable});
   }

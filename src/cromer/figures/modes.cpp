@@ -113,8 +113,8 @@ void add_shapes(Figure& figure, const ModesResult& result) {
     if (std::isfinite(mode.damping_ratio.value))
       panel.title += fmt::format(", damping ratio {:.3g} %", 100 * mode.damping_ratio.value);
     if (mode.of_network)
-      panel.title += fmt::format(", MAC {:.3f} with the network's mode {}", mode.of_network->assurance,
-                                 mode.of_network->mode);
+      panel.title +=
+          fmt::format(", MAC {:.3f} with the network's mode {}", mode.of_network->mac, mode.of_network->mode);
   }
 }
 

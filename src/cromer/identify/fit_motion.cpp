@@ -211,7 +211,7 @@ struct FoundMinimum {
   Minimum minimum;
   double h = 0;
   int iterations = 0;
-  bool hopeless = false;  // no minimum: it was given up on the way
+  bool refined = true;  // else it was left where it could not beat `rms_to_beat`
 };
 
 // Most of the way in coarse steps and on few samples, then as fine as the residuals ask for.
@@ -229,13 +229,13 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
   coarse.residuals = static_cast<int>(thinned.record.t.size());
   const Grown start = grow(problem, known, found.h, steps.period());
-  // What is hopeless is seen as it is.
+  // A law that is given up is described at the parameters that it has.
   const auto as_it_is = [&](const Parameters& parameters, LeastSquaresReason reason) {
     LeastSquaresSummary& here = found.minimum.bounded;
     here = {.reason = reason, .parameters = parameters, .equations = problem.model(found.h)(parameters)};
     if (!std::isfinite(here.equations.sum_of_squares)) here.reason = LeastSquaresReason::not_finite;
     found.minimum.free = here;
-    found.hopeless = true;
+    found.refined = false;
     return found;
   };
   if (start.hopeless) return as_it_is(start.parameters, LeastSquaresReason::iteration_limit);
@@ -246,8 +246,8 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     const double most = times * options.rms_to_beat;
     return summary.equations.sum_of_squares > most * most * static_cast<double>(coarse.residuals);
   };
-  constexpr double refined = 1.2;
-  const bool beaten = leaves(refined);
+  constexpr double close = 1.2;
+  const bool beaten = leaves(close);
   const bool settled = summary.reason == LeastSquaresReason::converged;
   if (leaves(given_up) || (roughly && beaten && settled)) return as_it_is(summary.parameters, summary.reason);
   if (roughly || beaten) {
@@ -558,7 +558,7 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
 
   // Of the minima for several numbers of half swings before a rest the lowest counts.
   std::vector<LeastSquaresSummary> minima{minimum.bounded};
-  if (options.drive.kind == DriveKind::none && options.law.has<Friction>() && !found.hopeless) {
+  if (options.drive.kind == DriveKind::none && options.law.has<Friction>() && found.refined) {
     const LeastSquaresOptions settings = problem.settings(record);
     minima = rest_minima(record, fitted, minimum.bounded, settings, found.h, watch);
     if (minima.front().equations.sum_of_squares < minimum.bounded.equations.sum_of_squares) {

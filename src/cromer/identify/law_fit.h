@@ -103,7 +103,8 @@ struct LawFitOptions {
   double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1
   bool may_grow = false;               ///< the viscous law's decay rate may be negative: a part of a motion
   bool every_sample = false;           ///< outliers as well
-  double rms_to_beat = HUGE_VAL;       ///< a fit that leaves 1.2 times this is not refined any further
+  double rms_to_beat =
+      HUGE_VAL;  ///< a fit that leaves 1.2 times this is not refined, one that leaves twice is given up
 };
 
 /// Fits one law. Never throws; a record that cannot be fitted is a status with a message. 12,000 samples

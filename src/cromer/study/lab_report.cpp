@@ -64,10 +64,11 @@ class Part : public LabTold {
     };
     const bool depends = !fitted_.driven && named(fitted_.derived, "at_amplitude");
     const bool harmonic = fitted_.find("drive_frequency") != nullptr;
-    add(harmonic         ? "report_driven_by"
-        : fitted_.driven ? "report_driven_at"
-        : depends        ? "report_swings_at_amplitude"
-                         : "report_swings_at",
+    add(harmonic                 ? "report_driven_by"
+        : fitted_.driven         ? "report_driven_at"
+        : !is_known("frequency") ? "report_free_motion"
+        : depends                ? "report_swings_at_amplitude"
+                                 : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
@@ -91,7 +92,8 @@ class Part : public LabTold {
       toml_.text("value", in_braces(value + ", concise"));
       toml_.text("remark", remark);
     };
-    key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
+    if (is_known("frequency"))
+      key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
     if (const Estimate* k = fitted_.find("stiffness"))
       key("stiffness", "stiffness", interval("stiffness", *k));
     if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
@@ -104,7 +106,7 @@ class Part : public LabTold {
               : interval("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
       key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
-    else if (named(fitted_.derived, "quality_factor"))
+    else if (is_known("quality_factor"))
       key("quality_factor", "quality_factor", "");
   }
 
@@ -120,6 +122,13 @@ class Part : public LabTold {
   }
 
  private:
+  /// Whether the law gives this number: a spring that softens so far has no frequency at its amplitude.
+  bool is_known(std::string_view name) const {
+    const Parameter* headline = named(fitted_.headline, name);
+    const Estimate* found = headline ? &headline->estimate : fitted_.find(name);
+    return found && std::isfinite(found->value);
+  }
+
   void heading(std::string_view code) {
     toml_.table("block");
     toml_.text("heading", alone_ ? words(code) : verbatim(title()) + ": " + words(code));
@@ -222,7 +231,7 @@ class Part : public LabTold {
     std::vector<std::string_view> listed;
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
-        if (std::find(listed.begin(), listed.end(), each.name) != listed.end() ||
+        if (std::find(listed.begin(), listed.end(), each.name) != listed.end() || !is_known(each.name) ||
             (has_one_rate() && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
@@ -274,16 +283,20 @@ class Part : public LabTold {
     const auto& stretches = fitted_.decay_by_amplitude;
     const bool grows =
         !stretches.empty() && stretches.front().rate.high < 0 && stretches.back().rate.high < 0;
+    const bool compared = compared_ && !explanation(*compared_).empty(),
+               several = compared_ && compared_->curves.size() > 1;
+    if (!compared && !several && decay_ends().empty() && fitted_.segments.empty() && stretches.size() <= 2)
+      return;
     heading(grows ? "report_grows" : "report_dies_down");
-    if (compared_ && !explanation(*compared_).empty())
+    if (compared)
       paragraph(in_braces("explanation"));
     else if (const std::string ends = decay_ends(); !ends.empty())
       paragraph(first_doubt().empty()
                     ? ends
                     : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
     if (!fitted_.segments.empty()) segments();
-    if (fitted_.decay_by_amplitude.size() > 2) decay_figure();
-    if (compared_ && compared_->curves.size() > 1) compare_figure();
+    if (stretches.size() > 2) decay_figure();
+    if (several) compare_figure();
   }
 
   void segments() {

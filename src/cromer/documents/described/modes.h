@@ -29,8 +29,8 @@ struct Described<ModeOfNetwork> {
       members(field("mode", &ModeOfNetwork::mode, "", "from 1, by rising frequency"),
               field("frequency", &ModeOfNetwork::frequency, "Hz", "the network's").known(),
               field("damping_ratio", &ModeOfNetwork::damping_ratio, "", "the network's").known(),
-              field("mac", &ModeOfNetwork::assurance, "",
-                    "modal assurance criterion of the two shapes: 1 for the same, 0 for unlike ones")
+              field("mac", &ModeOfNetwork::mac, "",
+                    "modal assurance criterion of the two shapes, 0.5 to 1: 1 for the same")
                   .known());
 };
 
@@ -72,7 +72,7 @@ struct Described<NaturalMode> {
                     "effective modal mass over the whole mass, for ground that shakes all the same; null for "
                     "recordings"),
               field("of_network", &NaturalMode::of_network, "",
-                    "the mode of the network beside it that it is; null without one"),
+                    "the network's mode that matches this one; null without one"),
               field("methods", &NaturalMode::methods, "", "what each method really simulates of it"));
 };
 

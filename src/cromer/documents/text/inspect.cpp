@@ -54,9 +54,11 @@ std::string inspect_text(const Inspection& inspection) {
   out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
   if (inspection.jitter > 1e-6)  // below is the rounding of the times
     out += line("jitter", format_quantity({100 * inspection.jitter, 0}, "% of a step"));
+  const bool several = inspection.columns.size() > 2;  // a time and more than one motion
   const auto list = [&](std::string_view what, const std::vector<std::string>& found) {
     constexpr std::size_t shown = 20;
-    out += line(what, fmt::format("{}", found.size()));
+    out += line(what, several ? fmt::format("{} in \"{}\"", found.size(), inspection.column)
+                              : fmt::format("{}", found.size()));
     for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) out += line("", found[i]);
     if (found.size() > shown)
       out += line("", in_words(Notice{"list_goes_on", {{"more", found.size() - shown}}}));

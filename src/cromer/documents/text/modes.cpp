@@ -56,7 +56,7 @@ std::string network_text(const ModesResult& result) {
            {fmt::format("mode {}", of->mode), known_or_dash(of->frequency),
             percent_off_if_known(of->frequency, mode.frequency.value), known_or_dash(of->damping_ratio),
             percent_off_if_known(of->damping_ratio, mode.damping_ratio.value),
-            fmt::format("{:.4f}", of->assurance)})
+            fmt::format("{:.4f}", of->mac)})
         rows.back().push_back(cell);
     else
       rows.back().insert(rows.back().end(), {"-", "", "", "", "", ""});

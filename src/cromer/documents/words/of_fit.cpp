@@ -124,9 +124,18 @@ constexpr Entry entries[] = {
      "less than a tenth of it, as when a hand catches it: only what comes before, {kept} of {samples} "
      "samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
-     "} auf weniger als ein Zehntel davon, wie von einer Hand gehalten: nur was davor kommt, {kept} von "
-     "{samples} Messwerten, wird angepasst; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer "
-     "Teil wählen"},
+     "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: das Gesetz wird nur an den Teil "
+     "davor "
+     "angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich ein "
+     "anderer "
+     "wählen"},
+    {"driven_until_stop", worth_knowing,
+     "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, "
+     "{kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
+     "die Bewegung endet zwischen {from:.4g} und {to:.4g} s, wie wenn der Antrieb aufhört: das Gesetz wird "
+     "nur "
+     "an den Teil davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} "
+     "lässt sich ein anderer wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
@@ -301,11 +310,14 @@ constexpr Entry entries[] = {
 
     // Driven, free or two swings at once
     {"motion_is_driven", worth_knowing,
-     "the motion is driven, at {frequency:.6g} Hz: a free law would leave an rms residual of {free:.3g}, the "
-     "driven one leaves {driven:.3g}; {|give fit {--drive-frequency} if it is known, or |}choose a free part "
+     "the motion is driven, at {frequency:.6g} Hz: a free law would leave an rms residual of "
+     "{free:.3g}{unit: }, the "
+     "driven one leaves {driven:.3g}{unit: }; {|give fit {--drive-frequency} if it is known, or |}choose a "
+     "free part "
      "with {|{--from} and {--to}|the handles}",
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
-     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte {|für fit {--drive-frequency} "
+     "Reste von {free:.3g}{unit: }, das angetriebene lässt {driven:.3g}{unit: }; bitte {|für fit "
+     "{--drive-frequency} "
      "angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien Teil wählen"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
@@ -345,8 +357,9 @@ constexpr Entry entries[] = {
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
     {"free_beside_driven", clause,
-     "a free law leaves an rms residual of {free:.4g}, the driven one {driven:.4g}",
-     "ein freies Gesetz lässt einen Effektivwert der Reste von {free:.4g}, das angetriebene {driven:.4g}"},
+     "a free law leaves an rms residual of {free:.4g}{unit: }, the driven one {driven:.4g}{unit: }",
+     "ein freies Gesetz lässt einen Effektivwert der Reste von {free:.4g}{unit: }, das angetriebene "
+     "{driven:.4g}{unit: }"},
     {"no_drive_found", worth_knowing,
      "no drive is seen at any frequency ({compared}): fitted as a free motion",
      "bei keiner Frequenz ist ein Antrieb zu sehen ({compared}): als freie Bewegung angepasst"},

@@ -288,7 +288,7 @@ constexpr Entry entries[] = {
      "less than a tenth of it, as when a hand catches it: end before with {|{--to}|the "
      "handles}",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
-     "} auf weniger als ein Zehntel davon, wie von einer Hand gehalten: bitte mit "
+     "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: bitte mit "
      "{|{--to}|den Griffen} vorher enden"},
     {"law_over_a_stop", wrong_if_ignored,
      "the law {law} is fitted to the swing and to what follows the stop, and leaves {rms:.3g}{unit: } (rms): "

@@ -53,8 +53,8 @@ constexpr Entry entries[] = {
      "{--step} einer Aufnahme braucht die {--of-method}, die ihn machte"},
     {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
      "{--of-method} braucht den {--step}, den sie machte"},
-    {"network_beside_network", error, "{file}: {--network} is set beside a recording, and this is a network",
-     "{file}: {--network} wird mit einer Aufnahme verglichen, und dies ist ein Netz"},
+    {"network_beside_network", error, "{file} is itself a network: {--network} goes with a recording",
+     "{file} ist selbst ein Netz: {--network} gehört zu einer Aufnahme"},
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
      "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.
@@ -235,20 +235,20 @@ constexpr Entry entries[] = {
      "\"{first}\" and \"{second}\" look swapped: if they are, the shapes agree with the network's (mean MAC "
      "{swapped:.2f}), and as they stand they do not ({mac:.2f}); columns are to stand in the order of the "
      "masses",
-     "„{first}“ und „{second}“ sehen vertauscht aus: vertauscht stimmen die Formen mit denen des Netzes "
+     "„{first}“ und „{second}“ scheinen vertauscht zu sein: tauscht man sie, stimmen die Formen mit denen "
+     "des Netzes "
      "überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen in der "
      "Reihenfolge der Massen stehen"},
     {"channel_looks_reversed", wrong_if_ignored,
-     "\"{column}\" looks turned round against the other channels: with its sign changed the shapes agree "
-     "with "
+     "\"{column}\" looks reversed against the other channels: with its sign changed the shapes agree with "
      "the network's (mean MAC {reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way the "
      "sensors point",
-     "„{column}“ sieht gegen die anderen Kanäle umgedreht aus: mit anderem Vorzeichen stimmen die Formen mit "
-     "denen des Netzes überein (mittlerer MAC {reversed:.2f}), so wie sie steht nicht ({mac:.2f}); bitte die "
-     "Richtungen der Sensoren prüfen"},
+     "„{column}“ scheint das falsche Vorzeichen zu haben: umgekehrt passen die Formen zu denen des Netzes "
+     "(mittlerer MAC {reversed:.2f}), so wie die Spalte ist nicht ({mac:.2f}); bitte die Richtungen der "
+     "Sensoren prüfen"},
     {"mode_unlike_network", worth_knowing,
-     "the mode at {frequency:.4g} Hz has a shape like none of the network's",
-     "die Eigenschwingung bei {frequency:.4g} Hz hat eine Form wie keine des Netzes"},
+     "the mode at {frequency:.4g} Hz matches none of the network's that is left",
+     "zur Eigenschwingung bei {frequency:.4g} Hz passt keine der übrigen des Netzes"},
     {"network_mode_not_found", worth_knowing,
      "the network's mode {mode}, at {frequency:.4g} Hz, was not found in the recording",
      "die Eigenschwingung {mode} des Netzes, bei {frequency:.4g} Hz, wurde in der Aufnahme nicht gefunden"},

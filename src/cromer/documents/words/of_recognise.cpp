@@ -36,8 +36,9 @@ constexpr Entry entries[] = {
      "Verfahren erkennt man an Ort und Geschwindigkeit zusammen"},
     {"which_run", error, "the file has {runs} runs: say which with {--run}",
      "die Datei hat {runs} Läufe: bitte einen mit {--run} nennen"},
-    {"state_is_missing", error, "{@line}: a time, position or velocity is missing",
-     "{@line}: eine Zeit, ein Ort oder eine Geschwindigkeit fehlt"},
+    {"state_is_missing", error,
+     "{@line}: a time, position or velocity is missing; rows without one are to be taken out first",
+     "{@line}: eine Zeit, ein Ort oder eine Geschwindigkeit fehlt; bitte solche Zeilen vorher entfernen"},
     {"too_few_states", error, "{rows:row|rows}, and at least {fewest} are needed",
      "{rows:Zeile|Zeilen}, nötig sind mindestens {fewest}"},
     {"states_not_even", error,
@@ -82,11 +83,11 @@ constexpr Entry entries[] = {
      "anderes Gesetz"},
     {"rows_made_from_other_law", clause,
      "no method made these rows from the law given. From a natural frequency of {frequency:.8g} rad/s and a "
-     "damping ratio of {ratio:.5g}, {maker}{same}{others} makes them: check the law",
+     "damping ratio of {ratio:.5g}, {maker}{same}{others} makes them: check the law, or it is another "
+     "variant of a method",
      "kein Verfahren hat diese Zeilen aus dem gegebenen Gesetz gemacht. Aus einer Eigenfrequenz von "
      "{frequency:.8g} rad/s und einem Dämpfungsgrad von {ratio:.5g} macht {maker}{same}{others} sie: bitte "
-     "das Gesetz "
-     "prüfen"},
+     "das Gesetz prüfen, oder es ist eine andere Spielart eines Verfahrens"},
     {"rows_made_by_none", clause,
      "none of the methods made these rows: it may be another method, another law, or noise. The nearest, "
      "{maker}, is "

@@ -9,13 +9,13 @@ constexpr Entry entries[] = {
     // The report of one's own recordings: its head.
     {"report_file_head", clause,
      "# To make the report again: cromer report study.toml -o report\n"
-     "# Numbers are put in anew each time. Which sentences stand here was decided by the numbers of the "
-     "first\n"
-     "# time: with other recordings, or another mass or part, begin with: cromer report FILE... -o report",
+     "# A second run updates the numbers, but not the choice of sentences, which the first run made. For\n"
+     "# other recordings, another mass or another part start with: cromer report FILE... -o report",
      "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht\n"
-     "# Zahlen werden jedes Mal neu eingesetzt. Welche Sätze hier stehen, haben die Zahlen beim ersten Mal\n"
-     "# entschieden: mit anderen Aufnahmen, anderer Masse oder anderem Teil bitte mit\n"
-     "# cromer report DATEI... -o bericht beginnen"},
+     "# Ein neuer Lauf setzt die Zahlen neu ein; welche Sätze hier stehen, hat der erste bestimmt. Für "
+     "andere\n"
+     "# Aufnahmen, eine andere Masse oder einen anderen Teil neu beginnen: cromer report DATEI... -o "
+     "bericht"},
     {"report_title", clause, "The law of motion in {file}", "Das Bewegungsgesetz in {file}"},
     {"report_title_of_several", clause, "The laws of motion of {count} recordings",
      "Die Bewegungsgesetze von {count} Aufnahmen"},
@@ -24,6 +24,7 @@ constexpr Entry entries[] = {
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
+    {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
     {"report_swings_at_amplitude", clause,
      "{file}: a free swing at {frequency}, at an amplitude of {amplitude}.",
      "{file}: eine freie Schwingung mit {frequency} bei einer Amplitude von {amplitude}."},
@@ -222,8 +223,8 @@ constexpr Entry entries[] = {
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
-    {"report_most_from", clause, "Most of its variance, {share} %, comes from the {quantity}.",
-     "Der größte Teil der Varianz, {share} %, entfällt auf: {quantity}."},
+    {"report_most_from", clause, "Of its variance {share} % come from the {quantity}.",
+     "Von der Varianz entfallen {share} % auf: {quantity}."},
     {"report_budget", clause, "Where the uncertainty of the spring constant comes from.",
      "Woher die Unsicherheit der Federkonstante kommt."},
     {"report_from_what", clause, "from", "aus"},

@@ -124,19 +124,28 @@ std::optional<SwingStop> find_stop(const Record& record, double period, bool des
   double largest = 0;
   for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
   // From the end: the largest amplitude of all that follows, against the one before the window between, or
-  // before two windows, in which it is stopped slowly.
-  for (const std::size_t back : {2, 3}) {
-    const double least = back == 2 ? least_before : no_friction;
+  // before the two or three in which it is braked. The further back, the less friction has taken there.
+  for (const std::size_t back : {2, 3, 4}) {
+    const double slow = back == 4 ? 0.8 : no_friction, least = back == 2 ? least_before : slow;
     double later = 0;
     for (std::size_t i = windows.size() - 1; i >= back + 2; --i) {
       later = std::max(later, windows[i].amplitude);
+      const double unseen = windows[i].from - windows[i - back].to;
+      if (unseen > (static_cast<double>(back) - 0.5) * period) continue;  // a pause: nobody saw it stop
       const double before = windows[i - back].amplitude, earlier = windows[i - back - 2].amplitude;
       // Below half a rounding step nothing is seen of a swing that goes on.
       const bool in_full_swing =
                      before > 0.2 * largest && before > 5 * record.resolution && before > least * earlier,
-                 nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
-                               before > no_friction * earlier;
+                 nearly_done =
+                     before > 0.03 * largest && before > 10 * record.resolution && before > slow * earlier;
       if (!(in_full_swing || nearly_done) || !(later < 0.1 * before)) continue;
+      // It does not come back on the way.
+      const auto rises = [&](const AmplitudeWindow& one, const AmplitudeWindow& next) {
+        return next.amplitude > one.amplitude + 0.05 * before;
+      };
+      const auto begin = windows.begin() + static_cast<std::ptrdiff_t>(i - back),
+                 end = windows.begin() + static_cast<std::ptrdiff_t>(i + 1);
+      if (std::adjacent_find(begin, end, rises) != end) continue;
       const double ratio = std::min(1.0, windows[i - back - 1].amplitude / earlier);
       const std::size_t last = last_free(record, windows[i - back].from, windows[i].from, period, ratio);
       const auto first =
@@ -149,11 +158,13 @@ std::optional<SwingStop> find_stop(const Record& record, double period, bool des
   return std::nullopt;
 }
 
+Notice SwingStop::notice(const char* code, std::string_view unit) const {
+  return {code, {{"from", from}, {"to", to}, {"amplitude", amplitude}, {"unit", unit}}};
+}
+
 Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
   const auto stop = find_stop(record, period, described);
-  if (!stop) return {};
-  return Notice{"swing_stops",
-                {{"from", stop->from}, {"to", stop->to}, {"amplitude", stop->amplitude}, {"unit", unit}}};
+  return stop ? stop->notice("swing_stops", unit) : Notice{};
 }
 
 Notice few_samples(const Record& record, double w) {

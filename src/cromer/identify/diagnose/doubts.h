@@ -21,12 +21,15 @@ double wandering_share(const Record& record, std::span<const double> residuals);
 
 struct SwingStop {
   double from = 0, to = 0;  // [s] it is free until `from`, and has stopped by `to`
-  double amplitude = 0;     ///< up to `from`
+  double amplitude = 0;     ///< of the last period up to `from`, in the record's unit
+
+  /// A notice of this code that says so.
+  Notice notice(const char* code, std::string_view unit) const;
 };
 
-/// Where the swing stops from one period to the next, with less than a tenth of its amplitude left, and does
-/// not come back. Friction stops a swing nearly as fast: if a law describes the record (`described`), only
-/// stops that no friction makes are found.
+/// Where the swing stops for good: within two to four periods less than a tenth of its amplitude is left.
+/// With `described` (a law describes the record) only after a fall of less than three tenths in the two
+/// periods before, which friction cannot make. Needs eight periods [s] of six samples each.
 std::optional<SwingStop> find_stop(const Record& record, double period, bool described);
 
 /// The same in words; empty without a stop.

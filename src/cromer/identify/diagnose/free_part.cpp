@@ -116,7 +116,7 @@ std::optional<SwingAbout> swing_about_mean_of(std::span<const double> part, cons
 }
 
 // Of a swing that may have been held or driven at first.
-std::optional<SwingAbout> swing_of(const Record& record) {
+std::optional<SwingAbout> swing_at_end(const Record& record) {
   return swing_about_mean_of(record.y.last(record.y.size() / 3), record);
 }
 
@@ -266,13 +266,13 @@ Liveliness liveliness_of(std::span<const double> y) {
 
 std::optional<FreePart> find_free_part(const Record& record) {
   if (record.t.size() < 64) return std::nullopt;
-  const std::optional<SwingAbout> swing = swing_of(record);
+  const std::optional<SwingAbout> swing = swing_at_end(record);
   if (!swing) return std::nullopt;
   if (auto part = after_the_drive(windows_of(record, swing->period), swing->period)) return part;
   return after_the_hold(record, *swing);
 }
 
-std::optional<double> period_of_crossings(const Record& record) {
+std::optional<double> period_at_start(const Record& record) {
   const auto swing = swing_about_mean_of(record.y.first(record.y.size() / 3), record);
   return swing ? std::optional(swing->period) : std::nullopt;
 }
@@ -299,7 +299,7 @@ std::optional<LostMotion> find_lost_motion(const Record& record) {
 
   // In full swing: what was seen last is as lively as a swing is, and where it stays is no turning point.
   const Record seen{record.t.first(lost.seen), y.first(lost.seen), record.resolution, record.derivative};
-  const std::optional<SwingAbout> swing = swing_of(seen);
+  const std::optional<SwingAbout> swing = swing_at_end(seen);
   if (!swing || record.t.back() - record.t[lost.seen] < swing->period) return std::nullopt;
   const auto since = [&](double periods) {
     const double from = seen.t.back() - periods * swing->period;

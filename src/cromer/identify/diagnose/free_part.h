@@ -36,7 +36,7 @@ std::optional<FreePart> find_free_part(const Record& record);
 
 /// The median time between upward crossings of what it swings about in the first third [s]; empty with fewer
 /// than five of them.
-std::optional<double> period_of_crossings(const Record& record);
+std::optional<double> period_at_start(const Record& record);
 
 struct LostMotion {
   std::size_t seen = 0;  ///< samples that show the motion: the first ones

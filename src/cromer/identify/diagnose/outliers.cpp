@@ -113,7 +113,7 @@ KeptSamples::KeptSamples(const Record& record, const std::vector<std::size_t>& w
       ++next;
       if (i > 0) continue;
       t.push_back(record.t[i]);
-      y.push_back(record.y[i] - residuals[i]);
+      y.push_back(residuals.empty() ? record.y[i] : record.y[i] - residuals[i]);
       continue;
     }
     t.push_back(record.t[i]);

@@ -20,7 +20,7 @@ namespace cromer::core {
 std::vector<std::size_t> outliers(const Record& record, std::span<const double> residuals);
 
 /// A record's samples without some of them. The first one, where the motion begins, keeps its place in any
-/// case, with the value of the fit that it is an outlier from.
+/// case, with the value of the fit that it is an outlier from; its own where that fit failed (no residuals).
 struct KeptSamples {
   std::vector<double> t, y;
 

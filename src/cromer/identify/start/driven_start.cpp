@@ -56,22 +56,23 @@ std::vector<double> highest_lines(std::span<const double> y, double h, std::size
   return lines;
 }
 
-// The powers 1, z, z², … of a turn z, one for each sample: a steady or decaying sinusoid, its cosine and
-// sine.
-struct Turning {
-  std::complex<double> turn, with_samples;  // and their sum of products with the samples
+// Samples of a phasor, z^k with k from 0: a steady or decaying cosine and sine.
+struct SampledPhasor {
+  std::complex<double> ratio;       // z, from one sample to the next
+  std::complex<double> projection;  // sum of z^k y_k
 };
 
-Turning turning(std::complex<double> turn, const EvenSamples& samples) {
+// By hand, not by std::complex, whose product looks for NaN: that takes several times as long.
+SampledPhasor sampled_phasor(std::complex<double> z, const EvenSamples& samples) {
   double re = 1, im = 0, cosines = 0, sines = 0;
   for (const double y : samples.y) {
     cosines += re * y;
     sines += im * y;
-    const double next = re * turn.real() - im * turn.imag();
-    im = re * turn.imag() + im * turn.real();
+    const double next = re * z.real() - im * z.imag();
+    im = re * z.imag() + im * z.real();
     re = next;
   }
-  return {turn, {cosines, sines}};
+  return {z, {cosines, sines}};
 }
 
 // 1 + z + … + zⁿ⁻¹.
@@ -80,14 +81,15 @@ std::complex<double> geometric_sum(std::complex<double> z, double n) {
   return std::abs(rest) < 1e-12 ? n : (1.0 - std::pow(z, n)) / rest;
 }
 
-// E, the decaying sinusoid's cosine and sine, the steady one's; E's equation is given. All sums of products
-// but those with the samples are geometric.
-LinearFit best_linear(NormalEquations equations, const Turning& decaying, const Turning& steady) {
-  const double n = equations.matrix[0][0];
-  // Sums of the products of cosines and sines of two of them, from their turns' product and quotient.
-  const auto multiply = [&](const Turning& one, const Turning& other, int row, int column) {
-    const auto together = geometric_sum(one.turn * other.turn, n),
-               apart = geometric_sum(one.turn * std::conj(other.turn), n);
+// The level, the decaying sinusoid's cosine and sine, the steady one's; the level's own equation, of n
+// samples, is given. All sums of products but those with the samples are geometric.
+LinearFit best_linear(NormalEquations equations, double n, const SampledPhasor& decaying,
+                      const SampledPhasor& steady) {
+  // Sums of the products of cosines and sines of two of them, from the product of their ratios and that with
+  // the conjugate.
+  const auto multiply = [&](const SampledPhasor& one, const SampledPhasor& other, int row, int column) {
+    const auto together = geometric_sum(one.ratio * other.ratio, n),
+               apart = geometric_sum(one.ratio * std::conj(other.ratio), n);
     equations.matrix[row][column] = (apart.real() + together.real()) / 2;
     equations.matrix[row + 1][column + 1] = (apart.real() - together.real()) / 2;
     equations.matrix[row][column + 1] = (together.imag() - apart.imag()) / 2;
@@ -97,11 +99,11 @@ LinearFit best_linear(NormalEquations equations, const Turning& decaying, const 
   multiply(decaying, steady, 1, 3);
   multiply(steady, steady, 3, 3);
   for (const auto& [each, column] : {std::pair{decaying, 1}, std::pair{steady, 3}}) {
-    const std::complex<double> sum = geometric_sum(each.turn, n);
+    const std::complex<double> sum = geometric_sum(each.ratio, n);
     equations.matrix[0][column] = sum.real();
     equations.matrix[0][column + 1] = sum.imag();
-    equations.right[column] = each.with_samples.real();
-    equations.right[column + 1] = each.with_samples.imag();
+    equations.right[column] = each.projection.real();
+    equations.right[column + 1] = each.projection.imag();
   }
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < i; ++j) equations.matrix[i][j] = equations.matrix[j][i];
@@ -152,23 +154,24 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
       even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
   const double step = coarse.t[1] - coarse.t[0];
-  std::vector<Turning> driven;
-  for (const double wd : drives) driven.push_back(turning(std::polar(1.0, wd * step), coarse));
+  std::vector<SampledPhasor> driven;
+  for (const double wd : drives) driven.push_back(sampled_phasor(std::polar(1.0, wd * step), coarse));
   NormalEquations level_alone{.size = 5};
   for (const double y : coarse.y) {
     const double row[] = {1};
     level_alone.add_row(row, y);
   }
+  const auto n = static_cast<double>(coarse.y.size());
   double w_best = 0, g_best = 0, drive_best = 0;
   LinearFit best;
   for (const double w : natural) {
     if (!(w > 0.2 * resolution)) continue;
     for (double g = 0.3 / T; g < w; g *= 2.5) {
-      const Turning decaying = turning(std::polar(std::exp(-g * step), w * step), coarse);
+      const SampledPhasor decaying = sampled_phasor(std::polar(std::exp(-g * step), w * step), coarse);
       for (std::size_t i = 0; i < drives.size(); ++i) {
         const double wd = drives[i];
         if (!(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
-        const LinearFit fit = best_linear(level_alone, decaying, driven[i]);
+        const LinearFit fit = best_linear(level_alone, n, decaying, driven[i]);
         if (!(fit.rest < best.rest)) continue;
         best = fit;
         w_best = w;

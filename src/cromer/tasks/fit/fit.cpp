@@ -105,7 +105,7 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
   return choice;
 }
 
-// The samples from options.from to options.to alone.
+// The samples from part.from to part.to alone.
 void keep_part(const FitOptions& part, Series& series, FittedSamples& samples) {
   series = *used_part(std::move(series), part);
   samples = without_outliers(series);
@@ -124,19 +124,16 @@ void begin_where_free(Series& series, FittedSamples& samples, std::vector<Notice
 // A swing that is caught in full swing is taken until then, with a notice.
 void end_where_caught(Series& series, FittedSamples& samples, std::vector<Notice>& notices) {
   const Record record{samples.t, samples.y, series.resolution};
-  const auto period = period_of_crossings(record);
+  const auto period = period_at_start(record);
   const auto stop = period ? find_stop(record, *period, true) : std::nullopt;
   if (!stop) return;
-  constexpr double turning = 0.1;  // of a period: held where it turns, a swing looks free so much longer
   const std::size_t all = series.t.size();
-  keep_part({.to = stop->from - turning * *period}, series, samples);
-  notices.push_back(Notice{"swing_until_caught",
-                           {{"from", stop->from},
-                            {"to", stop->to},
-                            {"amplitude", stop->amplitude},
-                            {"unit", unit_of(series)},
-                            {"kept", series.t.size()},
-                            {"samples", all}}});
+  // A catch where the swing turns shows only later, and so does a brake that takes hold slowly.
+  keep_part({.to = stop->from - *period}, series, samples);
+  Notice caught = stop->notice("swing_until_caught", unit_of(series));
+  caught.values.push_back({"kept", series.t.size()});
+  caught.values.push_back({"samples", all});
+  notices.push_back(std::move(caught));
 }
 
 // Why no law settles: the swing stops. Else empty. A viscous law is fitted without integration.

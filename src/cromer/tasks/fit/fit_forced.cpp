@@ -151,7 +151,7 @@ void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Reco
 Notice beats_at_first(const FittedRecording& result) {
   const LawFit& fit = result.fit;
   const Estimate *push = fit.find("drive_amplitude"), *phase = fit.find("drive_phase");
-  const std::optional<double> swings_at = own_frequency(fit);
+  const std::optional<double> swings_at = damped_frequency_of(fit);
   if (!push || !phase || !swings_at) return {};
   const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate(),
                w = fit.motion.drive_frequency, own = *swings_at;
@@ -181,10 +181,10 @@ void add_unused_notices(FittedRecording& result) {
 
 }  // namespace
 
-std::optional<double> own_frequency(const LawFit& driven) {
+std::optional<double> damped_frequency_of(const LawFit& driven) {
   const double w0 = driven.motion.angular_frequency(), g = driven.motion.decay_rate();
-  if (!is_linear(driven.law) || !(g > 0) || !(w0 > g)) return std::nullopt;
-  return std::sqrt(w0 * w0 - g * g);
+  const double w = damped_frequency({.decay_rate = g, .stiffness = w0 * w0});
+  return is_linear(driven.law) && g > 0 && w > 0 ? std::optional(w) : std::nullopt;
 }
 
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,

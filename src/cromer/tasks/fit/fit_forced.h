@@ -20,9 +20,9 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {}, double rms_to_beat = HUGE_VAL);
 
-/// At what a driven body swings by itself [rad/s], damping and all. Empty where its law is not linear, or
-/// does not let it swing and die down.
-std::optional<double> own_frequency(const LawFit& driven);
+/// The damped natural frequency of a driven body [rad/s]. Empty unless its law is linear and it swings and
+/// dies down by itself.
+std::optional<double> damped_frequency_of(const LawFit& driven);
 
 /// The fit of a motion that a drive surely makes: its own swing, as it dies down, beats with the drive's. No
 /// free law of one swing does so, and none but the viscous one is tried. Empty where nothing beats, or a law

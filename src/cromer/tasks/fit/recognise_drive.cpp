@@ -155,11 +155,11 @@ bool amplitude_rises(const FittedRecording& fitted) {
                      [](const Notice& notice) { return notice.code == "amplitude_rises"; });
 }
 
-// The drive is clearly beside the own swing, and a whole beat is seen: no free swing grows like that, as one
-// that feeds itself may grow like a swing that is driven at its own frequency.
+// The drive is off resonance by more than the half-power bandwidth, and at least one beat is recorded. Only a
+// drive makes such a beat; near resonance a swing that feeds itself grows alike.
 bool drives_beside_resonance(const FittedRecording& fitted) {
   const LawFit& fit = fitted.fit;
-  const std::optional<double> own = own_frequency(fit);
+  const std::optional<double> own = damped_frequency_of(fit);
   if (!fitted.driven || fit.status != FitStatus::converged || !own) return false;
   const double apart = std::abs(fit.motion.drive_frequency - *own);
   return apart > 2 * fit.motion.decay_rate() &&
@@ -226,15 +226,17 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
+  // What was taken for a catch is the end of the drive.
   for (const Notice& notice : free.notices)
-    if (notice.code == "swing_until_caught") driven->notices.push_back(notice);
+    if (notice.code == "swing_until_caught") driven->notices.emplace_back(notice).code = "driven_until_stop";
   if (undecided) {
     leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes, unit_of(driven->series)));
   } else {
     driven->notices.push_back(Notice{"motion_is_driven",
                                      {{"frequency", driven->fit.motion.drive_frequency / two_pi},
                                       {"free", free.fit.residual.rms},
-                                      {"driven", driven->fit.residual.rms}}});
+                                      {"driven", driven->fit.residual.rms},
+                                      {"unit", unit_of(driven->series)}}});
   }
   return *std::move(driven);
 }
@@ -270,7 +272,9 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))
     return driven;
   const Notice compared{"free_beside_driven",
-                        {{"free", free->fit.residual.rms}, {"driven", driven.fit.residual.rms}}};
+                        {{"free", free->fit.residual.rms},
+                         {"driven", driven.fit.residual.rms},
+                         {"unit", unit_of(driven.series)}}};
   free->options = options;
   if (searched) {
     free->notices.push_back(Notice{"no_drive_found", {{"compared", compared}}});

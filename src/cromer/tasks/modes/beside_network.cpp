@@ -31,22 +31,22 @@ struct Mounting {
 
 struct Match {
   std::size_t found, of_network;
-  double assurance;
-  double score;  ///< the assurance, less for frequencies that are apart
+  double mac;
+  double score;  ///< less for frequencies that are apart
 };
 
 /// Pairs of modes, the likest first, each mode once.
 std::vector<Match> matches(const std::vector<NaturalMode>& found, const std::vector<NaturalMode>& of_network,
                            const Mounting& mounting) {
-  constexpr double least_assurance = 0.5;
+  constexpr double least_mac = 0.5;
   std::vector<Match> all;
   for (std::size_t j = 0; j < found.size(); ++j) {
     const Shape shape = mounting.seen_by_masses(found[j].shape);
     for (std::size_t k = 0; k < of_network.size(); ++k) {
       if (!(found[j].frequency.value > 0) || !(of_network[k].frequency.value > 0)) continue;
-      const double alike = modal_assurance(shape, of_network[k].shape);
+      const double mac = modal_assurance(shape, of_network[k].shape);
       const double apart = std::abs(std::log(found[j].frequency.value / of_network[k].frequency.value));
-      if (alike >= least_assurance) all.push_back({j, k, alike, alike - apart});
+      if (mac >= least_mac) all.push_back({j, k, mac, mac - apart});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
@@ -61,17 +61,17 @@ std::vector<Match> matches(const std::vector<NaturalMode>& found, const std::vec
 
 /// Means over the modes of the recording; what has no match counts as 0.
 struct Agreement {
-  double assurance = 0, score = 0;
+  double mac = 0, score = 0;
 
   Agreement(const std::vector<Match>& chosen, std::size_t modes) {
     for (const Match& each : chosen) {
-      assurance += each.assurance / static_cast<double>(modes);
+      mac += each.mac / static_cast<double>(modes);
       score += each.score / static_cast<double>(modes);
     }
   }
 };
 
-/// Two channels that look swapped, or one whose sensor looks upside down: shapes agree well with the
+/// Two channels that look swapped, or one that looks reversed: shapes agree well with the
 /// network's only if that is undone.
 std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vector<NaturalMode>& of_network,
                                       const Agreement& as_it_is) {
@@ -82,27 +82,25 @@ std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vecto
   std::optional<Notice> said;
   const auto try_it = [&](const Mounting& mounting, const auto& notice) {
     const Agreement agreement(matches(found.modes, of_network, mounting), found.modes.size());
-    if (agreement.assurance < well || agreement.score <= best) return;
+    if (agreement.mac < well || agreement.score <= best) return;
     best = agreement.score;
-    said = notice(agreement.assurance);
+    said = notice(agreement.mac);
   };
   for (std::size_t a = 0; a < channels; ++a) {
     for (std::size_t b = a + 1; b < channels; ++b) {
       Mounting swapped(channels);
       std::swap(swapped.channel[a], swapped.channel[b]);
-      try_it(swapped, [&](double assurance) {
-        return Notice{"channels_look_swapped",
-                      {{"first", found.names[a]},
-                       {"second", found.names[b]},
-                       {"mac", as_it_is.assurance},
-                       {"swapped", assurance}}};
+      try_it(swapped, [&](double mac) {
+        return Notice{
+            "channels_look_swapped",
+            {{"first", found.names[a]}, {"second", found.names[b]}, {"mac", as_it_is.mac}, {"swapped", mac}}};
       });
     }
     Mounting reversed(channels);
     reversed.sign[a] = -1;
-    try_it(reversed, [&](double assurance) {
+    try_it(reversed, [&](double mac) {
       return Notice{"channel_looks_reversed",
-                    {{"column", found.names[a]}, {"mac", as_it_is.assurance}, {"reversed", assurance}}};
+                    {{"column", found.names[a]}, {"mac", as_it_is.mac}, {"reversed", mac}}};
     });
   }
   return said;
@@ -122,7 +120,7 @@ Result<void> set_beside(ModesResult& found, const Network& network, bool all) {
   for (const Match& each : chosen) {
     const NaturalMode& mode = modes->modes[each.of_network];
     found.modes[each.found].of_network =
-        ModeOfNetwork{each.of_network + 1, mode.frequency.value, mode.damping_ratio.value, each.assurance};
+        ModeOfNetwork{each.of_network + 1, mode.frequency.value, mode.damping_ratio.value, each.mac};
     seen[each.of_network] = true;
   }
   if (const auto wrong = mounted_wrongly(found, modes->modes, Agreement(chosen, found.modes.size()))) {

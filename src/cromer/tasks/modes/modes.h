@@ -50,7 +50,7 @@ struct ModeOfNetwork {
   std::size_t mode = 0;  ///< from 1, by rising frequency
   double frequency = 0;  // [Hz]
   double damping_ratio = 0;
-  double assurance = 0;  ///< how alike their shapes are, 0 to 1 (MAC)
+  double mac = 0;  ///< modal assurance criterion of the two shapes, 0.5 to 1
 };
 
 struct NaturalMode {
@@ -93,8 +93,8 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
 
 /// The modes in a recording: all columns of one kind are its channels, those that a fit would take. With
 /// `of_method` they are those of the law that was simulated, without the method's share, and `methods` has
-/// what the recording itself shows. They are set beside those of a network whose masses are the channels, in
-/// this order. An Error says what is wrong with the options or the columns.
+/// what the recording itself shows. With `beside` they are set beside those of this network, whose masses are
+/// the channels, in this order. An Error says what is wrong with the options or the columns.
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {},
                                     const Network* beside = nullptr);
 

@@ -59,8 +59,9 @@ std::vector<double> rounding_steps(const std::vector<double>& values) {
     largest = std::max(largest, each.exponent);
     last_place = std::min(last_place, each.last_place());
   }
-  // Written to a decimal place, no value has a digit beyond that of the largest. Of zeros alone `largest` is
-  // the least int.
+  if (largest == std::numeric_limits<int>::min())
+    return std::vector<double>(values.size(), 0.0);  // zeros alone
+  // Written to a decimal place, no value has a digit beyond that of the largest.
   const bool to_a_place = last_place >= largest - (most_digits - 1);
   std::vector<double> steps;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -194,7 +194,9 @@ std::optional<MethodEnergy> method_energy_of(const SimulatedRun& run) {
   if (find_method(run.method)->symplectic) {
     const double first =
         std::accumulate(made_until.begin(), made_until.begin() + 8, -0.5 * made_until[7]) / 8;
-    const double lasting = mean - first, swings = std::max(comes, std::abs(made));
+    const auto [least, most] = std::minmax_element(made_until.begin(), made_until.begin() + 8);
+    const double at_first = (std::max(*most, 0.0) - std::min(*least, 0.0)) / 2;
+    const double lasting = mean - first, swings = std::max({comes, at_first, std::abs(made)});
     return MethodEnergy{std::abs(lasting) < 0.05 * swings ? 0 : lasting, swings};  // not known any better
   }
   // Of a growth without end nothing comes and goes.

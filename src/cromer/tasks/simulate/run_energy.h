@@ -18,11 +18,12 @@ namespace cromer::core {
 /// than 20 states, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
-/// What the method made (+) or lost (-) by the end of a free motion under a law that is not linear. It comes
-/// and goes with each half cycle: `lasting` +- `swing` in the last one, from its ends and its middle.
+/// What the method made (+) or lost (-) by the end of a free motion under a law that is not linear. Some of
+/// it comes and goes with each half cycle.
 struct MethodEnergy {
-  double lasting = 0;  // [J]
-  double swing = 0;    // [J] >= 0
+  double lasting = 0;  // [J] on average over the last half cycle, from its ends and its middle
+  double swing = 0;    // [J] >= 0 to each side of the average: of the last half cycle, or of a symplectic
+                       // method the larger of the first and the last
 };
 
 /// From run.measured and run.energy_balance; empty without either.
