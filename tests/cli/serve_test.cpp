@@ -197,6 +197,10 @@ TEST(Serve, GivesRecordingsWithBlanksAndUmlautsInTheirNames) {
   EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%.csv")), 200);
   EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%2.csv")), 404);
   EXPECT_EQ(status_of(get("my%2520swing%20%C3%BC%2050%25.csv")), 404);
+  std::filesystem::remove(folder.path(name));
+  const std::string gone = get("my%20swing%20%C3%bc%2050%25.csv");
+  EXPECT_EQ(status_of(gone), 404);
+  EXPECT_THAT(body_of(gone), HasSubstr("the recording is gone"));
 }
 
 TEST(Serve, WhatCannotBeReachedIsSaidAndTheServerGoesOn) {

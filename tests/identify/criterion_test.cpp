@@ -67,6 +67,15 @@ TEST(ChooseCandidate, TakesNoneThatDidNotConverge) {
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -100)}), "viscous+drag");
 }
 
+// Damping that is less the wider the swing stands in for something else.
+TEST(ChooseCandidate, TakesNoVanDerPolTermBelowZero) {
+  LawFit falling = candidate("viscous+van-der-pol", -100);
+  EXPECT_EQ(choice({candidate("viscous", 0), falling}), "viscous+van-der-pol");
+  *falling.find("van_der_pol") = {-1, 0.4, -1.8, -0.2};
+  EXPECT_EQ(choice({candidate("viscous", 0), falling}), "viscous");
+  EXPECT_EQ(choice({candidate("viscous", 0), falling, candidate("viscous+drag", -50)}), "viscous+drag");
+}
+
 TEST(ChooseCandidate, TakesTheSimplerOfTwoWithinSix) {
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -5.9)}), "viscous");
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -6.1)}), "viscous+drag");

@@ -88,6 +88,15 @@ TEST(RunStudy, NoticesAreNamedAndThoseToBeShownAreNoNotices) {
   EXPECT_THAT(in_words(other.shown), IsEmpty());
 }
 
+TEST(RunStudy, AQuietTaskHasNoNotices) {
+  const std::string grows = "[[task]]\nsimulate = \"grows\"\nmethod = \"rk4\"\nuntil = 1\ntolerance = 1e-9\n";
+  EXPECT_THAT(in_words(done(grows + "quiet = true\n").notices), IsEmpty());
+  EXPECT_EQ(done(grows + "quiet = false\n").notices.size(), 1u);
+  const StudyRun shows = done(grows + "quiet = true\nshows = \"no effect on rk4\"\n");
+  EXPECT_THAT(in_words(shows.shown), ElementsAre("grows: --tolerance has no effect on rk4"));
+  EXPECT_EQ(done(grows + "quiet = true\nshows = \"unstable\"\n").notices.size(), 1u);
+}
+
 TEST(RunStudy, NoticesStayAsGraveAsTheyWere) {
   const auto how = [](const std::string& toml) { return severity(done(toml).notices.at(0)); };
   EXPECT_EQ(how("[[task]]\nsweep = \"a\"\nstep = 0.1\nmethod = \"rk4\"\ndrive_amplitude = 1\n"

@@ -447,6 +447,7 @@ class Part : public LabTold {
       toml_.bare("method", method);
       toml_.bare("step", shortest(step()));
       toml_.bare("until", shortest(until()));
+      toml_.bare("quiet", "true");  // its text tells what the methods do
     };
     of(methods_, "[\"forward-euler\", \"euler-cromer\"]");
     of(id_ + "_exact", exactly() ? "\"exact\"" : "\"dormand-prince\"");

@@ -31,8 +31,9 @@ TaskSpec read_task(TomlReader& toml) {
     }
   task.shows = toml.text("shows");
   task.may_fail = toml.yes("may_fail");
+  task.quiet = toml.yes("quiet");
   for (const std::string& key : toml.keys()) {
-    if (with_hyphens(key) == task.command || key == "shows" || key == "may_fail") continue;
+    if (with_hyphens(key) == task.command || key == "shows" || key == "may_fail" || key == "quiet") continue;
     task.settings.push_back({with_hyphens(key), toml.values(key), toml.place_of_key(key)});
   }
   return task;

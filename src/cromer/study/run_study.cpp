@@ -244,8 +244,9 @@ Result<StudyRun> run_study(const Study& study, const Watch& watch, const StudyPr
     if (!report) return report.error();
     bool shown = task.shows.empty();
     for (const Notice& notice : report->notices) {
-      (is_shown(task, notice) ? run.shown : run.notices).push_back(of_task(task, notice));
-      shown = shown || is_shown(task, notice);
+      const bool meant = is_shown(task, notice);
+      if (meant || !task.quiet) (meant ? run.shown : run.notices).push_back(of_task(task, notice));
+      shown = shown || meant;
     }
     if (!shown)
       run.notices.push_back(

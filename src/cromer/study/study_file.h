@@ -32,6 +32,7 @@ struct TaskSpec {
   std::string id;       ///< the name of its results
   std::vector<Setting> settings;
   bool may_fail = false;  ///< a fit that finds no law: the study goes on, with the recording
+  bool quiet = false;     ///< its notices are not told
   std::string shows;      ///< part of the sentence of a notice that the task is meant to show; "" if none is
   Place place;
 };

@@ -25,6 +25,9 @@ const Estimate* removable(const LawFit& fit, const TermInfo& info, Law term) {
 
 bool is_admissible(const LawFit& fit, const std::vector<LawFit>& candidates) {
   if (fit.status != FitStatus::converged) return false;
+  // Damping that is less the wider the swing: such a term stands in for something else, as for a brake or a
+  // beat.
+  if (const Estimate* growing = fit.find("van_der_pol"); growing && growing->high < 0) return false;
   const std::vector<Law> simpler_laws = without_unsure_terms(fit);
   return std::all_of(simpler_laws.begin(), simpler_laws.end(), [&](const Law& law) {
     const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
