@@ -124,6 +124,7 @@ class Part : public LabTold {
  private:
   /// Whether the law gives this number: a spring that softens so far has no frequency at its amplitude.
   bool is_known(std::string_view name) const {
+    if (name == "at_amplitude" && !is_known("frequency")) return false;
     const Parameter* headline = named(fitted_.headline, name);
     const Estimate* found = headline ? &headline->estimate : fitted_.find(name);
     return found && std::isfinite(found->value);
