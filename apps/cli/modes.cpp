@@ -41,13 +41,12 @@ int run_modes(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   const std::string& file = files.front();
-  std::optional<Network> network;
   if (!network_file.empty()) {
     auto opened = open_network(network_file);
     if (!opened) return refuse(opened.error());
-    network = *std::move(opened);
+    options.network = *std::move(opened);
   }
-  const auto result = modes_of_file(file, options, network ? &*network : nullptr);
+  const auto result = modes_of_file(file, options);
   if (!result) return refuse(result.error());
   return give({.text = [&] { return modes_text(*result); },
                .json = [&] { return to_json(*result); },

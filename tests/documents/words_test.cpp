@@ -100,6 +100,17 @@ TEST(Words, APartHasItsOwnSentence) {
   EXPECT_EQ(in_words(part, german), "a.csv: für diese Datei reicht der Speicher nicht");
 }
 
+TEST(Words, ANameKeepsItsSmallLettersAtTheHeadOfASentence) {
+  const Notice maker{"maker_with_step", {{"method", "euler-cromer"}, {"step", 0.02}}};
+  const auto sentence = [](const Notice& what) {
+    return in_words(Notice{"answer_as_sentence", {{"what", what}}});
+  };
+  EXPECT_EQ(sentence(maker), "euler-cromer with a step of 0.02 s.");
+  const Notice made{"rows_made_by", {{"maker", maker}, {"same", ""}, {"others", ""}, {"added", ""}}};
+  EXPECT_EQ(sentence(made), "euler-cromer with a step of 0.02 s made these rows.");
+  EXPECT_EQ(sentence(Notice{"no_method_gets_through"}), "No method gets through with this law.");
+}
+
 TEST(Words, AClauseWeighsAsMuchAsTheWorstOfItsParts) {
   const Notice slight{"file_lists_more"};
   const Notice middle{"lines_no_samples", {{"lines", 2}}};

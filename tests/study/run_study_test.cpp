@@ -1,11 +1,16 @@
 #include "cromer/study/run_study.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdio>
+#include <fstream>
 
 #include "cromer/documents/words/words.h"
+#include "cromer/tasks/network/network_file.h"
+#include "cromer/tasks/network_run/network_run.h"
 #include "tests/study/collected.h"
 
 namespace cromer::core {
@@ -212,6 +217,29 @@ TEST(RunStudy, ModesOfARecordingStandBesideANetwork) {
   EXPECT_GT(value(run.results, "wind.2.of_network.mac"), 0.99);
   EXPECT_NEAR(value(run.results, "wind.2.of_network.frequency") / value(run.results, "wind.2.frequency") - 1,
               value(run.results, "wind.2.of_network.frequency_error"), 1e-12);
+}
+
+TEST(RunStudy, FitsANetworkToARecording) {
+  const std::string networks = std::string(CROMER_SOURCE_DIR) + "/data/networks/";
+  const auto network = open_network(networks + "pendulums.toml");
+  ASSERT_TRUE(network);
+  const auto run = run_network(*network, "", {.method = {"rk4"}, .step = 0.01, .until = 40});
+  ASSERT_TRUE(run);
+  const std::string file = testing::TempDir() + "cromer_study_pendulums.csv";
+  std::ofstream rows(file);
+  rows << "t (s),left (rad),right (rad)\n";
+  const NetworkStates& states = run->states;
+  for (std::size_t n = 0; n < states.t.size(); n += 5)
+    rows << fmt::format("{},{},{}\n", states.t[n], states.x[0][n], states.x[1][n]);
+  rows.close();
+  const StudyRun study = done("[[task]]\nfit = \"lab\"\nfile = \"" + file + "\"\nnetwork = \"" + networks +
+                              "pendulums_open.toml\"\n");
+  std::remove(file.c_str());
+  EXPECT_TRUE(study.failure.empty()) << in_words(study.failure);
+  for (std::size_t l = 0; l < 2; ++l)
+    EXPECT_NEAR(value(study.results, fmt::format("lab.links.{}.pendulum", l + 1)), 1.57, 1e-6);
+  EXPECT_NEAR(value(study.results, "lab.links.3.stiffness"), 0.05, 1e-6);
+  EXPECT_EQ(column(study.results, "lab.left.residual").values.size(), 801u);
 }
 
 TEST(RunStudy, FitsOfNetworksSayWhatIsMissing) {

@@ -47,8 +47,9 @@ Recording recorded(const std::vector<std::size_t>& order = {0, 1, 2},
   return *std::move(recording);
 }
 
-ModesResult beside(const Recording& recording, const Network& network, const ModesOptions& options = {}) {
-  auto result = recording_modes(recording, options, &network);
+ModesResult beside(const Recording& recording, const Network& network, ModesOptions options = {}) {
+  options.network = network;
+  auto result = recording_modes(recording, options);
   EXPECT_TRUE(result) << (result ? "" : result.error().message());
   return result ? *std::move(result) : ModesResult{};
 }
@@ -152,10 +153,15 @@ TEST(BesideNetwork, WhatIsLikeNoneIsNamed) {
 }
 
 TEST(BesideNetwork, EachMassNeedsItsChannel) {
-  const Network network = carts();
-  const auto refused = recording_modes(recorded({0, 2}), {}, &network);
+  const auto refused = recording_modes(recorded({0, 2}), {.network = carts()});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().notice.code, "columns_for_masses");
+}
+
+TEST(BesideNetwork, AnotherNetworkHasNoneBesideIt) {
+  const auto refused = network_modes(carts(), "carts.toml", {.network = carts()});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(), "carts.toml: network is of recordings, and this is a network");
 }
 
 }  // namespace

@@ -481,27 +481,25 @@ Result<ModesResult> modes_of_call(Call& call, const std::optional<AskedNetwork>&
     if (auto good = call.refuse_of_files(); !good) return good.error();
   if (!of_arrays && !word->empty()) return Error{Notice{"observed_of_file"}, "observed"};
   if (auto good = call.assign_rest(options_of(options)); !good) return good.error();
-  std::optional<Network> network;
   if (asked) {
     auto known = known_network(asked->network);
     if (!known) return of_network(known.error());
-    network = *std::move(known);
-  }
-  const Network* const beside = network ? &*network : nullptr;
-  if (beside && !of_arrays && file->empty()) {
-    auto found = network_modes(*beside, asked->name, options);
-    if (!found) return of_network(found.error());
-    return found;
+    if (!of_arrays && file->empty()) {
+      auto found = network_modes(*known, asked->name, options);
+      if (!found) return of_network(found.error());
+      return found;
+    }
+    options.network = *std::move(known);
   }
   if (!of_arrays) {
     if (file->empty()) return Error{Notice{"no_file"}, "file"};
-    return modes_of_file(*file, options, beside);
+    return modes_of_file(*file, options);
   }
   const auto observed = observed_of(*word);
   if (!observed) return observed.error();
   const auto motion = take_channels_of(call, options.read, *file, *observed);
   if (!motion) return motion.error();
-  auto found = recording_modes(motion->recording, options, beside);
+  auto found = recording_modes(motion->recording, options);
   if (!found) return in_arguments(found.error(), true);
   put_in_arguments(*found, true);
   return found;

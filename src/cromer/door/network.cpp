@@ -74,7 +74,7 @@ Result<NetworkFit> network_fit_of(const core::Recording& recording, const core::
   return fit;
 }
 
-core::ModesOptions modes_task_options(const ModesOptions& options) {
+Result<core::ModesOptions> modes_task_options(const ModesOptions& options) {
   core::ModesOptions asked{
       .step = options.step, .beta = options.beta, .gamma = options.gamma, .rho_inf = options.rho_inf};
   for (const Method& method : options.method) asked.method.push_back(method.name());
@@ -83,15 +83,11 @@ core::ModesOptions modes_task_options(const ModesOptions& options) {
   asked.from_frequency = options.from_frequency;
   asked.to_frequency = options.to_frequency;
   if (options.of_method) asked.of_method = options.of_method->name();
-  return asked;
-}
-
-/// The network that a recording's modes are set beside, if one is given.
-Result<std::optional<core::Network>> network_beside(const ModesOptions& options) {
-  if (!options.network) return std::optional<core::Network>{};
+  if (!options.network) return asked;
   auto known = core::known_network(core::network_of(*options.network));
   if (!known) return core::of_network(known.error());
-  return std::optional(*std::move(known));
+  asked.network = *std::move(known);
+  return asked;
 }
 
 Modes modes_of(core::ModesResult found, bool of_arrays) {
@@ -161,19 +157,19 @@ Result<NetworkFit> fit(const Recording& recording, const Network& network, const
 }
 
 Result<Modes> modes(const std::string& file, const ModesOptions& options) {
-  const auto beside = network_beside(options);
-  if (!beside) return beside.error();
-  auto found = core::modes_of_file(file, modes_task_options(options), *beside ? &**beside : nullptr);
+  const auto asked = modes_task_options(options);
+  if (!asked) return asked.error();
+  auto found = core::modes_of_file(file, *asked);
   if (!found) return core::in_arguments(found.error());
   return modes_of(*std::move(found), false);
 }
 
 Result<Modes> modes(const Network& network, const ModesOptions& options) {
-  if (options.network)
-    return core::in_arguments(Error{Notice{"network_beside_network", {{"file", core::given_network}}}});
+  const auto asked = modes_task_options(options);
+  if (!asked) return asked.error();
   const auto known = core::known_network(core::network_of(network));
   if (!known) return core::of_network(known.error());
-  auto found = core::network_modes(*known, core::given_network, modes_task_options(options));
+  auto found = core::network_modes(*known, core::given_network, *asked);
   if (!found) return core::of_network(found.error());
   return modes_of(*std::move(found), false);
 }
@@ -181,9 +177,9 @@ Result<Modes> modes(const Network& network, const ModesOptions& options) {
 Result<Modes> modes(std::span<const double> t, const Channels& channels, const ModesOptions& options) {
   const auto recording = core::recording_of(t, columns_of(channels, {}), options.observed, "channels");
   if (!recording) return recording.error();
-  const auto beside = network_beside(options);
-  if (!beside) return beside.error();
-  auto found = core::recording_modes(*recording, modes_task_options(options), *beside ? &**beside : nullptr);
+  const auto asked = modes_task_options(options);
+  if (!asked) return asked.error();
+  auto found = core::recording_modes(*recording, *asked);
   if (!found) return core::in_arguments(found.error(), true);
   return modes_of(*std::move(found), true);
 }

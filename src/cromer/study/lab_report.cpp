@@ -286,12 +286,12 @@ class Part : public LabTold {
         !stretches.empty() && stretches.front().rate.high < 0 && stretches.back().rate.high < 0;
     const bool compared = compared_ && !explanation(*compared_).empty(),
                several = compared_ && compared_->curves.size() > 1;
-    if (!compared && !several && decay_ends().empty() && fitted_.segments.empty() && stretches.size() <= 2)
-      return;
+    const std::string ends = decay_ends();
+    if (!compared && !several && ends.empty() && fitted_.segments.empty() && stretches.size() <= 2) return;
     heading(grows ? "report_grows" : "report_dies_down");
     if (compared)
       paragraph(in_braces("explanation"));
-    else if (const std::string ends = decay_ends(); !ends.empty())
+    else if (!ends.empty())
       paragraph(first_doubt().empty()
                     ? ends
                     : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);

@@ -66,13 +66,12 @@ Result<TaskReport> modes_task(const Work& work) {
   table.push_back(own_option("network", &network_file));
   if (const auto done = work.assign_settings(table); !done) return done.error();
   if (file.empty()) return work.task.place.error(Notice{"task_needs_file", {{"command", work.task.command}}});
-  std::optional<Network> beside;
   if (!network_file.empty()) {
     auto network = open_network(work.path_of(network_file));
     if (!network) return work.error(network.error());
-    beside = *std::move(network);
+    options.network = *std::move(network);
   }
-  const auto found = modes_of_file(work.path_of(file), options, beside ? &*beside : nullptr);
+  const auto found = modes_of_file(work.path_of(file), options);
   if (!found) return work.error(found.error());
   if (!found->ok()) return TaskReport{found->notices, found->message};
   collect(work.task.id, *found, work.results);

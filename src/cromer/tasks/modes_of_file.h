@@ -10,7 +10,6 @@ namespace cromer::core {
 
 /// A file of a network ends in .toml (is_network_file); a recording may be set beside one. An Error names
 /// file, line, option and cure.
-Result<ModesResult> modes_of_file(const std::string& path, const ModesOptions& options,
-                                  const Network* beside = nullptr);
+Result<ModesResult> modes_of_file(const std::string& path, const ModesOptions& options);
 
 }  // namespace cromer::core

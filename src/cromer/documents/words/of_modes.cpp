@@ -53,8 +53,6 @@ constexpr Entry entries[] = {
      "{--step} einer Aufnahme braucht die {--of-method}, die ihn machte"},
     {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
      "{--of-method} braucht den {--step}, den sie machte"},
-    {"network_beside_network", error, "{file} is itself a network: {--network} goes with a recording",
-     "{file} ist selbst ein Netz: {--network} gehört zu einer Aufnahme"},
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
      "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.

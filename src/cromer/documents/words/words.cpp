@@ -50,6 +50,25 @@ std::string listed(const std::vector<std::string>& names, std::string_view how, 
   return joined(names, ", ", ", ");
 }
 
+std::string_view words_of(const Entry& entry, Language language) {
+  return language == Language::german ? entry.german : entry.english;
+}
+
+/// Whether its first word is a value, as the name of a method or a column is: that is written as it is.
+bool begins_with_name(const Notice& notice, Language language) {
+  const Entry* entry = find_entry(notice.code);
+  const std::string_view words = entry ? words_of(*entry, language) : std::string_view{};
+  if (!words.starts_with('{')) return false;
+  const std::string_view name = words.substr(1, words.find_first_of(":}") - 1);
+  for (const NoticeValue& each : notice.values) {
+    if (each.name != name) continue;
+    if (const auto* parts = std::get_if<std::vector<Notice>>(&each.value))
+      return !parts->empty() && begins_with_name(parts->front(), language);
+    return true;
+  }
+  return false;
+}
+
 /// "row|rows": the first for one, the second otherwise.
 std::string_view by_count(std::string_view words, double count) {
   const std::size_t bar = std::min(words.find('|'), words.size());
@@ -183,7 +202,8 @@ class Sentence {
       each.of_arrays = each.of_arrays || notice_.of_arrays;
       sentences.push_back(in_words(each, voice_));
     }
-    if (how == "A" && !sentences.empty() && !sentences[0].empty() && is_small(sentences[0][0]))
+    if (how == "A" && !sentences.empty() && !sentences[0].empty() && is_small(sentences[0][0]) &&
+        !begins_with_name(notices[0], voice_.language))
       sentences[0][0] = static_cast<char>(sentences[0][0] - 'a' + 'A');
     text_ += how.empty() || how == "A" ? joined(sentences, "; ", "; ")
                                        : listed(sentences, how == "," ? "" : how, voice_.language);
@@ -206,7 +226,7 @@ std::string with_comma(std::string text, Language language) {
 std::string in_words(const Notice& notice, const Voice& voice) {
   const Entry* entry = find_entry(notice.code);
   if (!entry) return notice.code;
-  return Sentence(notice, voice).made_of(voice.language == Language::german ? entry->german : entry->english);
+  return Sentence(notice, voice).made_of(words_of(*entry, voice.language));
 }
 
 std::string in_words(const Error& error, const Voice& voice) { return in_words(error.notice, voice); }

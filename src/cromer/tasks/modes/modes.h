@@ -28,6 +28,7 @@ struct ModesOptions {
   std::optional<int> modes{};                              ///< at most this many; all by default
   std::optional<double> from_frequency{}, to_frequency{};  // [rad/s] only modes between
   std::string of_method{};                                 ///< that simulated it, with `step`; "" none
+  std::optional<Network> network{};                        ///< its masses are the channels, in this order
   ReadOptions read{};
 };
 
@@ -93,10 +94,9 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
 
 /// The modes in a recording: all columns of one kind are its channels, those that a fit would take. With
 /// `of_method` they are those of the law that was simulated, without the method's share, and `methods` has
-/// what the recording itself shows. With `beside` they are set beside those of this network, whose masses are
-/// the channels, in this order. An Error says what is wrong with the options or the columns.
-Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {},
-                                    const Network* beside = nullptr);
+/// what the recording itself shows. With `network` they are set beside those of this network. An Error says
+/// what is wrong with the options or the columns.
+Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {});
 
 /// The most masses whose modes are sought.
 inline constexpr std::size_t most_masses_for_modes = 500;

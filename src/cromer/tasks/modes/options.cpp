@@ -61,6 +61,7 @@ std::string_view option_of_recordings(const ModesOptions& options) {
   if (options.from_frequency) return "from-frequency";
   if (options.to_frequency) return "to-frequency";
   if (!options.of_method.empty()) return "of-method";
+  if (options.network) return "network";
   const ReadOptions& read = options.read;
   if (read.rate != 0) return "rate";
   if (!read.time_column.empty()) return "time-column";

@@ -204,8 +204,7 @@ bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& 
 
 }  // namespace
 
-Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options,
-                                    const Network* beside) {
+Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options) {
   if (!options.method.empty()) return Error{"method_of_networks", {{"file", recording.file}}};
   if (options.step && options.of_method.empty()) return Error{"step_needs_of_method"};
   if (!options.step && !options.of_method.empty()) return Error{"of_method_needs_step"};
@@ -259,8 +258,8 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty())
     for (NaturalMode& mode : result.modes) take_out(mode, options, result.notices);
-  if (beside)
-    if (auto good = set_beside(result, *beside, seeks_all(options)); !good) return good.error();
+  if (options.network)
+    if (auto good = set_beside(result, *options.network, seeks_all(options)); !good) return good.error();
   return result;
 }
 
