@@ -19,6 +19,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 using testing::StartsWith;
 
 /// Why no runs are set up; "" if they are.
@@ -209,6 +210,25 @@ TEST(SetUp, StatesFitIntoTheMemory) {
       refused({.step = 0.5, .until = 4503599627370496.0}),
       "--step: 0.5 s up to 4503599627370496 s are 9.01e+15 steps, too many to be told apart; take a longer "
       "step");
+}
+
+TEST(SetUp, WarnsOfStatesTooFarApartToShowTheSwing) {
+  const double period = two_pi;  // of 1 kg on 1 N/m
+  EXPECT_THAT(
+      warned({.method = {"exact"}, .step = 0.9 * period, .until = 45 * period}),
+      ElementsAre(
+          "a state every 5.655 s is less than two in a period of 6.283 s: drawn, they show a "
+          "slower swing that is not there; a shorter --step or a smaller --every shows the real one"));
+  EXPECT_THAT(warned({.method = {"exact"}, .step = 0.49 * period, .until = 49 * period}), IsEmpty());
+  EXPECT_THAT(warned({.method = {"exact"}, .step = 0.1 * period, .until = 50 * period, .every = 9}),
+              SizeIs(1));
+  // Start and end alone are asked for; a drive swings as well; what creeps back does not.
+  EXPECT_THAT(warned({.method = {"exact"}, .step = 0.1 * period, .until = 50 * period, .every = 500}),
+              IsEmpty());
+  EXPECT_THAT(
+      warned({.drive_amplitude = 1, .drive_frequency = {9}, .method = {"exact"}, .step = 0.4, .until = 40}),
+      SizeIs(1));
+  EXPECT_THAT(warned({.damping = 3, .method = {"exact"}, .step = 6, .until = 60}), IsEmpty());
 }
 
 TEST(SetUp, WarnsOfWhatHasNoEffectWordForWord) {

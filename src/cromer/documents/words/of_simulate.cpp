@@ -264,6 +264,14 @@ constexpr Entry entries[] = {
     {"last_step_is_shorter", worth_knowing,
      "{until} s are not a whole number of steps of {step} s: the last step is {last:.6g} s",
      "{until} s sind keine ganze Zahl von Schritten von {step} s: der letzte Schritt ist {last:.6g} s"},
+    {"states_too_far_apart", worth_knowing,
+     "a state every {kept:.4g} s is less than two in a period of {period:.4g} s: drawn, they show a slower "
+     "swing "
+     "that is not there; a shorter {--step} or a smaller {--every} shows the real one",
+     "ein Zustand alle {kept:.4g} s ist weniger als zwei je Periode von {period:.4g} s: gezeichnet zeigen "
+     "sie eine "
+     "langsamere Schwingung, die es nicht gibt; ein kürzerer {--step} oder ein kleineres {--every} zeigt die "
+     "wirkliche"},
     {"unstable_at_any_step", wrong_if_ignored,
      "{method} is unstable for this law whatever the step: the motion will grow",
      "{method} ist bei diesem Gesetz mit jedem Schritt instabil: die Bewegung wird wachsen"},

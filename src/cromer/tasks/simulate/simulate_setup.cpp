@@ -324,6 +324,13 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
   return runs;
 }
 
+/// The shorter period of swing and harmonic drive [s]; 0 where neither swings.
+double period_of_swing(const SimulatedRun& run) {
+  const double natural = natural_period(run.oscillator);
+  const bool swings = decay_rate(run.oscillator) * natural < two_pi;
+  return shorter_period(swings ? natural : 0, run.general ? 0 : drive_period(run.drive));
+}
+
 std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs) {
   std::vector<Notice> notices;
   if (options.drive_record)
@@ -356,6 +363,9 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
     if (steps.last > 0 && options.step && options.until)
       add_once(notices, Notice{"last_step_is_shorter",
                                {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
+    const double kept = run.step * static_cast<double>(options.every), period = period_of_swing(run);
+    if (period > 0 && kept > period / 2 && run.until > 3 * kept)
+      add_once(notices, Notice{"states_too_far_apart", {{"kept", kept}, {"period", period}}});
   }
   return notices;
 }
