@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -16,6 +17,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
+#include "cromer/methods/dormand_prince.h"
 #include "cromer/model/between_samples.h"
 #include "cromer/model/law_force.h"
 
@@ -28,6 +30,7 @@ namespace cromer::core {
 struct FreeColumns {
   static constexpr int count = 0;
 
+  FreeColumns in_step(double, double) const { return {}; }
   void add(double, double&, double*) const {}
 };
 
@@ -39,9 +42,27 @@ class HarmonicColumns {
   explicit HarmonicColumns(const Motion& motion)
       : cosine_(motion.cosine), sine_(motion.sine), w_(motion.drive_frequency) {}
 
+  /// For a step of h [s] from s [s]: at its stages the phase is turned from that at its beginning, by angles
+  /// that are the same in all steps of one length.
+  HarmonicColumns in_step(double s, double h) const {
+    if (h != h_) {
+      for (std::size_t i = 0; i < stages; ++i) turns_[i] = phase_at(DormandPrince::nodes[i] * h);
+      h_ = h;
+    }
+    HarmonicColumns within = *this;
+    const Phase begin = phase_at(s);
+    for (std::size_t i = 0; i < stages; ++i) {
+      const Phase& turn = turns_[i];
+      within.phases_[i] = {begin.cosine * turn.cosine - begin.sine * turn.sine,
+                           begin.sine * turn.cosine + begin.cosine * turn.sine};
+    }
+    within.left_ = stages + 1;
+    return within;
+  }
+
   /// Adds the drive at s [s] to the acceleration and sets its columns.
   void add(double s, double& acceleration, double* columns) const {
-    const double c = std::cos(w_ * s), d = std::sin(w_ * s);
+    const auto [c, d] = left_ > 0 ? phases_[std::min(stages - 1, stages + 1 - left_--)] : phase_at(s);
     acceleration += cosine_ * c + sine_ * d;
     if (!columns) return;
     columns[0] = c;
@@ -50,7 +71,20 @@ class HarmonicColumns {
   }
 
  private:
+  struct Phase {
+    double cosine, sine;
+  };
+  static constexpr std::size_t stages = DormandPrince::nodes.size();
+  static_assert(DormandPrince::info.evaluations == stages + 1,
+                "a step asks at each node, and at the last one twice");
+
+  Phase phase_at(double s) const { return {std::cos(w_ * s), std::sin(w_ * s)}; }
+
   double cosine_, sine_, w_;
+  mutable double h_ = 0;
+  mutable std::array<Phase, stages> turns_{};
+  std::array<Phase, stages> phases_{};
+  mutable std::size_t left_ = 0;  ///< stages of the step to come, the last one twice
 };
 
 /// gain (u + offset): columns of the gain and the offset. Works through the record block by block: memory
@@ -178,6 +212,8 @@ class MotionSystem {
       : motion_(&motion), drive_(&drive), direction_(direction) {}
 
   MotionSystem sliding(int direction) const { return {*motion_, *drive_, direction}; }
+  /// The same, where the drive knows its step.
+  MotionSystem under(const typename Code::Drive& drive) const { return {*motion_, drive, direction_}; }
   const typename Code::Drive& drive() const { return *drive_; }
 
   /// [unit/s^2] at s [s] from the first sample.

@@ -80,7 +80,8 @@ class PathStepper {
   step(const System& system, double t, double h, Step& last) {
     const State<Real> y = last.to;
     if constexpr (std::is_same_v<Method, DormandPrince>) {
-      Method{}.step(system, t, h, y, last);
+      const auto drive = system.drive().in_step(t, h);
+      Method{}.step(system.under(drive), t, h, y, last);
     } else {
       NoMemory none;
       last = {y, Method{}.step(system, t, h, y, none).y};
