@@ -49,6 +49,8 @@ std::vector<FilterSection> butterworth(int order, const PassBand& band, double h
       pairs.push_back(z);
   }
   std::vector<FilterSection> sections;
+  const auto slower = [](const InPlane& a, const InPlane& b) { return std::arg(a) < std::arg(b); };
+  std::sort(pairs.begin(), pairs.end(), slower);
   for (const InPlane& z : pairs) sections.push_back({0, 0, 0, -2 * z.real(), std::norm(z)});
   std::sort(reals.begin(), reals.end());
   for (std::size_t i = 0; i < reals.size(); i += 2) {
@@ -60,13 +62,19 @@ std::vector<FilterSection> butterworth(int order, const PassBand& band, double h
   const InPlane through = band.has_low() && band.has_high() ? std::polar(1.0, centre)
                           : band.has_low()                  ? InPlane(-1)
                                                             : InPlane(1);
-  for (FilterSection& s : sections) {
-    const bool single = s.a2 == 0;
-    const double sign = band.has_low() ? -1 : 1;
-    if (band.has_low() && band.has_high())
-      s.b0 = 1, s.b2 = -1;
+  // Of a band the slow half of the sections stops what is too slow, the fast half what is too fast, and one that
+  // is left over both: so none amplifies what others have to take off again.
+  const bool both = band.has_low() && band.has_high();
+  const std::size_t half = static_cast<std::size_t>(order) / 2;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    FilterSection& s = sections[i];
+    const bool single = s.a2 == 0, slow = i < half, fast = i < pairs.size() && i >= pairs.size() - half;
+    const double sign = (both ? slow : band.has_low()) ? -1 : 1;
+    s.b0 = 1;
+    if (both && !slow && !fast)
+      s.b2 = -1;
     else
-      s.b0 = 1, s.b1 = single ? sign : 2 * sign, s.b2 = single ? 0 : 1;
+      s.b1 = single ? sign : 2 * sign, s.b2 = single ? 0 : 1;
     const double gain = std::abs(section_response(s, through));
     for (double* b : {&s.b0, &s.b1, &s.b2}) *b /= gain;
   }
