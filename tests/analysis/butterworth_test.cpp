@@ -83,8 +83,7 @@ TEST(Butterworth, WideBandsOfHighOrderKeepTheirDigits) {
     filter(butterworth(order, band, h), answer);
     for (const double f : {0.04, 0.06, 0.5, 5.0, 45.0, 55.0}) {
       std::complex<double> sum = 0;
-      for (std::size_t i = answer.size(); i-- > 0;)
-        sum = answer[i] + std::polar(1.0, -2 * pi * f * h) * sum;
+      for (std::size_t i = answer.size(); i-- > 0;) sum = answer[i] + std::polar(1.0, -2 * pi * f * h) * sum;
       EXPECT_NEAR(std::norm(sum), gain_squared(order, band, h, f), 1e-8) << order << " " << f;
     }
   }

@@ -143,6 +143,12 @@ TEST(ParseUnit, GramOrGravityIsWhatWasExpected) {
   EXPECT_EQ(parse_unit("g", &acceleration)->factor, 9.80665);
   EXPECT_EQ(parse_unit("g", &acceleration)->dimension, acceleration);
   EXPECT_EQ(parse_unit("g", &mass)->factor, 1e-3);
+  EXPECT_EQ(parse_unit("mg", &acceleration)->factor, 1e-3 * 9.80665);
+  EXPECT_EQ(parse_unit("µg", &acceleration)->factor, 1e-6 * 9.80665);
+  EXPECT_EQ(parse_unit("mg", &mass)->factor, 1e-6);
+  EXPECT_EQ(parse_unit("kg", &acceleration)->dimension, mass);
+  EXPECT_EQ(parse_unit("mg")->dimension, mass);
+  EXPECT_EQ(parse_unit("deg", &acceleration)->dimension.radian, 1);
   EXPECT_EQ(parse_unit("g m", &acceleration)->dimension.kilogram, 1);
 }
 

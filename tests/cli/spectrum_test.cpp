@@ -182,9 +182,11 @@ TEST(Spectrum, WhatIsSaidOfManyMotionsIsSaidOnce) {
     arguments.push_back(name);
   }
   const std::string said = folder.run(arguments).err;
-  EXPECT_THAT(said,
-              HasSubstr("a.csv: column \"shaking\" has no unit and is taken as m/s^2; --unit names another "
-                        "(the like of 2 more of 3 motions)"));
+  EXPECT_THAT(
+      said,
+      HasSubstr(
+          "a.csv: column \"shaking\" has no unit of acceleration and is taken as m/s^2; --unit names another "
+          "(the like of 2 more of 3 motions)"));
   EXPECT_THAT(said, HasSubstr("a.csv: --periods: one period is below 0.02 s"));
   EXPECT_THAT(said, testing::Not(HasSubstr("b.csv")));
 }
@@ -243,8 +245,10 @@ TEST(Spectrum, SaysOnceWhatItTakesAColumnFor) {
   folder.write("plain.csv", "time (s),shaking\n0,0\n0.01,1\n0.02,-1\n0.03,0\n");
   const Finished one = folder.run({"spectrum", "plain.csv", "--periods", "0.1"});
   ASSERT_EQ(one.status, 0) << one.err;
-  EXPECT_THAT(one.err,
-              HasSubstr("column \"shaking\" has no unit and is taken as m/s^2; --unit names another"));
+  EXPECT_THAT(
+      one.err,
+      HasSubstr(
+          "column \"shaking\" has no unit of acceleration and is taken as m/s^2; --unit names another"));
   EXPECT_THAT(one.err, testing::Not(HasSubstr("taken as they are")));
   EXPECT_EQ(
       folder.run({"spectrum", "plain.csv", "--periods", "0.025", "--unit", "g", "--peaks", "samples"}).err,

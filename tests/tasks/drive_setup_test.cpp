@@ -321,6 +321,12 @@ TEST(DriveFile, SaysThatItBeginsLate) {
   EXPECT_TRUE(record_of(late, {.quantity = "force"})->unit_known);
   EXPECT_EQ(record_of(late, {.quantity = "force"})->column, "Force (N)");
   EXPECT_FALSE(record_of("Time (s),Force\n0,1\n1,2\n", {.quantity = "force"})->unit_known);
+  const auto share = record_of("Time (s),Force (%)\n0,1\n1,2\n", {.quantity = "force"});
+  EXPECT_FALSE(share->unit_known);
+  EXPECT_THAT(share->values, testing::ElementsAre(1, 2));
+  EXPECT_THAT(
+      in_words(share->notices),
+      testing::Contains(testing::HasSubstr("\"%\" of column \"Force (%)\" is no unit of force: its values")));
   EXPECT_THAT(in_words(record_of("Time (s),Force (N)\n0.019,1\n1.019,2\n", {.quantity = "force"})->notices),
               IsEmpty());
 }

@@ -158,13 +158,22 @@ TEST(SpectrumSetup, AnAccelerationHasItsUnitOrIsGivenOne) {
                      g = file_of("b.csv", "acceleration", "g", 9);
   EXPECT_THAT(in_words(read({g}).notices), IsEmpty());
   EXPECT_DOUBLE_EQ(read({g}).components.at(0).acceleration[1], 2 * 9.80665);
-  EXPECT_THAT(
-      in_words(read({bare}).notices),
-      ElementsAre("a.csv: column \"acceleration\" has no unit and is taken as m/s^2; --unit names another"));
+  EXPECT_THAT(in_words(read({bare}).notices),
+              ElementsAre("a.csv: column \"acceleration\" has no unit of acceleration and is taken as m/s^2; "
+                          "--unit names another"));
   EXPECT_EQ(read({bare}).components.at(0).acceleration[1], 2);
   const Read said_so = read({bare}, {.unit = "g"});
   EXPECT_THAT(in_words(said_so.notices), IsEmpty());
   EXPECT_DOUBLE_EQ(said_so.components.at(0).acceleration[1], 2 * 9.80665);
+  EXPECT_DOUBLE_EQ(read({file_of("c.csv", "acceleration", "mg", 9)}).components.at(0).acceleration[1],
+                   2e-3 * 9.80665);
+  const SpectrumFile share = file_of("d.csv", "acceleration", "%", 9);
+  EXPECT_THAT(
+      in_words(read({share}).notices),
+      ElementsAre("d.csv: column \"acceleration (%)\" has no unit of acceleration and is taken as m/s^2; "
+                  "--unit names another"));
+  EXPECT_EQ(read({share}).components.at(0).acceleration[1], 2);
+  EXPECT_DOUBLE_EQ(read({share}, {.unit = "mg"}).components.at(0).acceleration[1], 2e-3 * 9.80665);
   EXPECT_EQ(read({g}, {.unit = "g"}).refusal,
             "--unit: b.csv: column \"acceleration (g)\" has its unit already; leave --unit out");
   EXPECT_EQ(read({bare}, {.unit = "m/s"}).refusal,

@@ -62,8 +62,8 @@ std::vector<FilterSection> butterworth(int order, const PassBand& band, double h
   const InPlane through = band.has_low() && band.has_high() ? std::polar(1.0, centre)
                           : band.has_low()                  ? InPlane(-1)
                                                             : InPlane(1);
-  // Of a band the slow half of the sections stops what is too slow, the fast half what is too fast, and one that
-  // is left over both: so none amplifies what others have to take off again.
+  // Of a band the slow half of the sections stops what is too slow, the fast half what is too fast, and one
+  // that is left over both: so none amplifies what others have to take off again.
   const bool both = band.has_low() && band.has_high();
   const std::size_t half = static_cast<std::size_t>(order) / 2;
   for (std::size_t i = 0; i < sections.size(); ++i) {

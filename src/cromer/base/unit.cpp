@@ -91,6 +91,14 @@ constexpr std::array prefixes{
     Prefix{"h", 1e2},       Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9},
 };
 
+/// 1 of no prefix.
+std::optional<double> prefix_factor(std::string_view text) {
+  if (text.empty()) return 1;
+  for (const Prefix& prefix : prefixes)
+    if (prefix.text == text) return prefix.factor;
+  return std::nullopt;
+}
+
 std::optional<Symbol> find_symbol(std::string_view text) {
   for (const Symbol& symbol : symbols)
     if (symbol.text == text) return symbol;
@@ -196,7 +204,10 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   UnitReader reader{text};
   reader.skip_blanks();
   while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);
-  if (reader.rest == "g" && expected && *expected == acceleration) return Unit{gravity, 0, acceleration};
+  if (expected && *expected == acceleration && reader.rest.ends_with('g'))
+    if (const auto factor = prefix_factor(reader.rest.substr(0, reader.rest.size() - 1));
+        factor && *factor <= 1)
+      return Unit{*factor * gravity, 0, acceleration};
   // A tonne where a mass is asked for: elsewhere "t" is a time without a unit.
   constexpr Dimension mass{1};
   if (reader.rest == "t" && expected && *expected == mass) return Unit{1e3, 0, mass};

@@ -133,8 +133,9 @@ constexpr Entry entries[] = {
      "{first} hat alle {first_spacing:.6g} s einen Messwert und {second} alle {second_spacing:.6g} s; die "
      "Komponenten einer Bewegung müssen gleich abgetastet sein: bitte eine umrechnen"},
     {"acceleration_unit_assumed", wrong_if_ignored,
-     "{file}: column \"{column}\" has no unit and is taken as m/s^2; {--unit} names another",
-     "{file}: die Spalte „{column}“ hat keine Einheit und gilt als m/s^2; {--unit} nennt eine andere"},
+     "{file}: column \"{column}\" has no unit of acceleration and is taken as m/s^2; {--unit} names another",
+     "{file}: die Spalte „{column}“ hat keine Einheit der Beschleunigung und gilt als m/s^2; {--unit} nennt "
+     "eine andere"},
     {"two_motions", wrong_if_ignored,
      "{first} is of \"{first_motion}\" and {second} of \"{second_motion}\": components of two motions, "
      "whose RotD50 means nothing",

@@ -87,6 +87,13 @@ Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest&
   const auto target = parse_unit(wants_force(request) ? "N" : "m/s^2");
   const auto unit = parse_unit(series->unit, &target->dimension);
   record.unit_known = !series->unit.empty() && unit && unit->dimension == target->dimension;
+  if (!series->unit.empty() && unit && !record.unit_known) {
+    for (double& value : record.values) value /= series->to_si;
+    record.notices.push_back(in_file(
+        file,
+        Notice{"unit_of_something_else",
+               {{"unit", series->unit}, {"column", series->column}, {"kind", kind_of(request.quantity)}}}));
+  }
   for (const auto* said : {&recording.notices, &series->notices})
     for (const Notice& notice : *said) record.notices.push_back(in_file(file, notice));
   if (all.size() > 1 && request.run == 0)

@@ -26,7 +26,9 @@ constexpr double longest_period = 1e6;       // of the recording's duration: abo
 
 /// Whether a notice is about a column whose unit is not known.
 bool says_no_unit(const Notice& notice) {
-  if (notice.code == "unit_assumed" || notice.code == "column_without_unit") return true;
+  if (notice.code == "unit_assumed" || notice.code == "column_without_unit" ||
+      notice.code == "unit_of_something_else")
+    return true;
   for (const NoticeValue& each : notice.values)
     if (const auto* parts = std::get_if<std::vector<Notice>>(&each.value))
       if (std::any_of(parts->begin(), parts->end(), says_no_unit)) return true;
