@@ -67,6 +67,25 @@ TEST(ChooseCandidate, TakesNoneThatDidNotConverge) {
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -100)}), "viscous+drag");
 }
 
+// One that ran away leaves nothing, and has no samples.
+TEST(ChooseCandidate, ComparesByOneThatConverged) {
+  LawFit ran_away;
+  ran_away.law = law_of("viscous");
+  ran_away.status = FitStatus::iteration_limit;
+  EXPECT_EQ(choice({ran_away, candidate("viscous+cubic", 0), candidate("viscous+drag", -100)}),
+            "viscous+drag");
+  EXPECT_EQ(choice({ran_away, candidate("viscous+drag", -100), candidate("viscous+cubic", 0)}),
+            "viscous+drag");
+  // Nor is it the simpler law that a term must beat.
+  EXPECT_EQ(
+      choice({ran_away, candidate("viscous+cubic", 0), unsure(candidate("viscous+drag", -100), "drag")}),
+      "viscous+cubic");
+  EXPECT_EQ(choice({candidate("viscous", 0), unsure(candidate("viscous+drag", -100), "drag")}),
+            "viscous+drag");
+  std::vector<LawFit> none{ran_away, ran_away};
+  EXPECT_EQ(choose_candidate(none), 0u);
+}
+
 // Damping that is less the wider the swing stands in for something else.
 TEST(ChooseCandidate, TakesNoVanDerPolTermBelowZero) {
   LawFit falling = candidate("viscous+van-der-pol", -100);

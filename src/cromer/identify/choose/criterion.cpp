@@ -31,8 +31,7 @@ bool is_admissible(const LawFit& fit, const std::vector<LawFit>& candidates) {
   const std::vector<Law> simpler_laws = without_unsure_terms(fit);
   return std::all_of(simpler_laws.begin(), simpler_laws.end(), [&](const Law& law) {
     const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
-      return other.law == law && other.drive.force.between == fit.drive.force.between &&
-             other.residual.rms > 0;
+      return other.law == law && other.residual.rms > 0;
     });
     return simpler != candidates.end() && simpler->bic >= fit.bic + strong_evidence;
   });
@@ -54,7 +53,9 @@ std::vector<Law> without_unsure_terms(const LawFit& fit) {
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution) {
   const LawFit* closest = &candidates.front();
   for (const LawFit& fit : candidates)
-    if (fit.status == FitStatus::converged && fit.residual.rms < closest->residual.rms) closest = &fit;
+    if (fit.status == FitStatus::converged &&
+        (closest->status != FitStatus::converged || fit.residual.rms < closest->residual.rms))
+      closest = &fit;
   const double independent = closest->independent_samples;
   for (LawFit& fit : candidates)
     if (fit.residual.rms > 0 && independent > 0)
