@@ -58,7 +58,7 @@ class Problem {
     double sum = 0;
     const std::size_t n = std::min(y.size(), finer.size());
     for (std::size_t i = 0; i < n; ++i) sum += (y[i] - finer[i]) * (y[i] - finer[i]);
-    return n == 0 ? HUGE_VAL : std::sqrt(sum / static_cast<double>(n));
+    return std::sqrt(sum / static_cast<double>(n));
   }
 
   const FittedParameters& fitted() const { return fitted_; }
@@ -148,8 +148,7 @@ class StepLength {
     w_ = std::max(w0, first.drive_frequency);
     // A spring that hardens swings faster where it swings far.
     if (const double far = std::hypot(first.position, first.velocity / w0);
-        problem.options().drive.kind == DriveKind::none && w0 > 0 && std::isfinite(far) &&
-        !first.law.has<Pendulum>())
+        problem.options().drive.kind == DriveKind::none && std::isfinite(far) && !first.law.has<Pendulum>())
       if (const double w = Swing<double>{first.per_mass}.angular_frequency(far); std::isfinite(w))
         w_ = std::max(w_, std::min(w, fastest_seen(record, w0)));
     const double duration = record.t.back() - record.t.front();
@@ -460,7 +459,7 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
       linear.status = FitStatus::converged;
       linear.message = {};
     }
-    if (!beginning.usable() || watch.interrupted()) return beginning;
+    if (!beginning.usable()) return beginning;
     beginning.known_motion = linear_motion(record, options, beginning.linear, watch);
     beginning.track = track_envelope(record, beginning.known_motion.motion.angular_frequency(),
                                      beginning.known_motion.decay_rate);
@@ -541,7 +540,7 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
   }
   // More than a fifth of the amplitude is lost in a period: friction may stop it within a few half swings.
   const bool may_stop_early = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
-                              record.derivative == 0 && options.law.shares(springs) &&
+                              record.derivative == 0 &&
                               known.decay_rate * two_pi > 0.2 * known.motion.angular_frequency();
   if (may_stop_early) {
     // Its first swings are enough to begin with.
@@ -611,7 +610,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
       return fit_holding(held, record, growing, known, watch, roughly);
     });
   const bool by_convention = held.equilibrium && record.derivative == 0 && options.law.shares(springs);
-  if (!by_convention || !tells_its_origin(options.law) || watch.interrupted()) return fit;
+  if (!by_convention || !tells_its_origin(options.law)) return fit;
   // The zero may lie amid the motion by chance: the record tells.
   constexpr double clearly = 2;  // of the residuals' variance
   LawFit other =

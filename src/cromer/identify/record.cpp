@@ -28,7 +28,7 @@ double noise_of(std::span<const double> values) {
 
 std::vector<AmplitudeWindow> amplitude_windows(const Record& record, double length, std::size_t at_least) {
   std::vector<AmplitudeWindow> windows;
-  for (std::size_t first = 0; first < record.t.size();) {
+  for (std::size_t first = 0;;) {
     const double end = record.t[first] + length;
     if (end > record.t.back() || !(end > record.t[first])) break;  // the latter: shorter than rounding
     std::size_t last = first;

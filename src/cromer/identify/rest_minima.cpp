@@ -94,7 +94,6 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedP
 LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParameters& fitted,
                                         const LeastSquaresSummary& found, const LeastSquaresOptions& options,
                                         double h, const Watch& watch) {
-  if (found.reason != LeastSquaresReason::iteration_limit) return found;
   const int f = fitted.place_of("friction"), w = fitted.place_of("angular_frequency");
   const auto band_at = [&](const Parameters& p) { return p[f] / (p[w] * p[w]); };
   const Rest middle = rest_of(fitted, found.parameters, record, h);

@@ -48,7 +48,7 @@ Selection select(const Record& record, double angular_frequency) {
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
   const double most = 2 * std::numbers::pi / (angular_frequency * h * samples_per_period);
   const std::size_t wanted = (n + enough_samples - 1) / enough_samples;
-  part.stride = std::clamp<std::size_t>(most < 1e6 ? static_cast<std::size_t>(most) : 1'000'000, 1, wanted);
+  part.stride = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(wanted)));
   part.end = std::min(n, part.stride * enough_samples);
   for (std::size_t i = 0; i < part.end; i += part.stride) {
     part.t.push_back(record.t[i]);
@@ -153,7 +153,7 @@ class LawSearch {
       leading.law = linear;
       beginning = begin_fit(record_, leading, watch_);
     }
-    if (!beginning.usable() || watch_.interrupted()) {
+    if (!beginning.usable()) {
       add(beginning.linear, true);
       return alone();
     }
@@ -469,11 +469,6 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   one.law = law_of("viscous");
   const LawFit viscous = fit_law(record, one, watch);
   if (!is_comparable(viscous)) return {viscous, {viscous}};
-  if (watch.interrupted()) {
-    LawChoice choice{viscous, {viscous}};
-    LawSearch::mark_interrupted(choice, free_candidates(options.angle), watch);
-    return choice;
-  }
   const Selection part = select(record, viscous.angular_frequency().value);
   const Record samples = part.record();
   LawChoice choice = LawSearch(samples, options, watch).among_free(0.5);
@@ -548,10 +543,7 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
   // All candidates see the same samples: those that are no outliers from the chosen one.
   LawFitOptions every = options;
   every.every_sample = true;
-  double begun = record.t.front();
   const auto choose = [&](const Record& samples, std::span<const LawFit> before = {}) {
-    // A motion is told by where it is at the first sample.
-    if (samples.t.front() != std::exchange(begun, samples.t.front())) before = {};
     LawChoice choice = choose_on(samples, every, given, watch, before);
     if (!choice.rivals.empty()) choice.chosen.notices.push_back(choice.rivals);
     return choice;

@@ -23,14 +23,13 @@ std::size_t best_reading(const std::vector<LawFit>& fits) {
 std::vector<Notice> differences(const LawFit& chosen, const LawFit& other) {
   std::vector<Notice> found;
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
-    const Estimate* there = other.find(chosen.names[i]);
-    const Estimate& here = chosen.estimates[i];
-    if (!there || is_of_the_start(chosen.names[i])) continue;
-    const double off = std::abs(there->value - here.value) / here.standard_error;
+    if (is_of_the_start(chosen.names[i])) continue;
+    const Estimate &here = chosen.estimates[i], there = other[chosen.names[i]];
+    const double off = std::abs(there.value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
     found.push_back(
         Notice{"parameter_elsewhere",
-               {{"parameter", parameter_named(chosen.names[i])}, {"value", there->value}, {"errors", off}}});
+               {{"parameter", parameter_named(chosen.names[i])}, {"value", there.value}, {"errors", off}}});
   }
   return found;
 }
@@ -46,9 +45,7 @@ void spread_over_readings(LawFit& chosen, const std::vector<LawFit>& open) {
   const std::size_t n = chosen.names.size();
   for (std::size_t k = 0; k < open.size(); ++k) {
     std::vector<double> off(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
-      if (const Estimate* there = open[k].find(chosen.names[i]))
-        off[i] = there->value - chosen.estimates[i].value;
+    for (std::size_t i = 0; i < n; ++i) off[i] = open[k][chosen.names[i]].value - chosen.estimates[i].value;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         chosen.covariance[i * n + j] += weights[k] / total * off[i] * off[j];

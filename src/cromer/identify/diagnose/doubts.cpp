@@ -187,7 +187,7 @@ Notice turning_over(const Record& record) {
   // It swings about the last multiple of a turn once it has stayed within half a turn of it.
   const double rest = 2 * pi * std::round(record.y.back() / (2 * pi));
   std::size_t last = record.t.size();
-  while (last > 0 && std::abs(record.y[last - 1] - rest) < pi) --last;
+  while (std::abs(record.y[last - 1] - rest) < pi) --last;
   const double turns = (high - low) / (2 * pi);
   if (last == record.t.size()) return Notice{"turns_over", {{"turns", turns}}};
   return Notice{"turns_over_at_first", {{"turns", turns}, {"time", record.t[last]}}};
@@ -213,7 +213,6 @@ bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const doub
       const double at = w + sign * (2 * reach + k * std::max(resolution, (0.5 * w - 2 * reach) / 24));
       if (at > 2 * resolution) beside.push_back(power(at));
     }
-  if (beside.size() < 8) return true;
   return top > times * upper_median(beside);
 }
 
@@ -358,7 +357,7 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
 
 std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::span<const double> residuals,
                                   double drive, bool only_law, std::string_view unit) {
-  if (residuals.size() != record.t.size() || record.t.size() < 32) return {};
+  if (residuals.size() != record.t.size()) return {};
   const double noise = noise_of(residuals);
   const Record left{record.t, residuals, record.resolution, record.derivative};
   std::vector<Notice> found = second_drives(left, drive, unit);

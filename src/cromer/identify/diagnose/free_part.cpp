@@ -194,8 +194,7 @@ std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& s
   // A first value alone may be off by noise: the mean of the first quarter period.
   double held = 0;
   std::size_t quarter = 0;
-  while (quarter + 1 < record.t.size() && record.t[quarter] - record.t[0] < 0.25 * swing.period)
-    held += record.y[quarter++];
+  while (record.t[quarter] - record.t[0] < 0.25 * swing.period) held += record.y[quarter++];
   if (quarter < 3) return std::nullopt;
   held /= static_cast<double>(quarter);
   // It is let go where three samples in a row leave the band on one side; noise alone does not do that.

@@ -471,7 +471,7 @@ double expected_rounding_error(double value, double noise) {
 
 std::vector<double> rounded_motion(const Record& record, std::span<const double> residuals) {
   const double q = record.resolution;
-  if (!(q > 0) || residuals.empty()) return {};
+  if (!(q > 0)) return {};
   double mean_square = 0;
   for (double r : residuals) mean_square += r * r / static_cast<double>(residuals.size());
   if (mean_square > 0.36 * q * q) return {};

@@ -153,7 +153,7 @@ std::size_t longest_memory(const SampleGrid& grid) {
     ++before[run];
   }
   std::size_t order = before.size(), with = 0;
-  while (order > 1 && 2 * (with += before[order - 1]) < grid.place.size()) --order;
+  while (2 * (with += before[order - 1]) < grid.place.size()) --order;
   return std::max<std::size_t>(1, order - 1);
 }
 
@@ -222,7 +222,7 @@ std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, s
 
 bool is_arithmetic(double rms, std::span<const double> y) {
   const auto [low, high] = extent_of(y);
-  return y.empty() || rms < 1e-9 * (high - low);
+  return rms < 1e-9 * (high - low);
 }
 
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,

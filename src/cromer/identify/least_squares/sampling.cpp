@@ -60,7 +60,7 @@ SampleGrid find_grid(std::span<const double> t) {
   for (std::size_t i = 1; i < t.size(); ++i)
     if (t[i] - t[i - 1] < longest) sum += t[i] - t[i - 1], ++count;
   const bool gaps = count + 1 < t.size();
-  grid.step = gaps && count > 0 ? sum / static_cast<double>(count) : mean;
+  grid.step = gaps ? sum / static_cast<double>(count) : mean;
   if (!gaps) return grid;
   grid.place.resize(t.size());
   for (std::size_t i = 1; i < t.size(); ++i) {

@@ -29,7 +29,6 @@ ColumnSpread column_spread(std::span<const double> y) {
   ColumnSpread s;
   for (const double each : y)
     if (!std::isnan(each)) s.mean += each, ++s.count;
-  if (s.count == 0) return s;
   s.mean /= static_cast<double>(s.count);
   for (const double each : y)
     if (!std::isnan(each)) s.deviation += (each - s.mean) * (each - s.mean);
@@ -219,9 +218,7 @@ class NetworkMotions {
         spreads_(spreads),
         scale_(scale),
         period_(period) {
-    weight_.assign(masses(), 0);
-    for (std::size_t i = 0; i < masses(); ++i)
-      if (spreads_[i].deviation > 0) weight_[i] = 1 / (spreads_[i].deviation * spreads_[i].deviation);
+    for (const ColumnSpread& spread : spreads_) weight_.push_back(1 / (spread.deviation * spread.deviation));
   }
 
   std::size_t masses() const { return network_.masses.size(); }

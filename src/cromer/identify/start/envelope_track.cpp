@@ -233,7 +233,7 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
   std::size_t first = 0;
   double last_t = 0, last_phase = 0;
   bool dies_away = false;
-  while (first < record.t.size()) {
+  for (;;) {
     const double from = record.t[first], to = from + periods * 2 * pi / w, tc = 0.5 * (from + to);
     const auto last =
         static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), to) - record.t.begin());
@@ -302,8 +302,7 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   motion.law = law;
   motion.equilibrium = track.equilibrium;
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (decay.coefficients.size() == terms.size())
-      motion.per_mass.*terms[i].coefficient = decay.coefficients[i];
+    motion.per_mass.*terms[i].coefficient = decay.coefficients[i];
   for (std::size_t i = 0; i < shifting.size(); ++i)
     motion.per_mass.*terms[shifting[i]].coefficient = fit.x[2 + i];
   motion.set_angular_frequency(std::hypot(w, motion.decay_rate()));
@@ -318,8 +317,7 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
       linear.amplitude[k] = track.amplitude[k] * std::sqrt(bent->rate[k] / motion.angular_frequency());
     const Decay of_action = decay_along(linear, terms_along(linear, law, motion.angular_frequency()));
     for (std::size_t i = 0; i < terms.size(); ++i)
-      if (terms[i].shift.back() == 0 && of_action.coefficients.size() == terms.size())
-        motion.per_mass.*terms[i].coefficient = of_action.coefficients[i];
+      if (terms[i].shift.back() == 0) motion.per_mass.*terms[i].coefficient = of_action.coefficients[i];
   }
   // From the first window's middle back to the first sample, at the rates there.
   const double back = track.t.front() - t0, A = decay.amplitude;

@@ -29,21 +29,17 @@ std::size_t quick_length(std::size_t n) {
   }
 }
 
-// Fills in missing samples by straight lines; before the first known sample and after the last by its
-// value.
+// Fills in missing samples by straight lines; the first and the last are known.
 std::vector<double> without_holes(std::span<const double> z) {
   std::vector<double> full(z.begin(), z.end());
-  std::size_t last = full.size();  // none yet
-  for (std::size_t i = 0; i < full.size(); ++i) {
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < full.size(); ++i) {
     if (std::isnan(full[i])) continue;
-    const std::size_t from = last == full.size() ? 0 : last + 1;
-    for (std::size_t k = from; k < i; ++k)
-      full[k] = from == 0 ? full[i]
-                          : full[last] + (full[i] - full[last]) * static_cast<double>(k - last) /
-                                             static_cast<double>(i - last);
+    for (std::size_t k = last + 1; k < i; ++k)
+      full[k] =
+          full[last] + (full[i] - full[last]) * static_cast<double>(k - last) / static_cast<double>(i - last);
     last = i;
   }
-  for (std::size_t k = last + 1; k < full.size(); ++k) full[k] = full[last];
   return full;
 }
 
