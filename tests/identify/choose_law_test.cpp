@@ -3,7 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
 #include "cromer/documents/words/words.h"
+#include "cromer/model/law_force.h"
+#include "tests/identify/forced_truth.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
@@ -49,6 +55,98 @@ TEST(ChooseLaw, ASpringThatIsNotSymmetricIsFound) {
     for (double& each : y) each += normal(engine);
     EXPECT_EQ(to_text(choose_law({t, y}, {}).chosen.law), "viscous+quadratic") << seed;
   }
+}
+
+bool was_tried(const LawChoice& choice, const Law& law) {
+  return std::any_of(choice.candidates.begin(), choice.candidates.end(),
+                     [&](const LawFit& fit) { return fit.law == law; });
+}
+
+TEST(ChooseLaw, WhoGivesAnExponentLooksForHysteresis) {
+  const Law hysteretic = law_of("viscous+hysteresis");
+  const SyntheticRecord record = viscous_record({}, even_times(400, 0.05), 1e-3);
+  EXPECT_FALSE(was_tried(choose_law(record.record(), {}), hysteretic));
+  const LawChoice choice = choose_law(record.record(), {.hysteresis_exponent = 2});
+  EXPECT_TRUE(was_tried(choice, hysteretic));
+  EXPECT_EQ(to_text(choice.chosen.law), "viscous");
+}
+
+TEST(ChooseLaw, EverySampleMayCount) {
+  SyntheticRecord record = viscous_record({}, even_times(400, 0.05), 1e-3);
+  record.y[200] += 0.1;
+  const LawChoice choice = choose_law(record.record(), {});
+  EXPECT_EQ(choice.chosen.outliers, std::vector<std::size_t>{200});
+  EXPECT_NEAR(choice.chosen.residual.rms, 1e-3, 2e-4);
+  const LawChoice every = choose_law(record.record(), {.every_sample = true});
+  EXPECT_TRUE(every.chosen.outliers.empty());
+  EXPECT_NEAR(every.chosen.residual.rms, std::hypot(1e-3, 0.1 / std::sqrt(400)), 5e-4);
+}
+
+// Three samples for each parameter: ten of 32 samples, which a body with drag and a cubic spring has.
+TEST(ChooseLaw, FewSamplesOfADrivenMotionTellFewTerms) {
+  Motion truth{.law = law_of("viscous+drag+cubic"),
+               .cosine = 8,
+               .drive_frequency = 4.7,
+               .position = 0.5,
+               .velocity = 0.3};
+  truth.set_angular_frequency(6);
+  truth.set_decay_rate(0.1);
+  truth.per_mass.drag = 0.3;
+  truth.per_mass.cubic = 30;
+  const auto most_terms = [&](std::size_t samples) {
+    const std::vector<double> t = even_times(samples, 0.15);
+    const std::vector<double> y = noisy(observed_motion(truth, Drive::harmonic(), t, 0, 0.002), 1e-5);
+    const LawChoice choice = choose_law({t, y}, {.drive = Drive::harmonic(), .drive_frequency = 4.7});
+    EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag+cubic");
+    int most = 0;
+    for (const LawFit& fit : choice.candidates) most = std::max(most, fit.fitted);
+    return most;
+  };
+  EXPECT_EQ(most_terms(32), 10);
+  EXPECT_EQ(most_terms(33), 11);
+}
+
+// A body without a spring has no place to come back to: nothing that pulls it there is tried.
+TEST(ChooseLaw, OfABodyWithoutASpringOnlyDampingIsChosen) {
+  const ForcedTruth truth{.w0 = 0, .g = 0.3, .drag = 0.8, .position = 0, .velocity = 0.2};
+  const ForcedSynthetic record = forced_synthetic(truth, multisine(10, 3), 600, 0.03, 2e-3, 3, 1);
+  const LawChoice choice =
+      choose_law(record.record(), {.law = law_with<Viscous>,
+                                   .drive = Drive::recorded(record.recorded(BetweenSamples::linear)),
+                                   .hysteresis_exponent = 2});
+  EXPECT_EQ(choice.chosen.status, FitStatus::converged);
+  EXPECT_EQ(choice.chosen.law, (law_with<Viscous, Drag>));
+  EXPECT_NEAR(choice.chosen["drag"].value, 0.8, 4 * choice.chosen["drag"].standard_error);
+  EXPECT_NEAR(choice.chosen.decay_rate().value, 0.3, 4 * choice.chosen.decay_rate().standard_error);
+  EXPECT_TRUE(choice.rivals.empty());
+  EXPECT_TRUE(was_tried(choice, law_with<Viscous>));
+  EXPECT_TRUE(was_tried(choice, law_with<Viscous, Friction>));
+  for (const LawFit& fit : choice.candidates)
+    EXPECT_FALSE(fit.law.shares(springs.with(terms_of_position))) << to_text(fit.law);
+}
+
+// More samples than a choice looks at.
+TEST(ChooseLaw, NoiseIsNotJudgedByAPart) {
+  const std::vector<double> t = even_times(200'001, 0.001), y = noisy(std::vector<double>(t.size()), 1);
+  const LawChoice choice = choose_law({t, y}, {});
+  EXPECT_EQ(choice.chosen.status, FitStatus::no_oscillation);
+  EXPECT_EQ(choice.candidates.size(), 1u);
+  EXPECT_TRUE(choice.chosen.notices.empty());
+}
+
+TEST(ChooseLaw, APartThatIsInterruptedSaysWhatIsMissing) {
+  const SyntheticRecord record = viscous_record({}, even_times(200'001, 0.001), 1e-3);
+  std::atomic<bool> stop{false};
+  const Watch watch{&stop, [&](double share) {
+                      stop = true;
+                      EXPECT_DOUBLE_EQ(share, 0.5 * 2 / 20);  // two laws of twenty
+                    }};
+  const LawChoice choice = choose_law(record.record(), {}, watch);
+  EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
+  EXPECT_EQ(choice.chosen.message.code, "ended_before_these_laws");
+  EXPECT_EQ(choice.candidates.size(), 3u);
+  ASSERT_EQ(choice.chosen.notices.size(), 1u);
+  EXPECT_EQ(choice.chosen.notices[0].code, "laws_compared_on_a_part");
 }
 
 }  // namespace

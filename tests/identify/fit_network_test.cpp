@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "cromer/methods/rk4.h"
@@ -140,6 +142,137 @@ TEST(FitNetwork, SaysWhatTheRecordDoesNotTell) {
   EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{1, 2}));
   EXPECT_NEAR(fit.values[0].value, 0.981, 4 * fit.values[0].standard_error);
   EXPECT_TRUE(std::isnan(fit.values[1].standard_error));
+}
+
+TEST(FitNetwork, OfTwoPairsSideBySideNeitherIsTold) {
+  // One of them held leaves the other pair open.
+  Network truth = pendulums();
+  truth.links.push_back({0, 1, {.stiffness = 0.01}});
+  truth.links.push_back({ground, 0, {.stiffness = 0.01}});
+  const std::vector<SoughtValue> sought{{0, &Oscillator<double>::stiffness, false},
+                                        {1, &Oscillator<double>::stiffness, false},
+                                        {2, &Oscillator<double>::stiffness, false},
+                                        {3, &Oscillator<double>::stiffness, false},
+                                        {4, &Oscillator<double>::stiffness, false}};
+  const Made data = made(truth, 800, 0.02, 5e-4, 2);
+  const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
+  EXPECT_EQ(fit.status, FitStatus::undetermined);
+  EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  for (const Estimate& each : fit.values) EXPECT_TRUE(std::isnan(each.standard_error));
+  EXPECT_TRUE(std::isnan(fit.columns[0].position.standard_error));
+}
+
+TEST(FitNetwork, LinksMayEndAtTheGround) {
+  const Made data = made(pendulums(), 500, 0.02, 5e-4, 3);
+  const Network open = without(pendulums(), springs_and_dampers);
+  const NetworkFit fit = fit_network(open, springs_and_dampers, data.record());
+  Network turned = open;
+  for (NetworkLink& link : turned.links) std::swap(link.from, link.to);
+  const NetworkFit other = fit_network(turned, springs_and_dampers, data.record());
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  ASSERT_EQ(other.status, FitStatus::converged);
+  for (std::size_t j = 0; j < fit.values.size(); ++j)
+    EXPECT_NEAR(other.values[j].value, fit.values[j].value, 1e-6 * std::abs(fit.values[j].value)) << j;
+  EXPECT_EQ(other.iterations, fit.iterations);
+}
+
+// The beginning, the end and a whole swing of one of the columns.
+TEST(FitNetwork, LongGapsAreNotFilled) {
+  const Network truth = pendulums();
+  Made data = made(truth, 1500, 0.02, 5e-4, 6);
+  for (std::size_t n = 0; n < 1500; ++n)
+    if (n < 40 || n > 1400 || (n > 700 && n < 800)) data.y[1][n] = std::nan("");
+  const NetworkFit fit = fit_network(without(truth, springs_and_dampers), springs_and_dampers, data.record());
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  for (std::size_t j = 0; j < fit.values.size(); ++j)
+    EXPECT_NEAR(fit.values[j].value, value(truth, springs_and_dampers[j]), 4 * fit.values[j].standard_error);
+  EXPECT_NEAR(fit.columns[1].offset.value, 0.02, 1e-4);
+  EXPECT_NEAR(fit.columns[1].rms, 5e-4, 5e-5);
+  EXPECT_NEAR(fit.columns[0].rms, 5e-4, 5e-5);
+}
+
+TEST(FitNetwork, NeedsThreeSamplesForEachParameter) {
+  const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 3);
+  const auto fitted = [&](std::size_t samples) {
+    const Made data = made(pendulums(), samples, 0.2, 5e-4, 2);
+    return fit_network(without(pendulums(), sought), sought, data.record());
+  };
+  // Nine parameters, and two columns.
+  EXPECT_EQ(fitted(13).status, FitStatus::too_short);
+  EXPECT_EQ(fitted(14).status, FitStatus::converged);
+}
+
+TEST(FitNetwork, NeedsSevenSamplesInASwing) {
+  const auto fitted = [&](double step) {
+    const Made data = made(pendulums(), 300, step, 5e-4, 2);
+    return fit_network(without(pendulums(), springs_and_dampers), springs_and_dampers, data.record());
+  };
+  EXPECT_EQ(fitted(0.2).status, FitStatus::converged);
+  const NetworkFit coarse = fitted(0.25);
+  EXPECT_EQ(coarse.status, FitStatus::too_short);
+  EXPECT_EQ(coarse.iterations, 0);
+}
+
+TEST(FitNetwork, SaysWhereAColumnIsMostlyNoise) {
+  const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 1);
+  Made data = made(pendulums(), 800, 0.02, 5e-4, 2);
+  NormalDeviates normal(7);
+  for (double& each : data.y[1]) each += 0.1 * normal.next();
+  const NetworkFit fit = fit_network(without(pendulums(), sought), sought, data.record());
+  EXPECT_EQ(fit.status, FitStatus::too_noisy);
+  EXPECT_NEAR(fit.values[0].value, 0.981, 4 * fit.values[0].standard_error);
+  EXPECT_GT(fit.columns[0].explained, 0.99);
+  EXPECT_LT(fit.columns[1].explained, 0.5);
+  EXPECT_NEAR(fit.columns[1].rms, 0.1, 0.01);
+}
+
+// The links that are given let it run away.
+TEST(FitNetwork, DoesNotConvergeWhereNoMotionStays) {
+  Network network = pendulums();
+  const Made data = made(network, 1000, 0.02, 5e-4, 2);
+  network.links[0].law.cubic = -1e7;
+  const NetworkFit fit = fit_network(network, springs_and_dampers, data.record());
+  EXPECT_EQ(fit.status, FitStatus::iteration_limit);
+  EXPECT_TRUE(fit.values.empty());
+  EXPECT_TRUE(fit.undetermined.empty());
+  EXPECT_EQ(fit.columns.size(), 2u);
+}
+
+TEST(FitNetwork, TellsHowFarItIsAndStops) {
+  const Made data = made(pendulums(), 1000, 0.02, 5e-4, 2);
+  const Network open = without(pendulums(), springs_and_dampers);
+  std::atomic<bool> stop{false};
+  std::size_t last = 0;
+  std::vector<double> shares;
+  const Watch watch{&stop, [&](double share) {
+                      shares.push_back(share);
+                      stop = shares.size() == last;
+                    }};
+  EXPECT_EQ(fit_network(open, springs_and_dampers, data.record(), watch).status, FitStatus::converged);
+  // Three swings of 1.4 s, twice as many, and so on.
+  ASSERT_EQ(shares.size(), 4u);
+  EXPECT_NEAR(shares[0], 0.7 * 3 * 1.41 / 20, 3e-3);
+  EXPECT_NEAR(shares[1] / shares[0], 2, 0.01);
+  EXPECT_NEAR(shares[2] / shares[0], 4, 0.02);
+  EXPECT_EQ(shares[3], 0.7);
+  for (last = 1; last <= 4; ++last) {
+    stop = false;
+    shares.clear();
+    const NetworkFit fit = fit_network(open, springs_and_dampers, data.record(), watch);
+    EXPECT_EQ(shares.size(), last);
+    EXPECT_EQ(fit.status, FitStatus::iteration_limit);
+    EXPECT_GT(fit.iterations, 0);
+    EXPECT_TRUE(fit.values.empty());
+    EXPECT_NEAR(fit.network.links[0].law.stiffness, 0.981, 5e-3);
+  }
+  stop = true;
+  EXPECT_EQ(fit_network(open, springs_and_dampers, data.record(), watch).iterations, 0);
+}
+
+TEST(FitNetwork, LeavesRoomForTheStartOfEachMass) {
+  EXPECT_EQ(most_sought(1), 17u);
+  EXPECT_EQ(most_sought(6), 2u);
+  EXPECT_EQ(most_sought(7), 0u);
 }
 
 TEST(FitNetwork, RefusesAShortAndADeadRecord) {

@@ -93,6 +93,24 @@ TEST(FreeMotion, DerivativesAreThoseOfSmallChanges) {
   }
 }
 
+TEST(FreeMotion, AtItsStartTheVelocityIsItsOwn) {
+  const Motion motion = disc;
+  const FittedParameters fitted = fitted_parameters(motion.law, DriveKind::none, {}, motion);
+  const VelocityGradient gradient = velocity_gradient(fitted, motion, 0, 1e-3);
+  EXPECT_EQ(gradient.velocity, motion.velocity);
+  for (int i = 0; i < fitted.count; ++i)
+    EXPECT_EQ(gradient.derivative[i], fitted.of[i].name == "velocity" ? 1 : 0) << fitted.of[i].name;
+}
+
+TEST(FreeMotion, AtNoTimesIsNone) {
+  EXPECT_TRUE(motion_states(disc, {}, {}, 1e-3).t.empty());
+  EXPECT_TRUE(observed_motion(disc, {}, {}, 0, 1e-3).empty());
+  const SyntheticRecord record = motion_record(disc, even_times(300, 0.05), 0);
+  const Trajectory none = motion_of(fit_law(record.record(), {.law = law_of("viscous")}), {});
+  EXPECT_TRUE(none.t.empty());
+  EXPECT_TRUE(none.x.empty());
+}
+
 TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
   FreeSwing motion = disc;
   motion.cubic = -600;

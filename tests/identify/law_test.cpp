@@ -35,7 +35,7 @@ TEST(Law, SuggestsTheNearestTerm) {
 }
 
 TEST(Law, RefusesEmptyAndRepeatedTerms) {
-  for (const char* text : {"", "+", "viscous+", "viscous+viscous", "viscous drag"})
+  for (const char* text : {"", "+", "viscous+", "viscous+viscous", "viscous drag", "spring"})
     EXPECT_FALSE(parse_law(text).ok()) << text;
 }
 

@@ -222,6 +222,19 @@ TEST(RefusalLimits, AHarmonicOfTheDrive) {
   EXPECT_EQ(driven_at(w / 2), "");
 }
 
+TEST(RefusalLimits, NothingPullsBack) {
+  const std::vector<double> t = even_times(100, 0.1), y = noisy(t, 0.1);
+  const auto refusal = [&](const Law& law, const Drive& drive) {
+    const auto found = refuse_record({t, y}, {.law = law, .drive = drive});
+    return found ? in_words(found->message) : "";
+  };
+  const Drive recorded = Drive::recorded({y, 0, 0.1, BetweenSamples::linear});
+  EXPECT_EQ(refusal(law_with<Viscous>, {}), in_words(Notice{"no_spring"}));
+  EXPECT_EQ(refusal(law_with<Viscous>, Drive::harmonic()), in_words(Notice{"no_spring"}));
+  EXPECT_EQ(refusal(law_with<Viscous>, recorded), "");
+  EXPECT_EQ(refusal(law_of("viscous"), {}), "");
+}
+
 TEST(RefusalLimits, FewestSamples) {
   const auto with = [](std::size_t samples, const LawFitOptions& options) {
     const SyntheticRecord record = viscous_record({}, even_times(samples, 0.01));

@@ -112,6 +112,46 @@ TEST(Residual, NothingLeftIsNoCorrelation) {
   const std::vector<double> zeros(100, 0.0);
   EXPECT_EQ(correlation_factor(zeros, 0.1), 1);
   EXPECT_EQ(described(zeros).rms, 0);
+  std::vector<double> t;
+  for (int i = 0; i < 101; ++i)
+    if (i != 50) t.push_back(i);
+  EXPECT_EQ(autocorrelations(zeros, find_grid(t), 3), std::vector<double>(4, 0.0));
+}
+
+// Twenty pairs at a lag, or it tells nothing.
+TEST(Residual, FewSamplesWithAGapAreWhite) {
+  for (const int samples : {20, 21}) {
+    std::vector<double> t, r;
+    for (int i = 0; i < samples; ++i) {
+      t.push_back(i < 10 ? i : i + 5);
+      r.push_back(i);
+    }
+    // 19 and 20 pairs less the one across the gap.
+    const SampleGrid grid = find_grid(t);
+    const Residual residual = describe_residual(r, autocorrelations(r, grid, 5), grid);
+    EXPECT_TRUE(residual.white);
+    EXPECT_EQ(residual.autocorrelation, 0);
+    EXPECT_EQ(residual.strongest, 0);
+  }
+  std::vector<double> t, r;
+  for (int i = 0; i < 22; ++i) {
+    t.push_back(i < 10 ? i : i + 5);
+    r.push_back(i);
+  }
+  const SampleGrid grid = find_grid(t);
+  const Residual residual = describe_residual(r, autocorrelations(r, grid, 5), grid);
+  EXPECT_FALSE(residual.white);
+  EXPECT_GT(residual.autocorrelation, 0.5);
+  EXPECT_EQ(residual.strongest_lag, 1);
+}
+
+TEST(Residual, OneSampleIsNoGrid) {
+  const std::vector<double> t{3};
+  EXPECT_FALSE(find_grid(t).has_gaps());
+  EXPECT_EQ(find_grid(t).step, 1);
+  EXPECT_TRUE(find_sampling({}).stretches.empty());
+  ASSERT_EQ(find_sampling(t).stretches.size(), 1u);
+  EXPECT_EQ(find_sampling(t).stretches[0].count, 1u);
 }
 
 }  // namespace
