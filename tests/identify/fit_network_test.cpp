@@ -192,14 +192,14 @@ TEST(FitNetwork, LongGapsAreNotFilled) {
 }
 
 TEST(FitNetwork, NeedsThreeSamplesForEachParameter) {
-  const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 3);
+  const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 4);
   const auto fitted = [&](std::size_t samples) {
     const Made data = made(pendulums(), samples, 0.2, 5e-4, 2);
     return fit_network(without(pendulums(), sought), sought, data.record());
   };
-  // Nine parameters, and two columns.
-  EXPECT_EQ(fitted(13).status, FitStatus::too_short);
-  EXPECT_EQ(fitted(14).status, FitStatus::converged);
+  // Ten parameters, and two columns.
+  EXPECT_EQ(fitted(14).status, FitStatus::too_short);
+  EXPECT_EQ(fitted(15).status, FitStatus::converged);
 }
 
 TEST(FitNetwork, NeedsSevenSamplesInASwing) {
