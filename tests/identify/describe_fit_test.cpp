@@ -96,5 +96,25 @@ TEST(DescribeFit, IntervalsHoldAtABound) {
   EXPECT_NEAR(covered_w, 0.95 * trials, 21);
 }
 
+TEST(LawFit, HysteresisAddsToTheFrequency) {
+  LawFit fit;
+  fit.student = 2;
+  fit.names = {"angular_frequency", "hysteresis_stiffness"};
+  fit.estimates = {make_estimate(4, 0.3, 2), make_estimate(9, 0.5, 2)};
+  fit.covariance = {0.09, -0.02, -0.02, 0.25};
+  EXPECT_EQ(fit.covariance_of("angular_frequency", "hysteresis_stiffness"), -0.02);
+  EXPECT_EQ(fit.covariance_of("hysteresis_stiffness", "hysteresis_stiffness"), 0.25);
+  EXPECT_EQ(fit.covariance_of("angular_frequency", "drag"), 0);
+  EXPECT_EQ(fit.covariance_of("drag", "angular_frequency"), 0);
+  const Estimate both = fit.swing_frequency();
+  EXPECT_DOUBLE_EQ(both.value, 5);
+  // Of w² + k: 4 w² var(w) + var(k) + 4 w cov(w, k), over the square of twice the frequency.
+  EXPECT_DOUBLE_EQ(both.standard_error, std::sqrt(4 * 16 * 0.09 + 0.25 - 4 * 4 * 0.02) / 10);
+  EXPECT_DOUBLE_EQ(both.high, both.value + 2 * both.standard_error);
+  fit.estimates[1].value = -16;
+  EXPECT_EQ(fit.swing_frequency().value, 4);
+  EXPECT_EQ(fit.swing_frequency().standard_error, 0.3);
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -151,6 +151,23 @@ TEST(DoubtsLimits, ASwingThatGrows) {
       said_of(swing({0.905, 1, 1}), fit_with(-0.1)),
       ElementsAre(testing::AllOf(HasSubstr("the swing grows by itself, at 0.100000"), HasSubstr(then))));
   EXPECT_THAT(said_of(swing({0.915, 1, 1}), fit_with(-0.1)), IsEmpty());
+  // By less than a tenth over so many periods it is steady.
+  EXPECT_THAT(said_of(swing({0.915, 1, 1, 1, 1}), fit_with(-0.1)),
+              ElementsAre("the swing does not die down over 20 periods. If something drives it, " + then));
+}
+
+// Sixteen samples in four periods show an amplitude.
+TEST(DoubtsLimits, ASwingOfFewSamplesIsNotCalledSteady) {
+  const auto steady_of = [](double samples_per_period) {
+    SyntheticRecord record;
+    for (double i = 0; i < 40 * samples_per_period; ++i) {
+      record.t.push_back(i / samples_per_period);
+      record.y.push_back(std::cos(2 * pi * record.t.back()));
+    }
+    return said_of(record, fit_with(0));
+  };
+  EXPECT_THAT(steady_of(4.3), ElementsAre(HasSubstr("the swing does not die down over 40 periods")));
+  EXPECT_THAT(steady_of(3.7), ElementsAre(HasSubstr("samples in a period")));
 }
 
 TEST(DoubtsLimits, FourLevels) {

@@ -265,6 +265,18 @@ TEST(FreePartLimits, ABeatRisesSlowly) {
   EXPECT_FALSE(rises_for(21));
 }
 
+// Held at the middle of the swing that follows. Beside larger values it is no first large swing.
+TEST(FreePartLimits, ValuesThatStickOutWhileItIsHeldAreNoSwing) {
+  const auto held_with = [](double out) {
+    Made made;
+    for (int k = 0; k < 4; ++k) made.add(70, {0}).add(2, {out});
+    return made.add(30, {0}).add(700, of_ten).free();
+  };
+  ASSERT_TRUE(held_with(1));
+  EXPECT_EQ(in_words(held_with(1)->reason).substr(0, 16), "it is held still");
+  EXPECT_FALSE(held_with(10));
+}
+
 // The envelope: level, and from `stop` on it falls.
 std::optional<FreePart> after_a_drive(double stop, double duration, double rate, double samples_per_period,
                                       double rising = 0) {
@@ -293,6 +305,22 @@ TEST(FreePartLimits, ADriveThatStops) {
     }
   // Ten samples in two periods show no amplitude.
   EXPECT_FALSE(after_a_drive(25, 55, 0.03, 5));
+}
+
+// Where little is left it may rise by a fortieth of what it was driven to.
+TEST(FreePartLimits, WhatADriveLeavesOnlyFalls) {
+  const auto rising_to = [](double again) {
+    Made made;
+    for (int i = 0; i < 1800; ++i) {
+      const double t = i / 20.0, A = t < 25 ? 1 : t < 60 ? std::exp(-0.08 * (t - 25)) : again;
+      made.t.push_back(t);
+      made.y.push_back(A * std::cos(6.283185307179586 * t + 0.4));
+    }
+    return made.free();
+  };
+  EXPECT_TRUE(rising_to(0.07));
+  EXPECT_TRUE(rising_to(std::exp(-0.08 * 35) + 0.022));
+  EXPECT_FALSE(rising_to(std::exp(-0.08 * 35) + 0.03));
 }
 
 TEST(FreePartLimits, EightPeriodsBeforeADriveStopsAndAfterwards) {

@@ -111,5 +111,18 @@ TEST(Refusal, HoldsForEveryLaw) {
   EXPECT_EQ(choose_law(noise.record(), {}).chosen.status, FitStatus::no_oscillation);
 }
 
+// A law other than the viscous one begins with that: it goes on only where that accounts for most.
+TEST(Refusal, WhatIsTooNoisyIsSoForEveryLaw) {
+  const SyntheticRecord record = viscous_record({}, even_times(1000, 0.02), 0.066);
+  const LawFit viscous = fit_law(record.record(), {.law = law_of("viscous")});
+  EXPECT_EQ(viscous.status, FitStatus::too_noisy);
+  EXPECT_LT(viscous.explained, 0.3);
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag")});
+  EXPECT_EQ(fit.status, FitStatus::too_noisy);
+  EXPECT_EQ(to_text(fit.law), "viscous+drag");
+  EXPECT_EQ(in_words(fit.message), in_words(viscous.message));
+  EXPECT_EQ(fit.explained, viscous.explained);
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -247,6 +248,81 @@ TEST(RunStudy, FitsOfNetworksSayWhatIsMissing) {
   EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\n"), HasSubstr("file"));
   EXPECT_THAT(refusal(fit + "pendulums.toml\"\nfile = \"two_runs.csv\"\n"), HasSubstr("no value is open"));
   EXPECT_THAT(refusal(fit + "pendulums_open.toml\"\nfile = \"two_runs.csv\"\nmass = 2\n"), HasSubstr("mass"));
+}
+
+TEST(RunStudy, TasksOfNetworksSayWhatIsWrong) {
+  const std::string networks = "../../../../data/networks/";
+  const std::string run = "[[task]]\nsimulate = \"a\"\nnetwork = \"";
+  EXPECT_THAT(refusal(run + "none.toml\"\n"), HasSubstr("none.toml"));
+  EXPECT_EQ(refusal(run + networks + "pendulums.toml\"\nmas = 1\n").substr(0, 14), "lab.toml:4:7: ");
+  EXPECT_EQ(refusal(run + networks + "pendulums.toml\"\nuntil = -1\n").substr(0, 14), "lab.toml:4:9: ");
+  EXPECT_THAT(failure(run + networks +
+                      "pendulums.toml\"\nmethod = [\"rk4\", \"forward-euler\"]\nstep = 1\nuntil = 9000\n"),
+              testing::StartsWith("lab.toml:1:1: simulate a: forward-euler: "));
+  const std::string modes = "[[task]]\nmodes = \"m\"\n", wind = networks + "floors_in_wind.csv";
+  EXPECT_EQ(refusal(modes), "lab.toml:1:1: \"modes\" needs file = \"a recording\"");
+  EXPECT_EQ(refusal(modes + "mas = 1\n").substr(0, 14), "lab.toml:3:7: ");
+  EXPECT_THAT(refusal(modes + "file = \"none.csv\"\n"), HasSubstr("none.csv"));
+  EXPECT_THAT(refusal(modes + "file = \"" + wind + "\"\nnetwork = \"none.toml\"\n"), HasSubstr("none.toml"));
+  EXPECT_THAT(failure(modes + "file = \"noise.csv\"\n"), testing::StartsWith("lab.toml:1:1: modes m: "));
+}
+
+TEST(RunStudy, AFitOfANetworkMayFail) {
+  const std::string file = testing::TempDir() + "cromer_study_short.csv";
+  std::ofstream rows(file);
+  rows << "t (s),left (rad),right (rad)\n";
+  for (int n = 0; n < 20; ++n)
+    rows << fmt::format("{},{},{}\n", 0.01 * n, std::cos(0.05 * n), std::cos(0.06 * n));
+  rows.close();
+  const std::string fit = "[[task]]\nfit = \"lab\"\nfile = \"" + file +
+                          "\"\nnetwork = \"../../../../data/networks/pendulums_open.toml\"\n";
+  const StudyRun failed = done(fit), may = done(fit + "may_fail = true\n");
+  std::remove(file.c_str());
+  EXPECT_THAT(in_words(failed.failure), testing::StartsWith(files + "lab.toml:1:1: fit lab: " + file + ": "));
+  EXPECT_FALSE(failed.results.column("lab.left.measured"));
+  EXPECT_THAT(in_words(may.failure), "");
+  EXPECT_EQ(column(may.results, "lab.left.measured").values.size(), 20u);
+  EXPECT_FALSE(may.results.column("lab.left.residual"));
+}
+
+TEST(RunStudy, EndsWhereItIsInterrupted) {
+  const std::atomic<bool> stop{true};
+  const auto ended = [&](const std::string& toml) {
+    const StudyRun run = done(toml + "[[task]]\nmethod_map = \"n\"\n", {&stop, {}});
+    EXPECT_EQ(fact(run.results, "n.natural_frequency"), "none");
+    return in_words(run.failure).substr(files.size());
+  };
+  EXPECT_EQ(ended("[[task]]\nsweep = \"s\"\ndamping = 1\ndrive_amplitude = 1\ndrive_frequency = [1, 2]\n"),
+            "lab.toml:1:1: sweep s: interrupted");
+  EXPECT_EQ(ended("[[task]]\nsimulate = \"s\"\nnetwork = \"../../../../data/networks/pendulums.toml\"\n"
+                  "until = 1\n"),
+            "lab.toml:1:1: simulate s: interrupted");
+}
+
+TEST(RunStudy, AFitSaysWhichRunFailed) {
+  const std::string file = testing::TempDir() + "cromer_study_runs.csv";
+  std::ofstream rows(file);
+  rows << "Run 1: Time (s),Run 1: Position (m),Run 2: Time (s),Run 2: Position (m)\n";
+  for (int n = 0; n < 200; ++n) rows << fmt::format("{0},{1},{0},2\n", 0.05 * n, std::cos(0.3 * n));
+  rows.close();
+  const std::string fit = "[[task]]\nfit = \"lab\"\nlaw = \"viscous\"\nfile = \"" + file + "\"\n";
+  const std::string all = in_words(done(fit).failure), second = in_words(done(fit + "run = 2\n").failure);
+  const StudyRun first = done(fit + "run = 1\n");
+  std::remove(file.c_str());
+  const std::string where = files + "lab.toml:1:1: fit lab: " + file;
+  EXPECT_TRUE(first.failure.empty());
+  EXPECT_NEAR(value(first.results, "lab.angular_frequency"), 6, 1e-9);
+  EXPECT_EQ(all, where + ": run 2: all values are the same: nothing moves");
+  EXPECT_EQ(second, where + ": all values are the same: nothing moves");
+}
+
+TEST(RunStudy, OptionsOfOtherTasksAreNone) {
+  EXPECT_EQ(refusal("[[task]]\nspectrum = \"s\"\nfile = \"shaken.csv\"\nmas = 1\n").substr(0, 14),
+            "lab.toml:4:7: ");
+  EXPECT_EQ(refusal("[[task]]\ndifference = \"d\"\nof = \"a.1\"\nminus = \"b.1\"\nmas = 1\n").substr(0, 14),
+            "lab.toml:5:7: ");
+  EXPECT_EQ(refusal("[[task]]\nsweep = \"s\"\nmas = [1, 2]\n").substr(0, 14), "lab.toml:3:7: ");
+  EXPECT_NE(refusal("[[task]]\nsweep = \"s\"\nmethod = [\"rk4\", \"verlet\"]\n"), "");
 }
 
 }  // namespace
