@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "cromer/documents/words/words.h"
+#include "cromer/study/study_writer.h"
 
 namespace cromer::core {
 namespace {
@@ -69,6 +72,11 @@ TEST_F(MakeFigure, names_the_place_of_what_is_missing) {
   spec_.panels[0].y_unit = "kg";
   EXPECT_NE(in_words(make_figure(spec_, results_).error()).find("cannot be drawn in \"kg\""),
             std::string::npos);
+  spec_.panels[0].y_unit = "furlongs";
+  EXPECT_THAT(in_words(make_figure(spec_, results_).error()), testing::HasSubstr("furlongs"));
+  spec_.panels[0].y_unit = "cm";
+  results_.set_column("a.x", {0.01, 0.02, 0.03}, "cubits", "position *x*");
+  EXPECT_THAT(in_words(make_figure(spec_, results_).error()), testing::HasSubstr("cubits"));
 }
 
 TEST_F(MakeFigure, keeps_rows_from_the_first_time_to_the_last) {
@@ -265,7 +273,7 @@ TEST_F(MakePage, SaysWhereATextIsThatCannotBeFilled) {
 }
 
 // Of a report that fails nothing is left, and the folder only where it was there before.
-TEST(WriteReport, LeavesTheFolderAsItWas) {
+TEST(ReportFolder, IsLeftAsItWas) {
   const std::string place = testing::TempDir() + "cromer_reports";
   std::filesystem::remove_all(place);
   const std::string study = place + "/lab.toml", made = place + "/made", there = place + "/there";
@@ -280,6 +288,107 @@ TEST(WriteReport, LeavesTheFolderAsItWas) {
   EXPECT_FALSE(std::filesystem::exists(made));
   EXPECT_TRUE(std::filesystem::is_empty(there));
   std::filesystem::remove_all(place);
+}
+
+class WriteReport : public testing::Test {
+ protected:
+  WriteReport() {
+    std::filesystem::remove_all(place_);
+    std::filesystem::create_directories(place_);
+    std::ofstream(study_) << "title = \"Falls\"\nbyline = \"A test\"\n"
+                             "[[task]]\nsimulate = \"a\"\nuntil = 1\nmethod = \"exact\"\n"
+                             "[[figure]]\nid = \"fall\"\ntitle = \"The fall\"\nx = \"t\"\ny = \"x\"\n"
+                             "[[figure.curve]]\nof = \"a.1\"\n[[block]]\nfigure = \"fall\"\n";
+  }
+  ~WriteReport() override { std::filesystem::remove_all(place_); }
+
+  Result<WrittenReport> written(const std::string& pdf = "", const Watch& watch = {}) {
+    return write_report(
+        study_, folder_, "today", "cromer 1", watch,
+        [this](const std::string& what, double share) {
+          said_.push_back(what);
+          share_ = share;
+          if (what == "figures") stop_ = stops_;
+        },
+        {}, pdf);
+  }
+  static std::string bytes_of(const std::string& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  const std::string place_ = testing::TempDir() + "cromer_report_files", study_ = place_ + "/lab.toml",
+                    folder_ = place_ + "/made";
+  std::vector<std::string> said_;
+  double share_ = 0;
+  std::atomic<bool> stop_{false};
+  bool stops_ = false;
+};
+
+TEST_F(WriteReport, WritesPageFiguresResultsAndPdf) {
+  const auto without = written();
+  ASSERT_TRUE(without) << in_words(without.error());
+  EXPECT_EQ(without->index, folder_ + "/index.html");
+  EXPECT_THAT(without->figures, testing::ElementsAre(folder_ + "/fall.svg"));
+  EXPECT_EQ(without->pdf, "");
+  EXPECT_THAT(to_json(*without), testing::Not(testing::HasSubstr("pdf")));
+  EXPECT_THAT(said_, testing::ElementsAre("simulate a", "figures"));
+  EXPECT_EQ(share_, 1);
+  EXPECT_THAT(bytes_of(without->index), testing::HasSubstr("A test · today · cromer 1"));
+  EXPECT_THAT(bytes_of(without->index), testing::HasSubstr("The fall"));
+  EXPECT_THAT(bytes_of(folder_ + "/fall.svg"), testing::HasSubstr("<svg"));
+  EXPECT_THAT(bytes_of(folder_ + "/results.json"), testing::HasSubstr("\"a.1."));
+  const auto with = written(place_ + "/lab.pdf");
+  ASSERT_TRUE(with) << in_words(with.error());
+  EXPECT_EQ(with->pdf, place_ + "/lab.pdf");
+  EXPECT_THAT(to_json(*with), testing::HasSubstr("\"pdf\": \"" + place_ + "/lab.pdf\""));
+  EXPECT_EQ(bytes_of(with->pdf).substr(0, 5), "%PDF-");
+}
+
+TEST_F(WriteReport, SaysWhatCannotBeWritten) {
+  const auto pdf = written(place_ + "/none/lab.pdf");
+  ASSERT_FALSE(pdf);
+  EXPECT_THAT(in_words(pdf.error()), testing::HasSubstr("/none/lab.pdf"));
+  for (const std::string file : {"fall.svg", "results.json", "index.html"}) {
+    std::filesystem::create_directories(folder_ + "/" + file);
+    const auto made = written();
+    ASSERT_FALSE(made) << file;
+    EXPECT_THAT(in_words(made.error()), testing::HasSubstr(file));
+    std::filesystem::remove_all(folder_);
+  }
+}
+
+TEST_F(WriteReport, SaysBeforeWhichFigureItIsInterrupted) {
+  stops_ = true;
+  const auto made = written("", {&stop_, {}});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(in_words(made.error()),
+            study_ + ":7:1: " + in_words(Notice{"interrupted_before", {{"figure", "fall"}}}));
+}
+
+TEST(StudyText, StandsForItself) {
+  EXPECT_EQ(toml_text("a \"b\" \\ \n\t\x1f\x7f\x20"), R"("a \"b\" \\ \n\u0009\u001F\u007F ")");
+  EXPECT_EQ(verbatim("{a} x_{1} y^{2} {"), "{{a} x_{1} y^{2} {{");
+  EXPECT_EQ(toml_settings({{"damping-ratios", "0.1"}, {"mass", "2 kg"}, {"damping-ratios", "0.2"}}),
+            "damping_ratios = [\"0.1\", \"0.2\"]\nmass = \"2 kg\"\n");
+}
+
+TEST(StudyText, OfACurveHasWhatIsGiven) {
+  StudyWriter writer;
+  writer.figure({.id = "f",
+                 .title = "T",
+                 .caption = "",
+                 .size = "wide",
+                 .x = "t",
+                 .y = "x",
+                 .x_name = "",
+                 .y_name = "",
+                 .curves = {{.of = "a", .role = "data", .from = 1.5, .to = 2, .dots = true, .dashed = true},
+                            {.of = "b", .role = ""}}});
+  EXPECT_EQ(writer.written(),
+            "\n[[figure]]\nid = \"f\"\ntitle = \"T\"\nsize = \"wide\"\nx = \"t\"\ny = \"x\"\n"
+            "\n[[figure.curve]]\nof = \"a\"\nrole = \"data\"\nfrom = 1.5\nto = 2\nmark = \"dots\"\n"
+            "dashed = true\n\n[[figure.curve]]\nof = \"b\"\n\n[[block]]\nfigure = \"f\"\n");
 }
 
 }  // namespace
