@@ -84,5 +84,50 @@ TEST(CollectNetwork, NamesWhatIsFound) {
               measured.values[n] - column(results, "joint.left.residual").values[n]);
 }
 
+// A name's letters stay, whatever they are; a link may end at the ground.
+TEST(CollectNetwork, AnglesHaveTheirUnits) {
+  Network network = two_masses();
+  network.angles = true;
+  network.masses[1].name = "β-arm 1/2";
+  network.links[0] = {0, ground, {.stiffness = 8}};
+  const auto runs = run_network_by_each(network, "n.toml", {.method = {"exact"}, .step = 0.01, .until = 12});
+  ASSERT_TRUE(runs);
+  Results results;
+  collect("beats", *runs, results);
+  EXPECT_EQ(fact(results, "beats.1.left.peak"), "1 rad");
+  EXPECT_EQ(column(results, "beats.1.left.x").unit, "rad");
+  EXPECT_EQ(column(results, "beats.1.left.x").name, "angle *x*");
+  EXPECT_EQ(column(results, "beats.1.left.v").unit, "rad/s");
+  EXPECT_EQ(column(results, "beats.1.left.v").name, "angular velocity *v*");
+  EXPECT_EQ(column(results, "beats.1.left.energy").values.front(), 4);
+  EXPECT_EQ(column(results, "beats.1.β-arm_1_2.energy").values.front(), 0);
+  EXPECT_EQ(value(results, "beats.1.β-arm_1_2.x_end"), runs->front().last[1].x);
+
+  std::string bytes = "t (s),left (rad),right (rad)";
+  const NetworkStates& states = runs->front().states;
+  for (std::size_t n = 0; n < states.t.size(); n += 5)
+    bytes += fmt::format("\n{:.17g},{:.17g},{:.17g}", states.t[n], states.x[0][n], states.x[1][n]);
+  const auto recording = read_recording(bytes, "arms.csv", {});
+  ASSERT_TRUE(recording);
+  const auto open = read_network_file(
+      "[[mass]]\nname = \"left\"\ninertia = \"2 kg m²\"\n[[mass]]\nname = \"right\"\ninertia = \"2 kg m²\"\n"
+      "[[link]]\nto = \"left\"\nstiffness = \"8 N m\"\n[[link]]\nto = \"right\"\nstiffness = \"8 N m\"\n"
+      "[[link]]\nfrom = \"left\"\nto = \"right\"\nstiffness = \"?\"\n",
+      "n.toml");
+  ASSERT_TRUE(open);
+  const auto fitted = fit_network(*recording, *open, "n.toml", {});
+  ASSERT_TRUE(fitted);
+  Results found;
+  collect("joint", *fitted, found);
+  EXPECT_EQ(column(found, "joint.left.measured").unit, "rad");
+  EXPECT_EQ(column(found, "joint.left.measured").name, "angle *x*");
+  EXPECT_EQ(column(found, "joint.left.measured").values.size(), 241u);
+  ASSERT_TRUE(fitted->succeeded());
+  EXPECT_EQ(column(found, "joint.left.fitted").unit, "rad");
+  EXPECT_EQ(column(found, "joint.left.fitted").name, "angle *x*");
+  EXPECT_TRUE(fact(found, "joint.left.velocity").ends_with(" rad/s"));
+  EXPECT_TRUE(fact(found, "joint.left.position").ends_with(" rad"));
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -383,11 +383,11 @@ TEST(StudyText, OfACurveHasWhatIsGiven) {
                  .y = "x",
                  .x_name = "",
                  .y_name = "",
-                 .curves = {{.of = "a", .role = "data", .from = 1.5, .to = 2, .dots = true, .dashed = true},
+                 .curves = {{.of = "a", .role = "data", .to = 1.5, .dots = true, .dashed = true},
                             {.of = "b", .role = ""}}});
   EXPECT_EQ(writer.written(),
             "\n[[figure]]\nid = \"f\"\ntitle = \"T\"\nsize = \"wide\"\nx = \"t\"\ny = \"x\"\n"
-            "\n[[figure.curve]]\nof = \"a\"\nrole = \"data\"\nfrom = 1.5\nto = 2\nmark = \"dots\"\n"
+            "\n[[figure.curve]]\nof = \"a\"\nrole = \"data\"\nto = 1.5\nmark = \"dots\"\n"
             "dashed = true\n\n[[figure.curve]]\nof = \"b\"\n\n[[block]]\nfigure = \"f\"\n");
 }
 

@@ -85,7 +85,6 @@ void StudyWriter::curve(const CurveLines& curve) {
   text("y", curve.y);
   text("role", curve.role);
   text("name", curve.name);
-  if (curve.from) bare("from", shortest(*curve.from));
   if (curve.to) bare("to", shortest(*curve.to));
   if (curve.dots) text("mark", "dots");
   if (curve.dashed) bare("dashed", "true");

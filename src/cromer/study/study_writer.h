@@ -24,7 +24,7 @@ struct CurveLines {
   std::string_view of, role;
   std::string name{};
   std::string_view x{}, y{}, minus{};
-  std::optional<double> from{}, to{};  // [s]
+  std::optional<double> to{};  // [s]
   bool dots = false, dashed = false;
 };
 
