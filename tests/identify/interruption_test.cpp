@@ -106,7 +106,7 @@ TEST(Interruption, AChoiceEndsWithItsSteps) {
   }
 }
 
-TEST(Interruption, AFirstPartIsNotGrownFurther) {
+TEST(Interruption, AFitThatGrowsEndsAtAnyPass) {
   const SyntheticRecord record = viscous_record({}, even_times(40'000, 0.01), 1e-4);
   std::atomic<bool> stop{false};
   int passes = 0, last = 0;

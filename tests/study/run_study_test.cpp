@@ -290,6 +290,7 @@ TEST(RunStudy, EndsWhereItIsInterrupted) {
   const auto ended = [&](const std::string& toml) {
     const StudyRun run = done(toml + "[[task]]\nmethod_map = \"n\"\n", {&stop, {}});
     EXPECT_EQ(fact(run.results, "n.natural_frequency"), "none");
+    EXPECT_EQ(fact(run.results, "s.1.label"), "none");
     return in_words(run.failure).substr(files.size());
   };
   EXPECT_EQ(ended("[[task]]\nsweep = \"s\"\ndamping = 1\ndrive_amplitude = 1\ndrive_frequency = [1, 2]\n"),

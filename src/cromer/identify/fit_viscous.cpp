@@ -36,7 +36,7 @@ Minimum fit_phasor(const Record& record, StartValues start, double least, const 
     // Near critical damping the sum of squares is a long valley: many short steps lead to its minimum. The
     // limit is there for what has none.
     if (2 * decay_rate > start.phasor[DampedPhasor::angular_frequency]) settings.iteration_limit *= 4;
-    if (whole || watch.interrupted()) {
+    if (whole) {
       minimum = minimise_both(model, start.phasor, settings);
       break;
     }
