@@ -78,19 +78,15 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
     if (auto format = figure_format(options.plot); !format)
       return Error{"option_is_wrong", {{"option", "plot"}, {"what", format.error().notice}}};
     if (auto good = check_writable(options.plot); !good) return good;
-    if (options.plot == options.output)
-      return Error{"two_outputs_one_file", {{"first", "-o"}, {"second", "--plot"}, {"file", options.plot}}};
   }
   return {};
 }
 
 namespace {
 
-/// Draws the figure and writes it.
+/// Draws the figure and writes it to a path that check_outputs has seen.
 Result<void> write_plot(const std::string& path, const Figure& figure) {
-  auto format = figure_format(path);
-  if (!format) return format.error();
-  auto picture = draw(figure, *format);
+  auto picture = draw(figure, *figure_format(path));
   if (!picture) return picture.error();
   return write_file(path, *picture);
 }

@@ -72,7 +72,7 @@ TEST_P(Commands, NeverOverwriteTheRecording) {
   const std::string before = folder.read("lab.csv");
   const Finished end = folder.run({GetParam(), "lab.csv", "-o", "./lab.csv"});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(end.err, HasSubstr("the recording itself"));
+  EXPECT_THAT(end.err, HasSubstr("that is the file to be read; it would be lost"));
   EXPECT_EQ(folder.read("lab.csv"), before);
 }
 

@@ -456,7 +456,7 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   refused({"--static", "--masses", "50, 100, 150 g, 200 g"}, "50 has no unit, but others have");
   refused({"--mass-line", "--masses", "1 g, 2 g", "--mass", "1 g"}, "takes the masses from --masses");
   refused({"--law", "auto+drag"}, "auto chooses the terms itself");
-  refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the recording itself");
+  refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the file to be read");
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -67,7 +69,27 @@ std::vector<std::string> Folder::names() const {
   return names;
 }
 
-pid_t Folder::start(const std::vector<std::string>& arguments) const {
+Finished Folder::run_at_terminal(const std::vector<std::string>& arguments, unsigned short columns) const {
+  const int device = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+  grantpt(device);
+  unlockpt(device);
+  const int terminal = open(ptsname(device), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  termios settings{};
+  tcgetattr(terminal, &settings);
+  cfmakeraw(&settings);
+  tcsetattr(terminal, TCSANOW, &settings);
+  const winsize size{24, columns, 0, 0};
+  ioctl(terminal, TIOCSWINSZ, &size);
+  Finished end = wait(start(arguments, terminal));
+  char bytes[4096];
+  for (ssize_t got = 0; (got = ::read(device, bytes, sizeof bytes)) > 0;)
+    end.err.append(bytes, static_cast<std::size_t>(got));
+  close(terminal);
+  close(device);
+  return end;
+}
+
+pid_t Folder::start(const std::vector<std::string>& arguments, int standard_error) const {
   // Another program may be named: one with a line changed (tests/mutation/run).
   const char* named = std::getenv("CROMER_PROGRAM");
   std::vector<std::string> words{named ? named : CROMER_PROGRAM};
@@ -79,8 +101,9 @@ pid_t Folder::start(const std::vector<std::string>& arguments) const {
   if (process != 0) return process;
   if (const rlimit most{descriptors, descriptors}; descriptors > 0) setrlimit(RLIMIT_NOFILE, &most);
   if (chdir(path_.c_str()) != 0) _exit(126);
-  redirect(STDOUT_FILENO, path(out_name));
+  redirect(STDOUT_FILENO, standard_output.empty() ? path(out_name) : standard_output);
   redirect(STDERR_FILENO, path(err_name));
+  if (standard_error >= 0) dup2(standard_error, STDERR_FILENO);
   execv(argv.front(), argv.data());
   _exit(127);
 }

@@ -35,9 +35,14 @@ class Folder {
   std::vector<std::string> names() const;
 
   Finished run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
-  pid_t start(const std::vector<std::string>& arguments) const;
+  /// With standard error at a terminal of so many columns.
+  Finished run_at_terminal(const std::vector<std::string>& arguments, unsigned short columns) const;
+  /// `standard_error`: a descriptor in the place of the file that catches it.
+  pid_t start(const std::vector<std::string>& arguments, int standard_error = -1) const;
   /// How many files the program may have open; 0 for as many as this one.
   rlim_t descriptors = 0;
+  /// A file that takes its standard output in the place of the one that is read.
+  std::string standard_output;
   /// At most a minute, ten under a sanitizer; then the process is killed, and its status is -9.
   Finished wait(pid_t process) const;
 

@@ -50,8 +50,8 @@ constexpr Entry entries[] = {
     {"unknown_ending_hdf5", error,
      "{--output}: {file}: the ending says the format, and \"{ending}\" is none of .csv, .json and .h5",
      "{--output}: {file}: die Endung bestimmt das Format, und „{ending}“ ist weder .csv noch .json noch .h5"},
-    {"output_is_the_input", error, "{option} {file}: that is the recording itself; it would be lost",
-     "{option} {file}: das ist die Aufnahme selbst; sie ginge verloren"},
+    {"output_is_the_input", error, "{option} {file}: that is the file to be read; it would be lost",
+     "{option} {file}: das ist die Datei, die gelesen wird; sie ginge verloren"},
     // documents/text
     {"methods_with_step", clause,
      "With {--natural-frequency} and {--step}: what each of them really simulates",
