@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "program.h"
+#include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
 namespace {
@@ -274,6 +275,76 @@ TEST(ReportOfRecordings, RefusesWhatDoesNotGoTogether) {
   EXPECT_THAT(refusal({lab, "--front", "none.toml", "-o", "out"}), HasSubstr("none.toml"));
   EXPECT_THAT(refusal({lab, "--law", "nonsense", "-o", "out"}), HasSubstr("nonsense"));
   EXPECT_THAT(refusal({"none.csv", "-o", "out"}), HasSubstr("none.csv"));
+}
+
+/// As the transcripts have it.
+void put_file(const Folder& folder, const std::string& name) {
+  folder.write(name, bytes_of(std::string(source) + "/tests/cli/transcripts/files/" + name));
+}
+
+TEST(ReportOfRecordings, OptionsGoOverTheFrontsFile) {
+  const Folder folder;
+  put_file(folder, "swing.csv");
+  folder.write("front.toml",
+               "title = \"Vorn\"\nauthor = \"A. Student\"\ntext = \"Aus der Datei.\"\nlanguage = \"de\"\n");
+  const Finished of_file =
+      folder.run({"report", "swing.csv", "--front", "front.toml", "-o", "one", "--quiet"});
+  ASSERT_EQ(of_file.status, 0);
+  EXPECT_EQ(of_file.err, "");
+  const std::string german = folder.read("one/study.toml");
+  EXPECT_THAT(german,
+              HasSubstr("\ntitle = \"Vorn\"\nbyline = \"A. Student\"\nsummary = \"swing.csv: eine freie "));
+  EXPECT_THAT(german, HasSubstr("\nlanguage = \"de\"\n"));
+  EXPECT_THAT(german, HasSubstr("\ntext = \"Aus der Datei.\"\n"));
+  EXPECT_THAT(folder.read("one/index.html"), HasSubstr("<html lang=\"de\">"));
+  const Finished of_both = folder.run({"report", "swing.csv", "--front", "front.toml", "--title", "Over it",
+                                       "--author", "B. Student", "--course", "Mechanics", "--text",
+                                       "By hand.", "--language", "en", "-o", "two.pdf"});
+  ASSERT_EQ(of_both.status, 0) << of_both.err;
+  EXPECT_EQ(of_both.out, "two.pdf\n");
+  EXPECT_TRUE(folder.read("two.pdf").starts_with("%PDF-"));
+  const std::string english = folder.read("two/study.toml");
+  EXPECT_THAT(english,
+              HasSubstr("\ntitle = \"Over it\"\nbyline = \"B. Student · Mechanics\"\nsummary = \"swing.csv: "
+                        "a free swing at "));
+  EXPECT_THAT(english, HasSubstr("\ntext = \"By hand.\"\n"));
+  EXPECT_THAT(english, Not(HasSubstr("Aus der Datei.")));
+  EXPECT_THAT(folder.read("two/index.html"), HasSubstr("<html lang=\"en\">"));
+  ASSERT_EQ(folder.run({"report", "swing.csv", "--language", "de", "-o", "three"}).status, 0);
+  EXPECT_THAT(folder.read("three/study.toml"), HasSubstr("\nlanguage = \"de\"\n"));
+}
+
+TEST(ReportOfRecordings, DrivenMotionsAreNotLaidBesideFreeOnes) {
+  const Folder folder;
+  put_file(folder, "driven.csv");
+  const Finished end = folder.run({"report", "driven.csv", "-o", "out", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto figures = end.json()["figures"].get<std::vector<std::string>>();
+  EXPECT_THAT(figures, ::testing::Contains("out/resonance.svg"));
+  EXPECT_THAT(figures, Not(::testing::Contains("out/compared.svg")));
+}
+
+TEST(Report, OfWhatAStudyIsMeantToShowIsToldUnlessQuiet) {
+  const Folder folder;
+  folder.write("study.toml", R"(title = "It grows"
+
+[[task]]
+simulate = "grows"
+shows = "forward-euler is unstable"
+natural_frequency = "1 Hz"
+method = "forward-euler"
+step = "0.01 s"
+until = "1 s"
+)");
+  const Finished told = folder.run({"report", "study.toml", "-o", "out"});
+  EXPECT_EQ(told.status, 0);
+  EXPECT_EQ(
+      told.err,
+      "cromer: as this study is meant to show, grows: forward-euler is unstable for this law whatever the "
+      "step: the motion will grow\n");
+  const Finished quiet = folder.run({"report", "study.toml", "-o", "out", "--quiet"});
+  EXPECT_EQ(quiet.out, "out/index.html\n");
+  EXPECT_EQ(quiet.err, "");
 }
 
 TEST(Report, NeedsAStudyAndAFolder) {
