@@ -17,7 +17,8 @@ Finished interrupted(const Folder& folder, const std::vector<std::string>& argum
   return folder.wait(process);
 }
 
-std::vector<std::string> with_files(std::vector<std::string> arguments, const std::vector<std::string>& files) {
+std::vector<std::string> with_files(std::vector<std::string> arguments,
+                                    const std::vector<std::string>& files) {
   arguments.insert(arguments.begin() + 1, files.begin(), files.end());
   return arguments;
 }
@@ -41,7 +42,8 @@ std::vector<std::string> put_swings(const Folder& folder, int count) {
 TEST(Interrupted, WhatIsMissingIsNamedUpToFive) {
   const Folder folder;
   const auto files = put_shaking(folder, 6);
-  const std::vector<std::string> three(files.begin(), files.begin() + 3), five(files.begin(), files.end() - 1);
+  const std::vector<std::string> three(files.begin(), files.begin() + 3),
+      five(files.begin(), files.end() - 1);
   const std::vector<std::string> command{"spectrum", "--periods", "0.01:10:5000:log", "-o", "spectra.csv"};
   const auto said = [&](const std::vector<std::string>& of) {
     const Finished end = interrupted(folder, with_files(command, of));
@@ -68,13 +70,15 @@ TEST(Interrupted, WhatIsMissingIsNamedUpToFive) {
 TEST(Interrupted, FitsMakeNoLine) {
   const Folder folder;
   const auto files = put_swings(folder, 2);
-  const Finished end = interrupted(folder, with_files({"fit", "--mass-line", "--masses", "1 kg, 2 kg"}, files));
+  const Finished end =
+      interrupted(folder, with_files({"fit", "--mass-line", "--masses", "1 kg, 2 kg"}, files));
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.err,
-              ::testing::MatchesRegex("cromer: interrupted; what follows are the results of "
-                                      "(2 of 2 files|1 of 2 files; missing: r2.csv)\n"
-                                      "cromer: r1.csv: run 1: iteration_limit: interrupted before the fit was done\n"
-                                      "(cromer: r2.csv: run 1: iteration_limit: interrupted before the fit was done\n)?"));
+              ::testing::MatchesRegex(
+                  "cromer: interrupted; what follows are the results of "
+                  "(2 of 2 files|1 of 2 files; missing: r2.csv)\n"
+                  "cromer: r1.csv: run 1: iteration_limit: interrupted before the fit was done\n"
+                  "(cromer: r2.csv: run 1: iteration_limit: interrupted before the fit was done\n)?"));
 }
 
 TEST(Interrupted, AComparisonIsNotGood) {
@@ -86,8 +90,8 @@ TEST(Interrupted, AComparisonIsNotGood) {
 TEST(Interrupted, ASpectrumIsNotWritten) {
   const Folder folder;
   const auto files = put_shaking(folder, 1);
-  const std::vector<std::string> command{"spectrum", "r1.csv", "--periods", "0.01:10:5000:log", "-o",
-                                         "spectrum.csv"};
+  const std::vector<std::string> command{"spectrum",         "r1.csv", "--periods",
+                                         "0.01:10:5000:log", "-o",     "spectrum.csv"};
   const Finished end = interrupted(folder, command);
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.out, IsEmpty());
