@@ -39,26 +39,28 @@ ModesResult recorded_modes() {
 }
 
 TEST(ModesTable, OfARecordingHasErrorsAndTheNetworksModes) {
-  EXPECT_EQ(modes_csv(recorded_modes()),
-            "mode,frequency (Hz),frequency standard error (Hz),frequency 95 % low (Hz),frequency 95 % high (Hz),"
-            "damping ratio,damping ratio standard error,damping ratio 95 % low,damping ratio 95 % high,"
-            "participation,a re,a im,b re,b im,a re standard error,a im standard error,b re standard error,"
-            "b im standard error,mode of the network,frequency of the network (Hz),"
-            "damping ratio of the network,MAC\n"
-            "1,2,0.125,1.75,2.25,0.25,0.0625,0.125,0.375,,1,0,0,-0.5,0.25,0,0.5,0.75,2,2.5,0.5,0.875\n"
-            "2,4,0,4,4,,0,,,,-0.5,0,1,0,0,0,0,0,,,,\n");
+  EXPECT_EQ(
+      modes_csv(recorded_modes()),
+      "mode,frequency (Hz),frequency standard error (Hz),frequency 95 % low (Hz),frequency 95 % high (Hz),"
+      "damping ratio,damping ratio standard error,damping ratio 95 % low,damping ratio 95 % high,"
+      "participation,a re,a im,b re,b im,a re standard error,a im standard error,b re standard error,"
+      "b im standard error,mode of the network,frequency of the network (Hz),"
+      "damping ratio of the network,MAC\n"
+      "1,2,0.125,1.75,2.25,0.25,0.0625,0.125,0.375,,1,0,0,-0.5,0.25,0,0.5,0.75,2,2.5,0.5,0.875\n"
+      "2,4,0,4,4,,0,,,,-0.5,0,1,0,0,0,0,0,,,,\n");
 }
 
 TEST(ModesTable, OfANetworkHasSharesAndNoErrors) {
   ModesResult result = recorded_modes();
   result.recording.reset();
   result.modes[0].participation = 0.75;
-  EXPECT_EQ(modes_csv(result),
-            "mode,frequency (Hz),frequency standard error (Hz),frequency 95 % low (Hz),frequency 95 % high (Hz),"
-            "damping ratio,damping ratio standard error,damping ratio 95 % low,damping ratio 95 % high,"
-            "participation,a re,a im,b re,b im\n"
-            "1,2,0.125,1.75,2.25,0.25,0.0625,0.125,0.375,0.75,1,0,0,-0.5\n"
-            "2,4,0,4,4,,0,,,,-0.5,0,1,0\n");
+  EXPECT_EQ(
+      modes_csv(result),
+      "mode,frequency (Hz),frequency standard error (Hz),frequency 95 % low (Hz),frequency 95 % high (Hz),"
+      "damping ratio,damping ratio standard error,damping ratio 95 % low,damping ratio 95 % high,"
+      "participation,a re,a im,b re,b im\n"
+      "1,2,0.125,1.75,2.25,0.25,0.0625,0.125,0.375,0.75,1,0,0,-0.5\n"
+      "2,4,0,4,4,,0,,,,-0.5,0,1,0\n");
   result.modes.clear();
   EXPECT_TRUE(modes_csv(result).ends_with("participation,a re,a im,b re,b im\n"));
 }
@@ -175,8 +177,8 @@ TEST(SpectrumTables, OfManyMotionsAreThoseThatSucceeded) {
   const auto tables = spectra_tables(motions, "cromer spectrum");
   ASSERT_EQ(tables.size(), 3u);
   EXPECT_EQ(tables[0].name, "");
-  EXPECT_THAT(tables[0].texts,
-              ElementsAre(std::pair("program", "cromer " CROMER_VERSION), std::pair("command", "cromer spectrum")));
+  EXPECT_THAT(tables[0].texts, ElementsAre(std::pair("program", "cromer " CROMER_VERSION),
+                                           std::pair("command", "cromer spectrum")));
   EXPECT_TRUE(tables[0].columns.empty());
   EXPECT_EQ(tables[1].name, "motion_2");
   EXPECT_EQ(tables[1].texts[0], std::pair(std::string("file"), std::string("push.csv")));
