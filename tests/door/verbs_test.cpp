@@ -28,7 +28,8 @@ const std::string source = CROMER_SOURCE_DIR, files = source + "/tests/cli/trans
 
 using Arrays = std::vector<std::pair<const char*, std::vector<double>>>;
 
-Answer call(const char* verb, const json& request, const Arrays& arrays = {}, cromer_progress progress = nullptr) {
+Answer call(const char* verb, const json& request, const Arrays& arrays = {},
+            cromer_progress progress = nullptr) {
   std::vector<cromer_array> given;
   for (const auto& [name, values] : arrays) given.push_back({name, values.data(), values.size()});
   return Answer(cromer_call(verb, request.dump().c_str(), given.data(), given.size(), progress, nullptr));
@@ -75,7 +76,9 @@ TEST(Written, WhatWasReadIsATextAndATable) {
 }
 
 TEST(Written, OneFitIsInWordsAndSeveralAreATable) {
-  expect_forms(call("fit", {{"law", "viscous"}}, swing()), "the record, y (m), run 1: converged, 800 of 800 samples, ", "file,run,column,law,status,", true);
+  expect_forms(call("fit", {{"law", "viscous"}}, swing()),
+               "the record, y (m), run 1: converged, 800 of 800 samples, ", "file,run,column,law,status,",
+               true);
   const Answer two = call("fit", {{"law", "viscous"}, {"file", files + "two_runs.csv"}});
   ASSERT_EQ(status(two), CROMER_DONE) << cromer_document(two.get());
   expect_forms(two, "file ", "file,run,column,law,status,", true);
@@ -83,15 +86,17 @@ TEST(Written, OneFitIsInWordsAndSeveralAreATable) {
 }
 
 TEST(Written, SimulationsComparisonsAndSpectraHaveEveryForm) {
-  expect_forms(call("simulate", {{"stiffness", 9}, {"until", 2}}), "run  t (s)", "run,t (s),x (m),v (m/s),energy (J)\n",
-               true);
-  expect_forms(call("compare", {{"method", "rk4"}}, swing()), "the record, y (m), run 1\n  rms (m)  R squared", "run,curve,t (s),", true);
+  expect_forms(call("simulate", {{"stiffness", 9}, {"until", 2}}), "run  t (s)",
+               "run,t (s),x (m),v (m/s),energy (J)\n", true);
+  expect_forms(call("compare", {{"method", "rk4"}}, swing()),
+               "the record, y (m), run 1\n  rms (m)  R squared", "run,curve,t (s),", true);
   expect_forms(call("spectrum", {{"spacing", 0.01}, {"periods", json::array({0.5, 1})}},
                     {{"acceleration", {0, 1, 2, 1, 0}}}),
-               "recording     samples   step (s)", "period (s),damping_ratio,SD (m),PSV (m/s),PSA (m/s²)\n0.5,", true);
+               "recording     samples   step (s)",
+               "period (s),damping_ratio,SD (m),PSV (m/s),PSA (m/s²)\n0.5,", true);
   const json resonance{{"damping", 0.2}, {"drive_amplitude", 1}, {"drive_frequency", "0.5,1,2"}};
-  expect_forms(call("sweep", resonance), "3 points by euler-cromer", "drive_frequency (rad/s),amplitude (m),phase (rad)\n0.5,",
-               true);
+  expect_forms(call("sweep", resonance), "3 points by euler-cromer",
+               "drive_frequency (rad/s),amplitude (m),phase (rad)\n0.5,", true);
   expect_forms(call("methods", json::object()), "method             order  implicit", "no_such_form", false);
 }
 
@@ -105,7 +110,8 @@ TEST(Written, ModesAndNetworkFitsHaveEveryForm) {
   Arrays motion = swing(2);
   const Answer fitted = call("fit", {{"network", carts}}, motion);
   ASSERT_NE(status(fitted), CROMER_BAD_INPUT) << cromer_document(fitted.get());
-  expect_forms(fitted, "the record: converged, 800 times, 0 to 15.98 s, ", "from,to,parameter,value,standard error,95 % low,95 % high,unit\nground,cart,stiffness,",
+  expect_forms(fitted, "the record: converged, 800 times, 0 to 15.98 s, ",
+               "from,to,parameter,value,standard error,95 % low,95 % high,unit\nground,cart,stiffness,",
                true);
 }
 
@@ -119,14 +125,16 @@ TEST(Verb, MethodsRecogniseTheRunOfAFile) {
   const Answer made = call("methods", request);
   ASSERT_EQ(status(made), CROMER_DONE) << cromer_document(made.get());
   EXPECT_EQ(document(made)["recognised"][0]["method"], "newmark");
-  expect_forms(made, "newmark with a step of 0.01 s (the same map: implicit-midpoint) made these rows.", "no_such_form", false);
+  expect_forms(made, "newmark with a step of 0.01 s (the same map: implicit-midpoint) made these rows.",
+               "no_such_form", false);
   request["stiffness"] = 16.5;
   EXPECT_EQ(status(call("methods", request)), CROMER_NO_SUCCESS);
   request["column"] = "z";
   EXPECT_EQ(status(call("methods", request)), CROMER_BAD_INPUT);
   EXPECT_EQ(document(call("methods", {{"recognise", file + "x"}}))["code"], "in_file");
   EXPECT_EQ(document(call("methods", {{"stiffness", 16}}))["code"], "options_need_recognise");
-  EXPECT_EQ(document(call("methods", {{"step", 0.1}, {"natural_frequency", -1}}))["argument"], "natural_frequency");
+  EXPECT_EQ(document(call("methods", {{"step", 0.1}, {"natural_frequency", -1}}))["argument"],
+            "natural_frequency");
   std::remove(file.c_str());
 }
 
@@ -141,9 +149,11 @@ TEST(Verb, ListsAreTextsWithCommas) {
 }
 
 TEST(Verb, NothingIsSaidByNull) {
-  EXPECT_EQ(status(call("simulate", {{"spacing", nullptr}, {"network", nullptr}, {"stiffness", nullptr}, {"until", 1}})),
+  EXPECT_EQ(status(call("simulate",
+                        {{"spacing", nullptr}, {"network", nullptr}, {"stiffness", nullptr}, {"until", 1}})),
             CROMER_DONE);
-  EXPECT_EQ(status(call("fit", {{"network", nullptr}, {"file", nullptr}, {"mass", nullptr}}, swing())), CROMER_DONE);
+  EXPECT_EQ(status(call("fit", {{"network", nullptr}, {"file", nullptr}, {"mass", nullptr}}, swing())),
+            CROMER_DONE);
   EXPECT_EQ(document(call("simulate", {{"spacing", true}}))["code"], "must_be_number");
 }
 
@@ -152,7 +162,8 @@ TEST(Verb, FitsReadFiles) {
   ASSERT_EQ(status(fit), CROMER_DONE) << cromer_document(fit.get());
   EXPECT_EQ(document(fit)["recording"]["column"], "x (m)");
   EXPECT_EQ(document(call("fit", {{"file", files + "none.csv"}}))["code"], "in_file");
-  EXPECT_EQ(document(call("fit", {{"file", files + "mass1.csv"}, {"observed", "velocity"}}))["code"], "observed_of_file");
+  EXPECT_EQ(document(call("fit", {{"file", files + "mass1.csv"}, {"observed", "velocity"}}))["code"],
+            "observed_of_file");
   EXPECT_EQ(document(call("fit", {{"observed", 7}}, swing()))["argument"], "observed");
   EXPECT_EQ(status(call("fit", {{"file", files + "noise.csv"}})), CROMER_NO_SUCCESS);
   EXPECT_EQ(status(call("compare", {{"file", files + "noise.csv"}})), CROMER_NO_SUCCESS);
@@ -163,9 +174,12 @@ TEST(Verb, FitsReadFiles) {
 
 TEST(Verb, ARecordDrivesAsForceOrGround) {
   const std::vector<double> ones(400, 1.0);
-  const json request{{"mass", 2}, {"stiffness", 18}, {"method", "exact"}, {"position", 0}, {"spacing", "10 ms"}, {"until", 3}};
-  EXPECT_NEAR(array(call("simulate", request, {{"force", ones}}), "1.x").back(), (1 - std::cos(9.0)) / 18, 1e-12);
-  EXPECT_NEAR(array(call("simulate", request, {{"acceleration", ones}}), "1.x").back(), -(1 - std::cos(9.0)) / 9, 1e-12);
+  const json request{{"mass", 2},     {"stiffness", 18},    {"method", "exact"},
+                     {"position", 0}, {"spacing", "10 ms"}, {"until", 3}};
+  EXPECT_NEAR(array(call("simulate", request, {{"force", ones}}), "1.x").back(), (1 - std::cos(9.0)) / 18,
+              1e-12);
+  EXPECT_NEAR(array(call("simulate", request, {{"acceleration", ones}}), "1.x").back(),
+              -(1 - std::cos(9.0)) / 9, 1e-12);
   const json both = document(call("simulate", request, {{"force", ones}, {"acceleration", ones}}));
   EXPECT_EQ(both["code"], "force_and_acceleration");
   EXPECT_EQ(both["argument"], "force");
@@ -180,8 +194,8 @@ TEST(Verb, ModesAreOfFilesArraysOrNetworks) {
   const auto code = [](const Answer& answer) { return document(answer)["code"].get<std::string>(); };
   const Answer alone = call("modes", json::object(), swing());
   ASSERT_EQ(status(alone), CROMER_DONE) << cromer_document(alone.get());
-  EXPECT_NEAR(document(alone)["modes"][0]["frequency"]["value"].get<double>(), std::hypot(3, 0.05) / (2 * std::numbers::pi),
-              1e-6);
+  EXPECT_NEAR(document(alone)["modes"][0]["frequency"]["value"].get<double>(),
+              std::hypot(3, 0.05) / (2 * std::numbers::pi), 1e-6);
   EXPECT_EQ(code(call("modes", json::object())), "no_file");
   EXPECT_EQ(code(call("modes", {{"file", 7}})), "must_be_text");
   EXPECT_EQ(code(call("modes", {{"observed", 7}})), "must_be_text");
@@ -210,16 +224,20 @@ TEST(Verb, SpectraAreOfFilesOrArrays) {
   EXPECT_EQ(document(call("spectrum", spaced))["code"], "spacing_of_a_file");
   EXPECT_EQ(document(call("spectrum", {{"file", 7}}))["argument"], "file");
   EXPECT_EQ(document(call("spectrum", {{"file", files + "none.csv"}}))["code"], "in_file");
-  EXPECT_EQ(document(call("spectrum", json::object(), {{"acceleration", {1, 2, 3}}}))["code"], "spacing_is_missing");
-  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}}, {{"acceleration", {1, 2, 3}}, {"second", {1, 2}}}))["argument"],
+  EXPECT_EQ(document(call("spectrum", json::object(), {{"acceleration", {1, 2, 3}}}))["code"],
+            "spacing_is_missing");
+  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}},
+                          {{"acceleration", {1, 2, 3}}, {"second", {1, 2}}}))["argument"],
             "second");
-  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}}, {{"acceleration", {1, 2, 3}}, {"periods", {1, std::nan("")}}}))
-                ["argument"],
+  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}},
+                          {{"acceleration", {1, 2, 3}}, {"periods", {1, std::nan("")}}}))["argument"],
             "periods");
-  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}, {"peaks", "loud"}}, {{"acceleration", {1, 2, 3}}}))["argument"],
+  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}, {"peaks", "loud"}},
+                          {{"acceleration", {1, 2, 3}}}))["argument"],
             "peaks");
-  EXPECT_EQ(document(call("spectrum", {{"spacing", 0.01}}, {{"acceleration", {1, 2, 3}}, {"force", {1}}}))["code"],
-            "not_an_array_here");
+  EXPECT_EQ(
+      document(call("spectrum", {{"spacing", 0.01}}, {{"acceleration", {1, 2, 3}}, {"force", {1}}}))["code"],
+      "not_an_array_here");
   const Answer shock = call("spectrum", {{"spacing", 0.001}, {"shock", true}, {"frequencies", "20,50 Hz"}},
                             {{"acceleration", {0, 1, 2, 3, 2, 1, 0}}});
   ASSERT_EQ(status(shock), CROMER_DONE) << cromer_document(shock.get());
@@ -227,7 +245,8 @@ TEST(Verb, SpectraAreOfFilesOrArrays) {
   std::size_t count = 0;
   const cromer_array* given = cromer_arrays(shock.get(), &count);
   EXPECT_TRUE(std::none_of(given, given + count, [](const cromer_array& each) {
-    return std::string_view(each.name).find("displacement") == 0 || std::string_view(each.name).starts_with("pseudo");
+    return std::string_view(each.name).find("displacement") == 0 ||
+           std::string_view(each.name).starts_with("pseudo");
   }));
 }
 
@@ -237,11 +256,16 @@ TEST(Verb, WhatFailsIsNoSuccess) {
   json several = grows;
   several["stiffness"] = {1e6, 2e6};
   EXPECT_EQ(status(call("sweep", several)), CROMER_NO_SUCCESS);
-  EXPECT_EQ(document(call("sweep", {{"stiffness", "1:2"}}))["code"], document(call("sweep", {{"mass", "1:2"}}))["code"]);
-  const json frame{{"network", source + "/data/networks/frame.toml"}, {"method", "forward-euler"}, {"step", 0.5}, {"until", 200}};
+  EXPECT_EQ(document(call("sweep", {{"stiffness", "1:2"}}))["code"],
+            document(call("sweep", {{"mass", "1:2"}}))["code"]);
+  const json frame{{"network", source + "/data/networks/frame.toml"},
+                   {"method", "forward-euler"},
+                   {"step", 0.5},
+                   {"until", 200}};
   const Answer run = call("simulate", frame);
   EXPECT_EQ(status(run), CROMER_NO_SUCCESS);
-  EXPECT_THAT(document(run)["message"].get<std::string>(), StartsWith("diverged: not finite after t = 108.5 s"));
+  EXPECT_THAT(document(run)["message"].get<std::string>(),
+              StartsWith("diverged: not finite after t = 108.5 s"));
 }
 
 TEST(Verb, WhatIsInterruptedIsNoSuccess) {
@@ -253,15 +277,18 @@ TEST(Verb, WhatIsInterruptedIsNoSuccess) {
   EXPECT_THAT(written(spectrum, "text"), Not(HasSubstr("no_result")));
   EXPECT_EQ(written(spectrum, "csv"), "no_result");
   EXPECT_EQ(written(spectrum, "svg"), "no_result");
-  const Answer sweep =
-      call("sweep", {{"position", "0:1:400"}, {"velocity", "0:1:400"}, {"cubic", 0.1}, {"until", 1000}, {"threads", 1}}, {}, stop);
+  const Answer sweep = call(
+      "sweep",
+      {{"position", "0:1:400"}, {"velocity", "0:1:400"}, {"cubic", 0.1}, {"until", 1000}, {"threads", 1}}, {},
+      stop);
   EXPECT_EQ(status(sweep), CROMER_NO_SUCCESS);
 }
 
 TEST(Verb, ArraysHaveNamesAndValues) {
   const double one = 1;
   const auto code = [](const cromer_array& array) {
-    return document(Answer(cromer_call("simulate", "{}", &array, 1, nullptr, nullptr)))["code"].get<std::string>();
+    return document(Answer(cromer_call("simulate", "{}", &array, 1, nullptr, nullptr)))["code"]
+        .get<std::string>();
   };
   EXPECT_EQ(code({"", &one, 1}), "array_without_name_or_values");
   EXPECT_EQ(code({nullptr, &one, 1}), "array_without_name_or_values");
