@@ -169,6 +169,24 @@ TEST(SpectrumTables, HaveTheAxesOfWhatWasAskedFor) {
     EXPECT_EQ(yielding.columns[i].values.size(), 12u) << yielding.columns[i].name;
 }
 
+TEST(SpectrumTables, InCsvNameTheDampingAndTheComponents) {
+  const auto head_of = [](const SpectrumOptions& options) {
+    const std::string csv = spectrum_csv(*response_spectrum(one_push(), options), "");
+    return csv.substr(0, csv.find('\n'));
+  };
+  EXPECT_EQ(head_of({.periods = "1,2"}), "period (s),damping_ratio,SD (m),PSV (m/s),PSA (m/s²)");
+  EXPECT_EQ(head_of({.loss_factor = {"0.1"}, .periods = "1,2"}),
+            "period (s),loss_factor,SD (m),PSV (m/s),PSA (m/s²)");
+  SpectrumResult result;
+  result.components = one_push();
+  result.components[0].fourier = {.step = 0.5, .amplitude = {1, 2, 3}};
+  EXPECT_EQ(fourier_csv(result, ""), "frequency (Hz),amplitude (m/s)\n0,1\n0.5,2\n1,3\n");
+  result.components.push_back(result.components[0]);
+  result.components[1].fourier.amplitude = {4, 5, 6};
+  EXPECT_EQ(fourier_csv(result, ""),
+            "frequency (Hz),amplitude 1 (m/s),amplitude 2 (m/s)\n0,1,4\n0.5,2,5\n1,3,6\n");
+}
+
 TEST(SpectrumTables, OfManyMotionsAreThoseThatSucceeded) {
   const auto result = response_spectrum(one_push(), {.periods = "0.5,1,2"});
   ASSERT_TRUE(result.ok());

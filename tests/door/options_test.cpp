@@ -49,21 +49,31 @@ std::vector<double> swing() {
 TEST(DoorOptions, WhatIsNoEnumeratorIsRefused) {
   const std::vector<double> t = times(), y = swing(), w{1, 2};
   EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.peaks = none<cromer::Peaks>})).first, "peaks");
-  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.between = none<cromer::BetweenSamples>})).first, "between");
-  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.shock = none<cromer::ShockResponse>})).first, "shock");
-  EXPECT_EQ(refusal(cromer::fit(t, y, {.between_samples = none<cromer::BetweenSamples>})).first, "between_samples");
+  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.between = none<cromer::BetweenSamples>})).first,
+            "between");
+  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.shock = none<cromer::ShockResponse>})).first,
+            "shock");
+  EXPECT_EQ(refusal(cromer::fit(t, y, {.between_samples = none<cromer::BetweenSamples>})).first,
+            "between_samples");
   EXPECT_EQ(refusal(cromer::fit(t, y, {.observed = none<cromer::Observed>})).first, "observed");
   EXPECT_EQ(refusal(cromer::modes(t, {y}, {.observed = none<cromer::Observed>})).first, "observed");
-  EXPECT_EQ(refusal(cromer::sweep({}, w, {.direction = none<cromer::SweepOptions::Direction>})).first, "direction");
-  EXPECT_EQ(refusal(cromer::simulate({}, {.drive = cromer::Pulse{.shape = none<cromer::Pulse::Shape>}})).first, "shape");
-  EXPECT_EQ(refusal(cromer::simulate({}, {.drive = cromer::SampledForce{.force = y, .spacing = 0.1,
-                                                                         .between = none<cromer::BetweenSamples>}}))
-                .first,
-            "between");
-  EXPECT_EQ(refusal(cromer::simulate({}, {.drive = cromer::GroundMotion{.acceleration = y, .spacing = 0.1,
-                                                                         .between = none<cromer::BetweenSamples>}}))
-                .first,
-            "between");
+  EXPECT_EQ(refusal(cromer::sweep({}, w, {.direction = none<cromer::SweepOptions::Direction>})).first,
+            "direction");
+  EXPECT_EQ(
+      refusal(cromer::simulate({}, {.drive = cromer::Pulse{.shape = none<cromer::Pulse::Shape>}})).first,
+      "shape");
+  EXPECT_EQ(
+      refusal(cromer::simulate({}, {.drive = cromer::SampledForce{.force = y,
+                                                                  .spacing = 0.1,
+                                                                  .between = none<cromer::BetweenSamples>}}))
+          .first,
+      "between");
+  EXPECT_EQ(
+      refusal(cromer::simulate({}, {.drive = cromer::GroundMotion{.acceleration = y,
+                                                                  .spacing = 0.1,
+                                                                  .between = none<cromer::BetweenSamples>}}))
+          .first,
+      "between");
 }
 
 TEST(DoorOptions, WhatIsNoNumberIsRefused) {
@@ -73,11 +83,13 @@ TEST(DoorOptions, WhatIsNoNumberIsRefused) {
   missing[7] = unknown;
   EXPECT_EQ(refusal(cromer::response_spectrum(y, infinite)), of("spacing", "spacing_not_positive"));
   EXPECT_EQ(refusal(cromer::response_spectrum(y, 0)), of("spacing", "spacing_not_positive"));
-  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.second = missing})), of("second", "value_not_finite"));
+  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.second = missing})),
+            of("second", "value_not_finite"));
   EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.second = t.size() > 3 ? std::span(t).first(3) : t})),
             of("second", "lengths_differ"));
   const double periods[] = {1, unknown};
-  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.periods = periods})), of("periods", "value_not_finite"));
+  EXPECT_EQ(refusal(cromer::response_spectrum(y, 0.01, {.periods = periods})),
+            of("periods", "value_not_finite"));
   EXPECT_EQ(refusal(cromer::fit(t, y, {.force = endless})), of("force", "value_is_infinite"));
   EXPECT_EQ(refusal(cromer::fit(t, y, {.force = std::span(y).first(3)})), of("force", "lengths_differ"));
   EXPECT_EQ(refusal(cromer::fit(t, endless)), of("y", "value_is_infinite"));
@@ -110,8 +122,8 @@ TEST(DoorOptions, OfSpectraAreThoseOfTheProgram) {
   const auto german = cromer::response_spectrum(y, 0.02, {.periods = periods});
   EXPECT_NE(cromer::json(*german, cromer::Language::german), cromer::json(*german));
 
-  const auto shock = cromer::response_spectrum(y, 0.02, {.shock = cromer::ShockResponse::pseudo_velocity,
-                                                         .periods = periods});
+  const auto shock = cromer::response_spectrum(
+      y, 0.02, {.shock = cromer::ShockResponse::pseudo_velocity, .periods = periods});
   ASSERT_TRUE(shock) << shock.error().message();
   EXPECT_EQ(shock->shock.size(), 2u);
   EXPECT_TRUE(shock->displacement.empty() && shock->pseudo_velocity.empty());
@@ -126,7 +138,8 @@ TEST(DoorOptions, OfSweepsAreThoseOfTheProgram) {
   EXPECT_THAT(both->frequency, ElementsAre(0.5, 1.5));
   EXPECT_EQ(alone->amplitude[0], both->amplitude[1]);
   EXPECT_EQ(cromer::sweep(oscillator, two, {.threads = 1})->amplitude, both->amplitude);
-  // Euler-Cromer of step h settles where w^2 is replaced by (2 - 2 cos w h)/h^2 or near it: a coarse step shows.
+  // Euler-Cromer of step h settles where w^2 is replaced by (2 - 2 cos w h)/h^2 or near it: a coarse step
+  // shows.
   const auto coarse = cromer::sweep(oscillator, two, {.step = 0.5});
   ASSERT_TRUE(coarse) << coarse.error().message();
   EXPECT_GT(std::abs(coarse->amplitude[1] / both->amplitude[1] - 1), 0.01);
@@ -169,9 +182,11 @@ TEST(DoorOptions, OfFitsOfFilesAndArrays) {
   const auto recording = cromer::read_file(CROMER_SOURCE_DIR "/tests/cli/transcripts/files/mass1.csv");
   ASSERT_TRUE(recording);
   EXPECT_EQ(refusal(cromer::fit(*recording, {.force = y})), of("force", "force_is_a_column"));
-  EXPECT_EQ(refusal(cromer::fit(*recording, {.between_samples = none<cromer::BetweenSamples>})).first, "between_samples");
+  EXPECT_EQ(refusal(cromer::fit(*recording, {.between_samples = none<cromer::BetweenSamples>})).first,
+            "between_samples");
   EXPECT_EQ(refusal(cromer::fit(*recording, {.law = "viscus"})).first, "law");
-  EXPECT_EQ(refusal(cromer::fit(cromer::Recording{}, cromer::FitOptions{})), of("recording", "recording_is_empty"));
+  EXPECT_EQ(refusal(cromer::fit(cromer::Recording{}, cromer::FitOptions{})),
+            of("recording", "recording_is_empty"));
   EXPECT_EQ(cromer::Recording{}.find("x"), nullptr);
   EXPECT_EQ(recording->find("x")->values.size(), 300u);
   EXPECT_EQ(recording->find("z"), nullptr);
@@ -180,18 +195,21 @@ TEST(DoorOptions, OfFitsOfFilesAndArrays) {
 }
 
 cromer::Network cart(std::optional<double> stiffness = 8.0) {
-  return {{{.name = "cart", .mass = 2.0, .position = 0.1}}, {{.to = "cart", .terms = {{"stiffness", stiffness}}}}};
+  return {{{.name = "cart", .mass = 2.0, .position = 0.1}},
+          {{.to = "cart", .terms = {{"stiffness", stiffness}}}}};
 }
 
 TEST(DoorOptions, OfNetworks) {
   const std::vector<double> t = times(), y = swing();
-  const cromer::Network wrong{{{.name = "cart", .mass = 2.0}}, {{.to = "crat", .terms = {{"stiffness", 8.0}}}}};
+  const cromer::Network wrong{{{.name = "cart", .mass = 2.0}},
+                              {{.to = "crat", .terms = {{"stiffness", 8.0}}}}};
   EXPECT_EQ(refusal(cromer::modes(t, {y}, {.network = wrong})).first, "network");
   EXPECT_EQ(refusal(cromer::modes(t, {y}, {.network = cart(cromer::sought)})).first, "network");
   EXPECT_EQ(refusal(cromer::modes("none.csv", {.network = wrong})).first, "network");
   EXPECT_EQ(refusal(cromer::modes(cart(), {.network = wrong})).first, "network");
   EXPECT_EQ(refusal(cromer::fit(t, {y}, wrong)).first, "network");
-  EXPECT_EQ(refusal(cromer::fit(cromer::Recording{}, cart(cromer::sought))), of("recording", "recording_is_empty"));
+  EXPECT_EQ(refusal(cromer::fit(cromer::Recording{}, cart(cromer::sought))),
+            of("recording", "recording_is_empty"));
   const auto recording = cromer::read_file(CROMER_SOURCE_DIR "/tests/cli/transcripts/files/mass1.csv");
   EXPECT_EQ(refusal(cromer::fit(*recording, wrong)).first, "network");
   EXPECT_EQ(refusal(cromer::fit(*recording, cart(cromer::sought), {.run = 7})), of("network", "in_file"));
@@ -221,12 +239,14 @@ TEST(DoorOptions, OfNetworks) {
 }
 
 TEST(DoorOptions, LinksOfOneNameAreNumbered) {
-  const cromer::Network parallel{{{.name = "cart", .mass = 2.0, .position = 0.5}},
-                                 {{.to = "cart", .terms = {{"stiffness", 8.0}}}, {.to = "cart", .terms = {{"stiffness", 4.0}}}}};
+  const cromer::Network parallel{
+      {{.name = "cart", .mass = 2.0, .position = 0.5}},
+      {{.to = "cart", .terms = {{"stiffness", 8.0}}}, {.to = "cart", .terms = {{"stiffness", 4.0}}}}};
   const auto run = cromer::simulate(parallel, {.method = "exact", .step = 1.0, .until = 1});
   ASSERT_TRUE(run) << run.error().message();
-  EXPECT_THAT(cromer::csv(*run), testing::StartsWith("t (s),cart x (m),cart v (m/s),energy (J),ground-cart energy (J),"
-                                                     "ground-cart 2 energy (J)\n0,0.5,0,1.5,1,0.5\n1,"));
+  EXPECT_THAT(cromer::csv(*run),
+              testing::StartsWith("t (s),cart x (m),cart v (m/s),energy (J),ground-cart energy (J),"
+                                  "ground-cart 2 energy (J)\n0,0.5,0,1.5,1,0.5\n1,"));
 }
 
 TEST(DoorOptions, ALinkWithoutForceStaysOne) {
@@ -266,7 +286,8 @@ TEST(DoorDocument, OfNothingIsEmptyInEveryForm) {
 TEST(DoorSpectrum, InterruptedItHasNoCurves) {
   std::vector<double> periods;
   for (int i = 1; i <= 5000; ++i) periods.push_back(0.001 * i);
-  const auto spectrum = cromer::response_spectrum(swing(), 0.02, {.periods = periods, .progress = [](double) { return false; }});
+  const auto spectrum = cromer::response_spectrum(
+      swing(), 0.02, {.periods = periods, .progress = [](double) { return false; }});
   ASSERT_TRUE(spectrum) << spectrum.error().message();
   EXPECT_TRUE(spectrum->interrupted);
   EXPECT_TRUE(spectrum->period.empty() && spectrum->displacement.empty());

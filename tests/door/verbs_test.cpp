@@ -169,6 +169,7 @@ TEST(Verb, FitsReadFiles) {
   EXPECT_EQ(status(call("compare", {{"file", files + "noise.csv"}})), CROMER_NO_SUCCESS);
   EXPECT_EQ(document(call("compare", {{"file", files + "none.csv"}}))["code"], "in_file");
   EXPECT_EQ(document(call("fit", json::object(), {{"y", {1, 2, 3}}}))["argument"], "t");
+  EXPECT_EQ(document(call("fit", json::object(), {{"y", {1, 2, 3}}}))["code"], "array_is_missing");
   EXPECT_EQ(document(call("fit", json::object(), {{"t", {0, 1, 1}}, {"y", {1, 2, 3}}}))["argument"], "t");
 }
 
