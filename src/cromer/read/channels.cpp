@@ -73,4 +73,39 @@ Result<Channels> take_channels(const Recording& recording, int run, const ReadOp
   return channels;
 }
 
+Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to) {
+  const auto first =
+      from ? std::lower_bound(channels.t.begin(), channels.t.end(), *from) : channels.t.begin();
+  const auto last = to ? std::upper_bound(channels.t.begin(), channels.t.end(), *to) : channels.t.end();
+  if (last - first < 2)
+    return Error{"nothing_left_between",
+                 {{"from", from.value_or(channels.t.front())},
+                  {"to", to.value_or(channels.t.back())},
+                  {"first", channels.t.front()},
+                  {"last", channels.t.back()}}};
+  const auto begin = first - channels.t.begin(), end = last - channels.t.begin();
+  for (Channel& channel : channels.each) {
+    channel.y = {channel.y.begin() + begin, channel.y.begin() + end};
+    channel.missing = static_cast<std::size_t>(
+        std::count_if(channel.y.begin(), channel.y.end(), [](double y) { return std::isnan(y); }));
+  }
+  channels.t = {first, last};
+  return {};
+}
+
+std::size_t leave_out_incomplete(Channels& channels) {
+  const std::size_t all = channels.t.size();
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < all; ++n) {
+    if (std::any_of(channels.each.begin(), channels.each.end(),
+                    [&](const Channel& channel) { return std::isnan(channel.y[n]); }))
+      continue;
+    for (Channel& channel : channels.each) channel.y[kept] = channel.y[n];
+    channels.t[kept++] = channels.t[n];
+  }
+  channels.t.resize(kept);
+  for (Channel& channel : channels.each) channel.y.resize(kept), channel.missing = 0;
+  return all - kept;
+}
+
 }  // namespace cromer::core

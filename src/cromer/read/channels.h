@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,11 @@ struct Channels {
 /// All motion_columns() of a run, each taken as take_series() takes it; samples that stick out are missing,
 /// and all of a column without values. An Error if there are none.
 Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options);
+
+/// Keeps the times between these [s], both included; an Error if fewer than two are left.
+Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to);
+
+/// Keeps the times at which all channels have values, and returns how many others there were.
+std::size_t leave_out_incomplete(Channels& channels);
 
 }  // namespace cromer::core

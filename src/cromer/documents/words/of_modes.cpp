@@ -178,6 +178,13 @@ constexpr Entry entries[] = {
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst"},
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
+    {"still_before_motion", worth_knowing,
+     "the first {length:.3g} s are still: what is found is of the motion from {from:.4g} s on; {--from} "
+     "takes "
+     "another beginning",
+     "die ersten {length:.3g} s sind still: das Ergebnis gilt für die Bewegung ab {from:.4g} s; {--from} "
+     "wählt einen "
+     "anderen Anfang"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,

@@ -9,6 +9,7 @@
 #include "cromer/identify/modal/free_decay.h"
 #include "cromer/identify/modal/mode_search.h"
 #include "cromer/identify/modal/steady_lines.h"
+#include "cromer/identify/modal/still_beginning.h"
 
 namespace cromer::core {
 namespace {
@@ -89,9 +90,7 @@ ModalRecord with_channels(const ModalRecord& record, const std::vector<std::vect
   return result;
 }
 
-}  // namespace
-
-ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
+ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& settings) {
   ModalAnalysis result;
   const auto straightened = without_oscillations(record, {});
   const ModalRecord straight = with_channels(record, straightened);
@@ -143,6 +142,19 @@ ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& setting
   for (const std::complex<double>& line : lines) result.lines.push_back(line.imag() / two_pi);
   std::sort(result.lines.begin(), result.lines.end());
   return result;
+}
+
+}  // namespace
+
+ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
+  if (const std::size_t still = still_samples(record); still > 0) {
+    ModalAnalysis result = modes_of_motion(from_sample(record, still), settings);
+    if (result.motion == ModalMotion::free_decay && is_still_before(record, still, result.modes)) {
+      result.still = still;
+      return result;
+    }
+  }
+  return modes_of_motion(record, settings);
 }
 
 }  // namespace cromer::core

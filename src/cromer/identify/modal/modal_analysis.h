@@ -1,6 +1,7 @@
 // The modes in a recording of several channels, whether random forces keep it moving or it was let go.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "cromer/identify/modal/modal_record.h"
@@ -12,6 +13,7 @@ enum class ModalMotion { ambient, free_decay };
 
 struct ModalAnalysis {
   ModalMotion motion = ModalMotion::ambient;
+  std::size_t still = 0;  ///< samples at the beginning, left out: at rest or held until a free motion begins
   std::vector<MeasuredMode> modes;  ///< by rising frequency
   double decaying_share =
       0;  ///< of the power about the modes: what free motion from the first sample accounts for

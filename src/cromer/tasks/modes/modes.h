@@ -11,6 +11,7 @@
 #include "cromer/model/network.h"
 #include "cromer/notice.h"
 #include "cromer/quantity.h"
+#include "cromer/read/channels.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
 #include "cromer/tasks/methods/method_effect.h"
@@ -25,6 +26,7 @@ struct ModesOptions {
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2 by default
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8 by default
   // Of a recording:
+  std::optional<double> from{}, to{};                      // [s] the times used; all by default
   std::optional<int> modes{};                              ///< at most this many; all by default
   std::optional<double> from_frequency{}, to_frequency{};  // [rad/s] only modes between
   std::string of_method{};                                 ///< that simulated it, with `step`; "" none
@@ -97,6 +99,9 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
 /// what the recording itself shows. With `network` they are set beside those of this network. An Error says
 /// what is wrong with the options or the columns.
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {});
+
+/// Says how long nothing moves at first, and when the motion begins.
+Notice still_before_motion(const Channels& channels, std::size_t still);
 
 /// The most masses whose modes are sought.
 inline constexpr std::size_t most_masses_for_modes = 500;

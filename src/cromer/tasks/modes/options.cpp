@@ -17,6 +17,8 @@ std::vector<Option> options_of(ModesOptions& o) {
       {"rho-inf", &o.rho_inf, "", Range::fraction,
        "of generalized-alpha: the share of motions far faster than the step that is left after each step",
        "0.8", group},
+      {"from", &o.from, "s", Range::any, "first time used", "the first sample", recording},
+      {"to", &o.to, "s", Range::any, "last time used", "the last sample", recording},
       {"modes", &o.modes, "", Range::at_least_one,
        "how many at most: those found at most orders of the model", "all that are found", recording},
       {"from-frequency", &o.from_frequency, "rad/s", Range::not_negative, "only modes from this frequency on",
@@ -57,6 +59,8 @@ MethodSettings method_settings_of(const ModesOptions& options) {
 }
 
 std::string_view option_of_recordings(const ModesOptions& options) {
+  if (options.from) return "from";
+  if (options.to) return "to";
   if (options.modes) return "modes";
   if (options.from_frequency) return "from-frequency";
   if (options.to_frequency) return "to-frequency";

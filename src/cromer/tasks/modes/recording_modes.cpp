@@ -27,13 +27,14 @@ bool is_still(const Channel& channel) {
 }
 
 /// The columns that move, at the times that all of them have, and what there is to say of the others.
-Result<Channels> moving_channels(const Recording& recording, const ReadOptions& reading,
+Result<Channels> moving_channels(const Recording& recording, const ModesOptions& options,
                                  std::vector<Notice>& notices) {
   if (const auto all = runs(recording); all.size() > 1)
     return Error{"modes_of_one_run", {{"file", recording.file}, {"runs", all.size()}}};
-  auto taken = take_channels(recording, 1, reading);
+  auto taken = take_channels(recording, 1, options.read);
   if (!taken) return taken.error();
   Channels channels = *std::move(taken);
+  if (auto good = crop(channels, options.from, options.to); !good) return good.error();
   const auto leave_out = [&](const char* code, const auto& why) {
     std::erase_if(channels.each, [&](const Channel& channel) {
       if (!why(channel)) return false;
@@ -50,18 +51,8 @@ Result<Channels> moving_channels(const Recording& recording, const ReadOptions& 
   for (const Notice& notice : channels.notices) add_once(notices, notice);
   if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
 
-  std::size_t kept = 0;
-  for (std::size_t n = 0; n < channels.t.size(); ++n) {
-    if (std::any_of(channels.each.begin(), channels.each.end(),
-                    [&](const Channel& channel) { return std::isnan(channel.y[n]); }))
-      continue;
-    for (Channel& channel : channels.each) channel.y[kept] = channel.y[n];
-    channels.t[kept++] = channels.t[n];
-  }
-  if (kept < channels.t.size())
-    notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", channels.t.size() - kept}}});
-  channels.t.resize(kept);
-  for (Channel& channel : channels.each) channel.y.resize(kept);
+  if (const std::size_t left_out = leave_out_incomplete(channels); left_out > 0)
+    notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", left_out}}});
   return channels;
 }
 
@@ -204,6 +195,11 @@ bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& 
 
 }  // namespace
 
+Notice still_before_motion(const Channels& channels, std::size_t still) {
+  const double from = channels.t[still];
+  return Notice{"still_before_motion", {{"length", from - channels.t.front()}, {"from", from}}};
+}
+
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options) {
   if (!options.method.empty()) return Error{"method_of_networks", {{"file", recording.file}}};
   if (options.step && options.of_method.empty()) return Error{"step_needs_of_method"};
@@ -213,9 +209,11 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   if (auto good = check_modes_options(checked); !good) return good.error();
   if (options.from_frequency && options.to_frequency && *options.from_frequency >= *options.to_frequency)
     return Error{"frequencies_reversed"};
+  if (options.from && options.to && *options.from >= *options.to)
+    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
 
   ModesResult result{.file = recording.file, .notices = recording.notices};
-  const auto channels = moving_channels(recording, options.read, result.notices);
+  const auto channels = moving_channels(recording, options, result.notices);
   if (!channels) return channels.error();
   constexpr std::size_t fewest = 40;
   if (channels->t.size() < fewest)
@@ -237,12 +235,13 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   settings.modes = options.modes.value_or(0);
   result.recording = ModalSource{.quantity = channels->quantity,
                                  .unit = channels->unit,
-                                 .samples = channels->t.size(),
                                  .rate = 1 / record.step,
-                                 .duration = channels->t.back() - channels->t.front(),
                                  .gaps = record.starts.size() - 1,
                                  .found = find_modes(record, settings)};
   const ModalAnalysis& found = result.recording->found;
+  result.recording->samples = channels->t.size() - found.still;
+  result.recording->duration = channels->t.back() - channels->t[found.still];
+  if (found.still > 0) result.notices.push_back(still_before_motion(*channels, found.still));
   for (const MeasuredMode& mode : found.modes)
     result.modes.push_back({.frequency = mode.frequency,
                             .damping_ratio = mode.damping_ratio,

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "cromer/identify/modal/modal_analysis.h"
+#include "cromer/identify/modal/still_beginning.h"
 #include "cromer/read/in_file.h"
+#include "cromer/tasks/modes/modes.h"
 
 namespace cromer::core {
 namespace {
@@ -12,26 +15,20 @@ namespace {
 constexpr std::array fit_options{"run",         "from",      "to",      "rate",
                                  "time-column", "delimiter", "decimal", "skip-bad-rows"};
 
-/// The samples from --from to --to, both included; an Error if fewer than two are left.
-Result<void> crop(Channels& channels, const FitOptions& options) {
-  const auto first = options.from ? std::lower_bound(channels.t.begin(), channels.t.end(), *options.from)
-                                  : channels.t.begin();
-  const auto last =
-      options.to ? std::upper_bound(channels.t.begin(), channels.t.end(), *options.to) : channels.t.end();
-  if (last - first < 2) {
-    const double from = options.from.value_or(channels.t.front()),
-                 to = options.to.value_or(channels.t.back());
-    return Error{"nothing_left_between",
-                 {{"from", from}, {"to", to}, {"first", channels.t.front()}, {"last", channels.t.back()}}};
-  }
-  const auto from = first - channels.t.begin(), to = last - channels.t.begin();
-  for (Channel& channel : channels.each) {
-    channel.y = {channel.y.begin() + from, channel.y.begin() + to};
-    channel.missing = static_cast<std::size_t>(
-        std::count_if(channel.y.begin(), channel.y.end(), [](double y) { return std::isnan(y); }));
-  }
-  channels.t = {first, last};
-  return {};
+/// Where nothing moves at first, and no beginning was chosen, the samples from the motion's own beginning on.
+Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& options) {
+  if (options.from) return {};
+  Channels complete = result.channels;
+  leave_out_incomplete(complete);
+  constexpr std::size_t fewest = 40;
+  if (complete.t.size() < fewest) return {};
+  ModalRecord record;
+  for (const Channel& channel : complete.each) record.channels.emplace_back(channel.y);
+  set_times(record, complete.t);
+  const std::size_t still = still_samples(record) > 0 ? find_modes(record).still : 0;
+  if (still == 0) return {};
+  result.notices.push_back(still_before_motion(complete, still));
+  return crop(result.channels, complete.t[still], {});
 }
 
 /// A column of positions, or of angles, for each mass.
@@ -153,11 +150,12 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
                        .network_file = network_file,
                        .channels = *std::move(channels),
                        .asked = network};
-  if (auto good = crop(result.channels, options); !good) return good.error();
+  if (auto good = crop(result.channels, options.from, options.to); !good) return good.error();
   if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
   result.notices = recording.notices;
   result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
 
+  if (auto good = leave_stillness_out(result, options); !good) return good.error();
   NetworkRecord record{result.channels.t, {}};
   for (const Channel& channel : result.channels.each) record.y.emplace_back(channel.y);
   std::vector<SoughtValue> sought;
