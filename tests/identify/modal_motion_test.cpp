@@ -4,6 +4,7 @@
 
 #include "cromer/analysis/complex_modes.h"
 #include "cromer/identify/modal/modal_analysis.h"
+#include "cromer/identify/modal/still_beginning.h"
 #include "tests/identify/modal_records.h"
 
 namespace cromer::core {
@@ -151,6 +152,63 @@ TEST(ModalMotion, a_mode_that_is_not_reported_does_not_widen_the_others) {
     estimated += std::pow(frequency.standard_error, 2);
   }
   EXPECT_NEAR(std::sqrt(estimated / deviation), 1, 0.25);
+}
+
+// At rest until a hit, or held where it is let go.
+Channels beginning_late(std::vector<TrueMode> modes, std::size_t still, bool hit, unsigned seed) {
+  if (hit)
+    for (TrueMode& mode : modes)
+      for (std::complex<double>& each : mode.shape) each *= std::complex<double>(0, -1);  // a quarter later
+  Channels channels = let_go(modes, {1, 0.5, 0.3}, 1500, 0.02, 0, 0);
+  for (auto& channel : channels.values) channel.insert(channel.begin(), still, hit ? 0 : channel.front());
+  std::mt19937 random(seed);
+  add_noise(channels, 0.01, random);
+  return channels;
+}
+
+TEST(ModalMotion, a_motion_that_begins_within_the_record_is_told_from_there) {
+  const std::vector<TrueMode> truth = three_masses();
+  int held = 0, all = 0;
+  for (const bool hit : {true, false})
+    for (const std::size_t still : {12u, 50u, 400u})
+      for (unsigned seed = 0; seed < 5; ++seed) {
+        const ModalAnalysis found = find_modes(beginning_late(truth, still, hit, seed).record());
+        EXPECT_EQ(found.motion, ModalMotion::free_decay);
+        EXPECT_GE(found.still, still);
+        EXPECT_LE(found.still, still + 3);
+        ASSERT_EQ(found.modes.size(), truth.size()) << still << hit;
+        for (std::size_t j = 0; j < truth.size(); ++j) {
+          held += holds(found.modes[j].frequency, truth[j].frequency) +
+                  holds(found.modes[j].damping_ratio, truth[j].damping_ratio);
+          all += 2;
+        }
+      }
+  EXPECT_EQ(all, 180);
+  EXPECT_GE(held, 162);  // 95 %, to three standard deviations
+}
+
+TEST(ModalMotion, what_moves_from_the_first_sample_on_keeps_all_samples) {
+  // At a turning point it moves little at first; a slow swing beside a fast rate, all the more.
+  const std::vector<TrueMode> slow = {{0.31, 0.01, {1.0, 0.8}}};
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    EXPECT_EQ(find_modes(let_go(three_masses(), {1, 0.5, 0.3}, 1500, 0.02, 0.01, seed).record()).still, 0u);
+    EXPECT_EQ(find_modes(let_go(slow, {1}, 3000, 0.01, 1e-3, seed).record()).still, 0u);
+    EXPECT_EQ(find_modes(under_white_forces(three_masses(), 3000, 0.04, seed).record()).still, 0u);
+  }
+}
+
+TEST(ModalMotion, gaps_stay_where_they_are_behind_a_still_beginning) {
+  const Channels channels = let_go(two_masses(), {1, 1}, 100, 0.02, 0, 0);
+  ModalRecord record = channels.record();
+  record.starts = {0, 10, 30, 60};
+  for (std::size_t i = 0; i < 100; ++i) record.times.push_back(0.02 * static_cast<double>(i) + 5);
+  const ModalRecord part = from_sample(record, 30);
+  EXPECT_THAT(part.starts, testing::ElementsAre(0, 30));
+  EXPECT_EQ(part.samples(), 70u);
+  EXPECT_EQ(part.times.size(), 70u);
+  EXPECT_EQ(part.time(0), 0.02 * 30 + 5);
+  EXPECT_EQ(part.channels[1][0], channels.values[1][30]);
+  EXPECT_EQ(from_sample(channels.record(), 30).samples(), 70u);
 }
 
 }  // namespace

@@ -48,5 +48,35 @@ TEST(Channels, AreRefusedWhereNothingMoves) {
   EXPECT_FALSE(take_channels(read("Time (s),Position (m)\n0,1\n1,2\n"), 2, {}).ok());
 }
 
+const std::string two_with_holes =
+    "Time (s),Position (m),Position 2 (m)\n0,1,5\n0.1,,6\n0.2,3,7\n0.3,4,\n0.4,5,9\n0.5,6,10\n";
+
+TEST(Channels, AreCroppedBetweenTwoTimes) {
+  Channels channels = *take_channels(read(two_with_holes), 1, {});
+  ASSERT_TRUE(crop(channels, 0.1, 0.4).ok());
+  EXPECT_THAT(channels.t, ElementsAre(0.1, 0.2, 0.3, 0.4));
+  EXPECT_THAT(channels.each[1].y, ElementsAre(6, 7, IsNan(), 9));
+  EXPECT_EQ(channels.each[0].missing, 1u);
+  EXPECT_EQ(channels.each[1].missing, 1u);
+  ASSERT_TRUE(crop(channels, {}, 0.25).ok());
+  EXPECT_EQ(channels.each[1].missing, 0u);
+  EXPECT_THAT(channels.t, ElementsAre(0.1, 0.2));
+  EXPECT_TRUE(crop(channels, {}, {}).ok());
+  const auto one = crop(channels, 0.15, {});
+  ASSERT_FALSE(one.ok());
+  EXPECT_EQ(in_words(one.error()),
+            "--from 0.15 --to 0.2: no sample is left, the recording goes from 0.1 to 0.2 s");
+}
+
+TEST(Channels, TimesThatOneLacksAreLeftOutOfAll) {
+  Channels channels = *take_channels(read(two_with_holes), 1, {});
+  EXPECT_EQ(leave_out_incomplete(channels), 2u);
+  EXPECT_THAT(channels.t, ElementsAre(0, 0.2, 0.4, 0.5));
+  EXPECT_THAT(channels.each[0].y, ElementsAre(1, 3, 5, 6));
+  EXPECT_THAT(channels.each[1].y, ElementsAre(5, 7, 9, 10));
+  EXPECT_EQ(channels.each[0].missing, 0u);
+  EXPECT_EQ(leave_out_incomplete(channels), 0u);
+}
+
 }  // namespace
 }  // namespace cromer::core

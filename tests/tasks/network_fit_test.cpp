@@ -2,6 +2,7 @@
 // tests/identify.
 #include "cromer/tasks/network_fit/network_fit.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,6 +85,25 @@ TEST(NetworkFit, FindsTheValuesThatAreOpen) {
   EXPECT_EQ(left[1].unit, "N m s");
   EXPECT_NEAR(left[0].estimate.value, k, 1e-5 * k);
   EXPECT_NEAR(between[0].estimate.value, kappa, 1e-3 * kappa);
+}
+
+TEST(NetworkFit, ABeginningWithoutMotionIsLeftOut) {
+  std::string late = "Time (s),Angle 1 (rad),Angle 2 (rad)\n";
+  for (int n = 0; n < 1500; ++n) {
+    const double t = 0.02 * (n < 100 ? 0 : n - 100), one = std::cos(4.43 * t), other = std::cos(4.6 * t);
+    late += fmt::format("{},{},{}\n", 0.02 * n, 0.1 * (one + other), 0.1 * (one - other));
+  }
+  const auto result = fitted(late, file_of(pendulums()));
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result->succeeded()) << in_words(result->message);
+  EXPECT_GE(result->channels.t.front(), 2);
+  EXPECT_LE(result->channels.t.front(), 2.2);
+  EXPECT_NEAR(result->found_of(0)[0].estimate.value, 0.05 * 4.43 * 4.43, 1e-6);
+  ASSERT_FALSE(result->notices.empty());
+  EXPECT_EQ(result->notices.back().code, "still_before_motion");
+  const auto chosen = fitted(late, file_of(pendulums()), {.from = 5});
+  EXPECT_EQ(chosen->channels.t.front(), 5);
+  EXPECT_TRUE(chosen->notices.empty());
 }
 
 TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {

@@ -323,6 +323,22 @@ TEST(Recognise, FitsTheLawWhereNoneIsGiven) {
   EXPECT_THAT(in_words(both->words), HasSubstr("1 other below it"));
 }
 
+// The motion that is seen may be far from the law: forward Euler makes growth of a decay.
+TEST(Recognise, FitsTheLawOfAMethodThatChangesItMuch) {
+  const Linear law{.stiffness = 25, .damping = 0.3};
+  for (const char* method : {"forward-euler", "heun"})
+    for (const int every : {2, 7}) {
+      const auto rows = rows_by(step_of(method, law, 0.02), start, every, 300);
+      const auto result = recognised(file_of(rows, 0.02 * every, 12), {});
+      ASSERT_TRUE(result.ok());
+      const RecognisedMethod& first = result->recognised.front();
+      EXPECT_EQ(first.method, method) << every;
+      EXPECT_EQ(first.steps_per_row, every);
+      EXPECT_NEAR(*first.step, 0.02, 1e-7);
+      EXPECT_NEAR(*result->damping_ratio, 0.03, 1e-6) << method << every;
+    }
+}
+
 TEST(Recognise, SaysThatTheLawIsAnother) {
   Linear wrong = spring;
   wrong.stiffness *= 1.02;

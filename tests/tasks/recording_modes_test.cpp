@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/methods/method_effect.h"
 #include "cromer/tasks/modes/law_before_method.h"
@@ -185,8 +186,26 @@ TEST(RecordingModes, noise_has_none_and_says_so) {
   EXPECT_TRUE(result.modes.empty());
 }
 
+TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
+  const ModesResult part = modes_in(decay(pendulums, two_angles, both), {.from = 10, .to = 60});
+  EXPECT_EQ(part.recording->samples, 1001u);
+  EXPECT_NEAR(part.recording->duration, 50, 1e-9);
+  EXPECT_NEAR(part.modes[1].frequency.value, 0.73, 1e-9);
+  const ModesResult late = modes_in(decay(pendulums, two_angles, [](std::size_t i, double a, double b) {
+    return i < 200 ? both(i, 0, 0) : both(i, a, b);
+  }));
+  EXPECT_THAT(in_words(late.notices),
+              testing::ElementsAre("the first 10 s are still: what is found is of the motion from 10 s on; from takes "
+                                   "another beginning"));
+  EXPECT_EQ(late.recording->samples, 2200u);
+  EXPECT_NEAR(late.recording->duration, 109.95, 1e-9);
+  EXPECT_NEAR(late.modes[1].damping_ratio.value, 0.002, 1e-9);
+}
+
 TEST(RecordingModes, bad_options_are_refused) {
   const std::string bytes = decay(pendulums, two_angles, both);
+  EXPECT_EQ(refusal(bytes, {.from = 3, .to = 3}), "from_behind_to");
+  EXPECT_EQ(refusal(bytes, {.from = 300}), "nothing_left_between");
   EXPECT_EQ(refusal(bytes, {.method = {"newmark"}, .step = 0.01}), "method_of_networks");
   EXPECT_EQ(refusal(bytes, {.of_method = "newmark"}), "of_method_needs_step");
   EXPECT_EQ(refusal(bytes, {.step = 0.01}), "step_needs_of_method");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -38,7 +39,7 @@ struct Match {
 /// Pairs of modes, the likest first, each mode once.
 std::vector<Match> matches(const std::vector<NaturalMode>& found, const std::vector<NaturalMode>& of_network,
                            const Mounting& mounting) {
-  constexpr double least_mac = 0.5;
+  constexpr double least_mac = 0.5, most_apart = std::numbers::ln2;  // twice as fast, or half
   std::vector<Match> all;
   for (std::size_t j = 0; j < found.size(); ++j) {
     const Shape shape = mounting.seen_by_masses(found[j].shape);
@@ -46,7 +47,7 @@ std::vector<Match> matches(const std::vector<NaturalMode>& found, const std::vec
       if (!(found[j].frequency.value > 0) || !(of_network[k].frequency.value > 0)) continue;
       const double mac = modal_assurance(shape, of_network[k].shape);
       const double apart = std::abs(std::log(found[j].frequency.value / of_network[k].frequency.value));
-      if (mac >= least_mac) all.push_back({j, k, mac, mac - apart});
+      if (mac >= least_mac && apart < most_apart) all.push_back({j, k, mac, mac - apart});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
@@ -77,7 +78,8 @@ std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vecto
                                       const Agreement& as_it_is) {
   constexpr double well = 0.9, clearly = 0.1;
   const std::size_t channels = found.names.size();
-  if (found.modes.size() < 2) return std::nullopt;  // one shape may look so by chance
+  // One shape may look so by chance.
+  if (found.modes.size() < 2 || as_it_is.mac >= well) return std::nullopt;
   double best = as_it_is.score + clearly;
   std::optional<Notice> said;
   const auto try_it = [&](const Mounting& mounting, const auto& notice) {

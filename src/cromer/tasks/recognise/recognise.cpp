@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "cromer/analysis/measured_oscillator.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/run/step_control.h"
+#include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/recognise/maker.h"
 #include "cromer/tasks/recognise/recorded_states.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
@@ -126,13 +128,25 @@ std::vector<CandidateMaker> all_candidates(const Evidence& evidence, const Traje
   return candidates;
 }
 
+/// Where the fit begins: the guess, of a law that is sought the one that this method turns into it.
+Origin start_of(const Maker& maker, const Evidence& evidence) {
+  Origin start = evidence.guess;
+  if (!evidence.freedom.law || !maker.shows_steps()) return start;
+  const double step = start.spacing / static_cast<double>(maker.steps_per_row);
+  const auto before = law_before_method(maker.method, maker.settings, step,
+                                        natural_frequency(start.law) / two_pi, damping_ratio(start.law));
+  if (before)
+    start.law = {.mass = 1, .stiffness = before->law.stiffness, .damping = 2 * before->law.decay_rate};
+  return start;
+}
+
 /// Fits the candidates to the rows, and puts the nearest first.
 template <class Iterations>
 void fit_all(std::vector<CandidateMaker>& candidates, const Trajectory& rows, const Evidence& evidence,
              const Watch& watch, const Iterations& iterations) {
   for (CandidateMaker& each : candidates)
     if (!watch.interrupted())
-      each.fit = fit_maker(each.maker, rows, evidence.yardstick, evidence.freedom, evidence.guess,
+      each.fit = fit_maker(each.maker, rows, evidence.yardstick, evidence.freedom, start_of(each.maker, evidence),
                            iterations(each.maker));
   std::stable_sort(
       candidates.begin(), candidates.end(),
