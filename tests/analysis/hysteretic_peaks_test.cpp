@@ -68,8 +68,8 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
   std::vector<double> a(200);
   for (double& value : a) value = normal(random);
   const double h = 0.02;
-  const std::size_t padded = 512, times = 64;
-  // 200 samples, and the pause: 256 to 512 in all.
+  const std::size_t padded = 1024, times = 64;
+  // 200 samples, and the pause: 512 to 1024 in all.
   const std::pair<double, double> all[] = {{0.12, 0.3}, {0.18, 0.3}, {0.22, 0.3}, {0.45, 0.3},
                                            {0.6, 0.3},  {1.18, 0.9}, {1.22, 0.9}, {1.6, 0.9}};
   std::vector<std::complex<double>> ground(padded / 2 + 1);
@@ -87,8 +87,7 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
     std::vector<std::complex<double>> amplitude;
     for (std::size_t k = 0; k <= padded / 2; ++k) {
       const double driven = 2 * pi * static_cast<double>(k) / (padded * h);
-      const auto steady =
-          hysteretic_response({.mass = 1, .stiffness = w * w}, k == 0 ? 0 : loss_factor, 1, driven);
+      const auto steady = hysteretic_response({.mass = 1, .stiffness = w * w}, loss_factor, 1, driven);
       amplitude.push_back(ground[k] * std::polar(steady.amplitude, -steady.phase_lag));
     }
     double most = 0;
@@ -99,6 +98,24 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
       most = std::max(most, std::abs(x) / padded);
     }
     EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, loss_factor)[0] / most, 1, 1e-4) << period;
+  }
+}
+
+// What the pauses leave out is what silence after the record adds.
+TEST(HystereticPeaks, AreThoseOfASingleShaking) {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  const double h = 0.01;
+  std::vector<double> a(500);
+  for (double& value : a) value = normal(random);
+  std::vector<double> silent = a;
+  silent.resize(1 << 15);
+  const std::vector<double> periods{0.1, 0.2, 0.5, 1.25};
+  for (const double loss_factor : {0.04, 0.4, 1.0, 2.0}) {
+    const auto peaks = hysteretic_peaks(a, h, periods, loss_factor),
+               truth = hysteretic_peaks(silent, h, periods, loss_factor);
+    for (std::size_t i = 0; i < periods.size(); ++i)
+      EXPECT_NEAR(peaks[i] / truth[i], 1, 1e-3) << loss_factor << ' ' << periods[i];
   }
 }
 

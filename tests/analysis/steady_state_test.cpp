@@ -45,6 +45,24 @@ Trajectory driven(const Oscillator<double>& o, const HarmonicDrive<double>& d, d
   return keep.take();
 }
 
+// 66.67 samples a cycle: where in them a window begins and ends changes from cycle to cycle.
+TEST(MeasuredSteadyState, OvertonesDoNotLeakIn) {
+  const HarmonicDrive<double> drive{1, 0.3};
+  for (const double until : {1000.0, 1021.0, 1042.0, 1063.0}) {
+    Trajectory motion;
+    for (double t = 0; t < until; t += 2 * std::numbers::pi / 0.3 / (200.0 / 3)) {
+      motion.t.push_back(t);
+      motion.x.push_back(0.2 + std::cos(0.3 * t - 1) + 0.2 * std::cos(0.9 * t) + 0.1 * std::cos(0.6 * t + 2));
+    }
+    for (const int cycles : {2, 8}) {
+      const auto measured = measure_steady_state(motion, drive, cycles);
+      ASSERT_TRUE(measured);
+      EXPECT_NEAR(measured->amplitude, 1, cycles == 2 ? 1.5e-4 : 2e-6) << until;
+      EXPECT_NEAR(measured->phase_lag, 1, cycles == 2 ? 1.5e-4 : 2e-6) << until;
+    }
+  }
+}
+
 TEST(MeasuredSteadyState, FindsTheExactResponse) {
   const Oscillator<double> o{.mass = 1, .stiffness = 9, .damping = 0.5};
   for (const double w : {0.4, 2.9, 3.0, 7.3}) {

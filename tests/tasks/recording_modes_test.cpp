@@ -195,8 +195,9 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
     return i < 200 ? both(i, 0, 0) : both(i, a, b);
   }));
   EXPECT_THAT(in_words(late.notices),
-              testing::ElementsAre("the first 10 s are still: what is found is of the motion from 10 s on; from takes "
-                                   "another beginning"));
+              testing::ElementsAre(
+                  "the first 10 s are still: what is found is of the motion from 10 s on; from takes "
+                  "another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
   EXPECT_NEAR(late.recording->duration, 109.95, 1e-9);
   EXPECT_NEAR(late.modes[1].damping_ratio.value, 0.002, 1e-9);

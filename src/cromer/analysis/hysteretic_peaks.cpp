@@ -16,9 +16,11 @@ namespace {
 
 using Amplitudes = std::vector<std::complex<double>>;
 
-/// How long a free motion takes to fall to 1e-4 [s].
-double pause(double period, double loss_factor) {
-  return std::log(1e4) * period / (std::numbers::pi * loss_factor);
+/// Between two repetitions [s]: a free motion takes so long to fall to 1e-4, and what a large loss factor
+/// makes last for longer, as t^-2, has fallen as far.
+double pause(double duration, double period, double loss_factor) {
+  const double fallen = std::log(1e4) * period / (std::numbers::pi * loss_factor);
+  return std::max(fallen, 8 * loss_factor / (1 + loss_factor * loss_factor) * duration);
 }
 
 std::size_t power_of_two(double least) {
@@ -68,7 +70,8 @@ double peak_of(const std::vector<double>& x) {
 }  // namespace
 
 double hysteretic_samples(std::size_t samples, double h, double longest_period, double loss_factor) {
-  return static_cast<double>(samples) + pause(longest_period, loss_factor) / h;
+  const auto n = static_cast<double>(samples);
+  return n + pause(n * h, longest_period, loss_factor) / h;
 }
 
 std::vector<double> hysteretic_peaks(std::span<const double> acceleration, double h,
@@ -91,9 +94,11 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
     Amplitudes answer(n * values / 2 + 1);
     for (std::size_t i = 0; i < ground.size(); ++i) {
       const double driven = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(n) * h);
-      const SteadyState steady = hysteretic_response(oscillator, i == 0 ? 0 : loss_factor, 1, driven);
+      const SteadyState steady = hysteretic_response(oscillator, loss_factor, 1, driven);
       answer[i] = ground[i] * std::polar(steady.amplitude, -steady.phase_lag);
     }
+    // Below frequency 0 the lag turns round: there the answer is the mean of both sides.
+    answer[0] = answer[0].real();
     // The highest frequency stands for two halves; on a finer grid each has its own place.
     answer[ground.size() - 1] *= 0.5;
     std::vector<double> x;

@@ -15,6 +15,8 @@ struct Sinusoid {
   double amplitude() const { return std::hypot(cosine, sine); }
 };
 
+/// With Hann's weights: the window holds whole cycles only to within a step, and of overtones little leaks
+/// in.
 Sinusoid fit_sinusoid(const Trajectory& y, const HarmonicDrive<double>& drive, std::size_t first,
                       std::size_t last) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -24,9 +26,10 @@ Sinusoid fit_sinusoid(const Trajectory& y, const HarmonicDrive<double>& drive, s
     return Eigen::Vector3d(1, std::cos(angle), std::sin(angle));
   };
   for (std::size_t i = first; i < last; ++i) {
-    const Eigen::Vector3d u = basis(i);
-    normal += u * u.transpose();
-    right += y.x[i] * u;
+    const double place = (static_cast<double>(i - first) + 0.5) / static_cast<double>(last - first);
+    const Eigen::Vector3d u = basis(i), weighted = (1 - std::cos(2 * std::numbers::pi * place)) * u;
+    normal += weighted * u.transpose();
+    right += y.x[i] * weighted;
   }
   const Eigen::Vector3d c = normal.ldlt().solve(right);
   double squares = 0;

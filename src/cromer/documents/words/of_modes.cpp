@@ -203,20 +203,23 @@ constexpr Entry entries[] = {
      "Uhr des "
      "Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
     {"modes_of_random_forces", clause,
-     "the motion does not decay from the first sample used on: these are modes under random forces, by subspace "
+     "the motion does not decay from the first sample used on: these are modes under random forces, by "
+     "subspace "
      "identification (orders to {order}, correlations over {reach:.3g} s)",
      "die Bewegung klingt nicht vom ersten Messwert an ab: dies sind Eigenschwingungen unter zufälligen "
      "Kräften, "
      "durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über {reach:.3g} s)"},
     {"modes_of_free_decay", clause,
-     "the motion decays from the first sample used on, {percent:.3g} % of its power about the modes: these are "
+     "the motion decays from the first sample used on, {percent:.3g} % of its power about the modes: these "
+     "are "
      "modes of a "
      "free decay, by least squares",
      "die Bewegung klingt vom ersten Messwert an ab, {percent:.3g} % ihrer Leistung um die Eigenfrequenzen: "
      "dies sind "
      "Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
     {"modes_of_free_motion", clause,
-     "the motion is free from the first sample used on and does not die away, {percent:.3g} % of its power about "
+     "the motion is free from the first sample used on and does not die away, {percent:.3g} % of its power "
+     "about "
      "the modes: "
      "these are modes of a free motion, by least squares",
      "die Bewegung ist vom ersten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer Leistung um "

@@ -88,8 +88,13 @@ class EquationsOfMotion {
       y_.push_back(filled(record.t, record.y[i], spreads[i].mean, longest_gap * period));
   }
 
-  /// False if the record does not determine them.
-  bool solve_for(std::vector<double>& values) const {
+  struct Guess {
+    double value = 0;
+    double size = 0;  ///< the value whose term alone were as large as the accelerations
+  };
+
+  /// Empty if the record does not determine them.
+  std::vector<Guess> solved() const {
     const std::size_t samples = record_.t.size();
     const double step = (record_.t.back() - record_.t.front()) / static_cast<double>(samples - 1);
     const auto wanted = static_cast<std::size_t>(std::max(12.0, 2 * period_ / step));
@@ -98,9 +103,11 @@ class EquationsOfMotion {
     sums.size = static_cast<int>(sought_.size() + network_.masses.size());
     for (std::size_t first = 0; first + length <= samples; first += hop) add_window(sums, first, length);
     const LinearFit fit = solve(sums, 1e-10);
-    if (!fit.ok) return false;
-    for (std::size_t i = 0; i < sought_.size(); ++i) values[i] = fit.x[i];
-    return true;
+    if (!fit.ok) return {};
+    std::vector<Guess> guesses;
+    for (std::size_t j = 0; j < sought_.size(); ++j)
+      guesses.push_back({fit.x[j], std::sqrt(sums.sum_of_squares / sums.matrix[j][j])});
+    return guesses;
   }
 
  private:
@@ -276,10 +283,18 @@ class NetworkMotions {
     return sums;
   }
 
-  /// Weighs each column by what is left of it.
+  /// Weighs each column by what is left of it, or by rounding.
   void weigh(const std::vector<FittedColumn>& columns) {
+    constexpr double rounding = 1e-12;
     for (std::size_t i = 0; i < masses(); ++i)
-      if (const double rms = columns[i].rms; rms > 1e-9 * spreads_[i].deviation) weight_[i] = 1 / (rms * rms);
+      weight_[i] = std::pow(std::max(columns[i].rms, rounding * spreads_[i].deviation), -2);
+  }
+  /// The Euclidean norm of all columns, weighed.
+  double norm() const {
+    double squares = 0;
+    for (std::size_t i = 0; i < masses(); ++i)
+      squares += weight_[i] * std::pow(spreads_[i].deviation, 2) * static_cast<double>(spreads_[i].count);
+    return std::sqrt(squares);
   }
   /// Steps short beside the fastest mode, where there is no closed form.
   void step_for(const Parameters& p) {
@@ -306,7 +321,7 @@ class NetworkMotions {
   const std::vector<SoughtValue>& sought_;
   const NetworkRecord& record_;
   const std::vector<ColumnSpread>& spreads_;
-  std::vector<double> weight_, scale_;  ///< of columns; of changes of values, where these are 0
+  std::vector<double> weight_, scale_;  ///< of columns; of changes of values, where these are small
   double period_, longest_step_ = HUGE_VAL;
 };
 
@@ -422,10 +437,11 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
     }
   }
   const double period = slowest_period(record, spreads);
-  std::vector<double> values(sought.size());
   const std::size_t parameters = sought.size() + 3 * network.masses.size();
-  if (samples < 3 * parameters || record.t.back() - record.t.front() < 1.5 * period ||
-      !EquationsOfMotion(network, sought, record, spreads, period).solve_for(values)) {
+  const bool long_enough = samples >= 3 * parameters && record.t.back() - record.t.front() >= 1.5 * period;
+  const auto guesses = long_enough ? EquationsOfMotion(network, sought, record, spreads, period).solved()
+                                   : std::vector<EquationsOfMotion::Guess>{};
+  if (guesses.empty()) {
     fit.status = FitStatus::too_short;
     return fit;
   }
@@ -433,9 +449,12 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   std::vector<double> scale;
   Parameters p{};
   LeastSquaresOptions options;
+  options.tolerance = 1e-12;  // what rounding moves the motions by
   for (std::size_t j = 0; j < sought.size(); ++j) {
-    scale.push_back(std::abs(values[j]));
-    p[j] = sought[j].never_negative ? std::max(values[j], 0.0) : values[j];
+    const auto [value, size] = guesses[j];
+    constexpr double small = 0.01;
+    scale.push_back(std::max(std::abs(value), small * size));
+    p[j] = sought[j].never_negative ? std::max(value, 0.0) : value;
     if (sought[j].never_negative) options.lower[j] = 0;
   }
   NetworkMotions motions(network, sought, record, spreads, scale, period);
@@ -457,7 +476,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   constexpr double first_periods = 3;
   const auto fit_through = [&](std::size_t end) {
     options.residuals = static_cast<int>(std::min<std::size_t>(samples, 1u << 30));
-    options.scale = std::sqrt(static_cast<double>(samples));
+    options.scale = motions.norm();
     motions.step_for(found.parameters);
     found = minimise([&](const Parameters& at) { return motions.equations(at, end, watch); },
                      found.parameters, options);

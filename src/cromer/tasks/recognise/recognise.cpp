@@ -146,8 +146,8 @@ void fit_all(std::vector<CandidateMaker>& candidates, const Trajectory& rows, co
              const Watch& watch, const Iterations& iterations) {
   for (CandidateMaker& each : candidates)
     if (!watch.interrupted())
-      each.fit = fit_maker(each.maker, rows, evidence.yardstick, evidence.freedom, start_of(each.maker, evidence),
-                           iterations(each.maker));
+      each.fit = fit_maker(each.maker, rows, evidence.yardstick, evidence.freedom,
+                           start_of(each.maker, evidence), iterations(each.maker));
   std::stable_sort(
       candidates.begin(), candidates.end(),
       [](const CandidateMaker& a, const CandidateMaker& b) { return a.fit.distance < b.fit.distance; });
