@@ -203,6 +203,20 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   EXPECT_NEAR(late.modes[1].damping_ratio.value, 0.002, 1e-9);
 }
 
+TEST(RecordingModes, more_modes_than_channels_are_doubted) {
+  std::vector<Swing> three = pendulums;
+  three.push_back({value_of(1.9, 0.003), 0.03, 0.04});
+  const ModesResult result = modes_in(decay(three, two_angles, both));
+  EXPECT_EQ(result.modes.size(), 3u);
+  EXPECT_THAT(in_words(result.notices),
+              testing::Contains(
+                  testing::StartsWith("there are 3 modes and 2 channels: if each channel is a mass, some")));
+  const ModesResult one =
+      modes_in(decay(pendulums, "Time (s),Angle (rad)",
+                     [](std::size_t, double a, double) { return fmt::format("{:.17g}", a); }));
+  EXPECT_THAT(codes(one), testing::Not(testing::Contains("more_modes_than_channels")));
+}
+
 TEST(RecordingModes, bad_options_are_refused) {
   const std::string bytes = decay(pendulums, two_angles, both);
   EXPECT_EQ(refusal(bytes, {.from = 3, .to = 3}), "from_behind_to");

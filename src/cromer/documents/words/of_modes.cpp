@@ -174,8 +174,12 @@ constexpr Entry entries[] = {
      "{file}: {samples:Messwert|Messwerte} sind zu wenig, um Eigenschwingungen zu suchen: mindestens "
      "{fewest}"},
     {"no_modes_found", error,
-     "no mode was found: no pole keeps its frequency, damping and shape as the model grows",
-     "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst"},
+     "no mode was found: no pole keeps its frequency, damping and shape as the model grows; a longer "
+     "recording, or one "
+     "with fewer missing values, shows more",
+     "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
+     "eine "
+     "längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
@@ -260,6 +264,13 @@ constexpr Entry entries[] = {
     {"network_mode_not_found", worth_knowing,
      "the network's mode {mode}, at {frequency:.4g} Hz, was not found in the recording",
      "die Eigenschwingung {mode} des Netzes, bei {frequency:.4g} Hz, wurde in der Aufnahme nicht gefunden"},
+    {"more_modes_than_channels", wrong_if_ignored,
+     "there are {modes} modes and {channels:channel|channels}: if each channel is a mass, some are no modes, "
+     "but what "
+     "a motion that is not linear looks like (dry friction, large angles, a bent spring)",
+     "es gibt {modes} Eigenschwingungen und {channels:Kanal|Kanäle}: ist jeder Kanal eine Masse, so sind "
+     "einige keine, "
+     "sondern so sieht eine nicht lineare Bewegung aus (Reibung, große Winkel, eine gekrümmte Feder)"},
     {"fewer_modes_than_channels", worth_knowing,
      "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
      "hardly "
@@ -275,12 +286,12 @@ constexpr Entry entries[] = {
      "eine längere "
      "macht ihre Vertrauensbereiche sicherer"},
     {"peak_without_mode", worth_knowing,
-     "the spectrum has a peak at {frequency:.4g} Hz that is no mode: a machine may run there, or two modes "
-     "are "
-     "too close to be told apart",
-     "das Spektrum hat bei {frequency:.4g} Hz einen Gipfel, der keine Eigenschwingung ist: dort läuft "
-     "vielleicht "
-     "eine Maschine, oder zwei Eigenschwingungen liegen zu nah beieinander"},
+     "the spectrum has a peak at {frequency:.4g} Hz where no mode was found: it may be a strongly damped "
+     "mode, two "
+     "modes too close to be told apart, or a machine",
+     "das Spektrum hat bei {frequency:.4g} Hz einen Gipfel, wo keine Eigenschwingung gefunden wurde: "
+     "vielleicht eine "
+     "stark gedämpfte, zwei zu nah beieinander, oder eine Maschine"},
     {"step_not_of_record", error,
      "{--step}: the rows are {spacing} s apart, which is no whole number of steps of {step:.6g} s",
      "{--step}: die Zeilen liegen {spacing} s auseinander, das ist keine ganze Zahl von Schritten von "

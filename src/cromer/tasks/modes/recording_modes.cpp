@@ -123,6 +123,9 @@ void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool al
       notices.push_back(Notice{"mode_grows", {{"frequency", mode.frequency.value}}});
     else if (!decaying(mode))
       notices.push_back(Notice{"mode_does_not_decay", {{"frequency", mode.frequency.value}}});
+  if (found.modes.size() > channels && channels > 1)
+    notices.push_back(
+        Notice{"more_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
   if (all && found.modes.size() < channels)
     notices.push_back(
         Notice{"fewer_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
