@@ -73,6 +73,18 @@ TEST(NetworkRun, EnergyIsAccountedFor) {
   EXPECT_GT(gains.energy->method(), 0.01);
 }
 
+TEST(NetworkRun, TheExactSolutionMakesNoEnergy) {
+  SimulateOptions options{.method = {"exact"}, .step = 0.05, .until = 20};
+  const NetworkRun run = run_of(chain(2, 0.2), options);
+  ASSERT_TRUE(run.energy);
+  EXPECT_NEAR(run.energy->method(), 0, 1e-15 * run.energy->start);
+  EXPECT_GT(run.energy->taken, 0);
+  options.until = 0.35;  // of eight states nothing is summed up
+  EXPECT_FALSE(run_of(chain(2, 0.2), options).energy);
+  options.until = 0.4;
+  EXPECT_TRUE(run_of(chain(2, 0.2), options).energy);
+}
+
 TEST(NetworkRun, EnergyOfFrictionAndHysteresisIsAccountedFor) {
   Network network = chain(3);
   network.links[1].law.friction = 0.2;

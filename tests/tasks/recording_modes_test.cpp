@@ -196,7 +196,7 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   }));
   EXPECT_THAT(in_words(late.notices),
               testing::ElementsAre(
-                  "the first 10 s are still: what is found is of the motion from 10 s on; from takes "
+                  "the first 10 s are still: what is found is of the motion from 10 s on; --from takes "
                   "another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
   EXPECT_NEAR(late.recording->duration, 109.95, 1e-9);
