@@ -63,6 +63,23 @@ TEST(MeasuredSteadyState, OvertonesDoNotLeakIn) {
   }
 }
 
+TEST(MeasuredSteadyState, WhatGrowsBesideTheDriveIsNotSettled) {
+  const auto driven_beside = [](double rate) {
+    Trajectory motion;
+    for (double t = 0; t < 300; t += 0.05) {
+      motion.t.push_back(t);
+      motion.x.push_back(std::cos(2 * t) + 0.01 * std::exp(rate * (t - 300)) * std::cos(3.3 * t));
+    }
+    return *measure_steady_state(motion, {1, 2});
+  };
+  EXPECT_FALSE(driven_beside(0.02).settled());
+  EXPECT_GT(driven_beside(0.02).growth, 1e-3);
+  EXPECT_NEAR(driven_beside(0).growth, 0, 1e-4);
+  EXPECT_TRUE(driven_beside(0).settled());
+  EXPECT_LT(driven_beside(-0.02).growth, 0);
+  EXPECT_TRUE(driven_beside(-0.02).settled());
+}
+
 TEST(MeasuredSteadyState, FindsTheExactResponse) {
   const Oscillator<double> o{.mass = 1, .stiffness = 9, .damping = 0.5};
   for (const double w : {0.4, 2.9, 3.0, 7.3}) {

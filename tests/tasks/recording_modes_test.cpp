@@ -13,8 +13,8 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "cromer/tasks/methods/law_before_method.h"
 #include "cromer/tasks/methods/method_effect.h"
-#include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/modes/modes.h"
 
 namespace cromer::core {

@@ -72,8 +72,9 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
 
   const Sinusoid whole = fit_sinusoid(trajectory, drive, first, last);
   const std::size_t middle = since(end - used / 2 * period);
-  const double before = fit_sinusoid(trajectory, drive, first, middle).amplitude();
-  const double after = fit_sinusoid(trajectory, drive, middle, last).amplitude();
+  const Sinusoid first_half = fit_sinusoid(trajectory, drive, first, middle),
+                 second_half = fit_sinusoid(trajectory, drive, middle, last);
+  const double before = first_half.amplitude(), after = second_half.amplitude();
 
   // a cos u + b sin u = X cos(u - delta)
   const Transmission answer = transmission(whole.cosine, whole.sine);
@@ -83,6 +84,7 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
   measured.mean = whole.mean;
   measured.residual = whole.residual;
   measured.change = after > 0 ? (after - before) / after : 0;
+  measured.growth = after > 0 ? (second_half.residual - first_half.residual) / after : 0;
   measured.cycles = used;
   return measured;
 }

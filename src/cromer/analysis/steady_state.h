@@ -16,10 +16,12 @@ struct MeasuredSteadyState {
   double residual = 0;   // [m] rms of what is not mean or drive frequency: overtones and transients
   double change = 0;  ///< of the amplitude from the first to the second half of the window, relative: 0 once
                       ///< transients have died
+  double growth = 0;  ///< likewise of the residual, over the amplitude: above 0 a free motion grows
   int cycles = 0;     ///< in the window
 
-  /// The amplitude no longer changes by more than one part in a thousand.
-  bool settled() const { return change < 1e-3 && change > -1e-3; }
+  /// The amplitude no longer changes by more than one part in a thousand of it, and nothing else grows by
+  /// more.
+  bool settled() const { return change < 1e-3 && change > -1e-3 && growth < 1e-3; }
 };
 
 /// Least squares of x = mean + a cos(w t + phi) + b sin(w t + phi) over the last `cycles` whole drive periods

@@ -73,6 +73,11 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
   return false;
 }
 
+Notice still_before_motion(const ModalRecord& record, std::size_t still) {
+  const double from = record.time(still);
+  return Notice{"still_before_motion", {{"length", from - record.time(0)}, {"from", from}}};
+}
+
 ModalRecord from_sample(const ModalRecord& record, std::size_t first) {
   ModalRecord part = record;
   for (std::span<const double>& channel : part.channels) channel = channel.subspan(first);

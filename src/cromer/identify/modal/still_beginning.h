@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cromer/identify/modal/modal_record.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -16,6 +17,9 @@ std::size_t still_samples(const ModalRecord& record);
 /// Whether the samples before `first` are no part of the free motion after it, in these modes: together they
 /// leave three times the rms there that the motion leaves alone.
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes);
+
+/// Says how long nothing moves, and when the motion begins.
+Notice still_before_motion(const ModalRecord& record, std::size_t still);
 
 /// What the record holds from this sample on.
 ModalRecord from_sample(const ModalRecord& record, std::size_t first);

@@ -11,7 +11,6 @@
 #include "cromer/model/network.h"
 #include "cromer/notice.h"
 #include "cromer/quantity.h"
-#include "cromer/read/channels.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
 #include "cromer/tasks/methods/method_effect.h"
@@ -99,9 +98,6 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
 /// what the recording itself shows. With `network` they are set beside those of this network. An Error says
 /// what is wrong with the options or the columns.
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options = {});
-
-/// Says how long nothing moves at first, and when the motion begins.
-Notice still_before_motion(const Channels& channels, std::size_t still);
 
 /// The most masses whose modes are sought.
 inline constexpr std::size_t most_masses_for_modes = 500;

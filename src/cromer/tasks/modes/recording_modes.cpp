@@ -7,10 +7,11 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/modal/still_beginning.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
+#include "cromer/tasks/methods/law_before_method.h"
 #include "cromer/tasks/modes/beside_network.h"
-#include "cromer/tasks/modes/law_before_method.h"
 #include "cromer/tasks/modes/modes_options.h"
 
 namespace cromer::core {
@@ -198,11 +199,6 @@ bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& 
 
 }  // namespace
 
-Notice still_before_motion(const Channels& channels, std::size_t still) {
-  const double from = channels.t[still];
-  return Notice{"still_before_motion", {{"length", from - channels.t.front()}, {"from", from}}};
-}
-
 Result<ModesResult> recording_modes(const Recording& recording, const ModesOptions& options) {
   if (!options.method.empty()) return Error{"method_of_networks", {{"file", recording.file}}};
   if (options.step && options.of_method.empty()) return Error{"step_needs_of_method"};
@@ -244,7 +240,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   const ModalAnalysis& found = result.recording->found;
   result.recording->samples = channels->t.size() - found.still;
   result.recording->duration = channels->t.back() - channels->t[found.still];
-  if (found.still > 0) result.notices.push_back(still_before_motion(*channels, found.still));
+  if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still));
   for (const MeasuredMode& mode : found.modes)
     result.modes.push_back({.frequency = mode.frequency,
                             .damping_ratio = mode.damping_ratio,

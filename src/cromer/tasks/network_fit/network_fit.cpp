@@ -7,7 +7,6 @@
 #include "cromer/identify/modal/modal_analysis.h"
 #include "cromer/identify/modal/still_beginning.h"
 #include "cromer/read/in_file.h"
-#include "cromer/tasks/modes/modes.h"
 
 namespace cromer::core {
 namespace {
@@ -27,7 +26,7 @@ Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& option
   set_times(record, complete.t);
   const std::size_t still = still_samples(record) > 0 ? find_modes(record).still : 0;
   if (still == 0) return {};
-  result.notices.push_back(still_before_motion(complete, still));
+  result.notices.push_back(still_before_motion(record, still));
   return crop(result.channels, complete.t[still], {});
 }
 

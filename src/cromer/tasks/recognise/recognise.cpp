@@ -12,7 +12,7 @@
 #include "cromer/model/law.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/run/step_control.h"
-#include "cromer/tasks/modes/law_before_method.h"
+#include "cromer/tasks/methods/law_before_method.h"
 #include "cromer/tasks/recognise/maker.h"
 #include "cromer/tasks/recognise/recorded_states.h"
 #include "cromer/tasks/simulate/simulate_setup.h"

@@ -1,4 +1,4 @@
-#include "cromer/tasks/modes/law_before_method.h"
+#include "cromer/tasks/methods/law_before_method.h"
 
 #include <cmath>
 
