@@ -126,7 +126,7 @@ struct Decay {
 };
 
 Decay decay_along(const EnvelopeTrack& track, const std::vector<TermAlong>& terms) {
-  Decay best;
+  Decay best{.coefficients = std::vector<double>(terms.size())};
   std::vector<std::size_t> damping;
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (terms[i].fall.back() != 0) damping.push_back(i);
