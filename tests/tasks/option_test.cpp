@@ -121,6 +121,29 @@ TEST_F(SimulateTable, CheckFindsValuesThatWereSetDirectly) {
 }
 
 // Each range at its limits, and just outside them: the options of all commands keep to one of these.
+TEST_F(SimulateTable, SettingsAreTakenInTheirOrderUntilOneIsWrong) {
+  const auto told = [&](const std::vector<TypedOption>& settings) {
+    const auto result = assign(settings, table, "simulate");
+    return result ? "" : in_words(result.error());
+  };
+  EXPECT_EQ(told({{"mass", "2"}, {"every", "3"}}), "");
+  EXPECT_EQ(options.mass, 2);
+  EXPECT_EQ(options.every, 3);
+  EXPECT_EQ(told({{"mass", "5"}, {"stifness", "2"}, {"every", "4"}}),
+            "--stifness is no option of simulate; did you mean --stiffness?");
+  EXPECT_EQ(options.mass, 5);
+  EXPECT_EQ(options.every, 3);
+  EXPECT_EQ(told({{"colour-of-it", "2"}}), "--colour-of-it is no option of simulate");
+  EXPECT_EQ(told({{"method", ""}}), "--method: the value is empty");
+}
+
+TEST_F(SimulateTable, WholeNumbersThatAreTooLargeAreSaidToBe) {
+  EXPECT_EQ(refusal("every", "99999999999999999999"),
+            "--every: \"99999999999999999999\" is a whole number too large to be used");
+  EXPECT_EQ(refusal("every", "1.5"), "--every: \"1.5\" is not a whole number");
+  EXPECT_EQ(refusal("every", "1e3"), "--every: \"1e3\" is not a whole number");
+}
+
 TEST(Range, IsKeptToTheLastValue) {
   const double tiny = 5e-324;
   const auto above = [](double value) { return std::nextafter(value, HUGE_VAL); };

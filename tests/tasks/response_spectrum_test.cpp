@@ -438,6 +438,78 @@ TEST(ResponseSpectrum, TwoComponentsMustMatch) {
   EXPECT_FALSE(response_spectrum(both, shock).ok());
 }
 
+TEST(ResponseSpectrum, OfSpringsThatYieldTakesLittleElse) {
+  const SpectrumFile file = recording(300, 0.01, ripple);
+  const SpectrumFile both[] = {file, file};
+  const auto refused = [](std::string_view option) {
+    return "--ductility follows one motion, straight between its samples, until its last sample; leave --" +
+           std::string(option) + " out";
+  };
+  const SpectrumOptions yielding{.ductility = {"2"}, .periods = "0.5,1"};
+  const auto with = [&](auto change) {
+    SpectrumOptions options = yielding;
+    change(options);
+    return message(file, options);
+  };
+  EXPECT_EQ(with([](auto&) {}), "accepted");
+  EXPECT_EQ(with([](auto& o) { o.loss_factor = {"0.1"}; }), refused("loss-factor"));
+  EXPECT_EQ(with([](auto& o) { o.shock = true; }), refused("shock"));
+  EXPECT_EQ(with([](auto& o) { o.peaks = "samples"; }), refused("peaks"));
+  EXPECT_EQ(with([](auto& o) { o.between_samples = "hold"; }), refused("between-samples"));
+  EXPECT_EQ(with([](auto& o) { o.between_samples = "linear"; }), "accepted");
+  EXPECT_EQ(in_words(response_spectrum(both, yielding).error()),
+            "--ductility takes one recording; ask for the components one after the other");
+  for (const auto& [option, steady] : {std::pair{"loss-factor", SpectrumOptions{.loss_factor = {"0.1"}}},
+                                       std::pair{"shock", SpectrumOptions{.shock = true}}})
+    EXPECT_EQ(
+        in_words(response_spectrum(both, steady).error()),
+        "--" + std::string(option) + " takes one recording; ask for the components one after the other");
+  EXPECT_EQ(message(file, {.loss_factor = {"0.1"}, .between_samples = "linear"}),
+            "--loss-factor sums steady states of a band-limited ground; leave --between-samples out");
+}
+
+TEST(ResponseSpectrum, ItsOptionsAreCheckedBeforeAnythingIsRead) {
+  const auto told = [](const SpectrumOptions& options, std::size_t files = 1) {
+    const auto good = check_spectrum_options(options, files);
+    return good ? "" : in_words(good.error());
+  };
+  EXPECT_EQ(told({}), "");
+  EXPECT_EQ(told({}, 2), "");
+  EXPECT_EQ(told({}, 3), "spectrum takes one recording, or the two components of one motion; 3 are given");
+  EXPECT_EQ(told({.peaks = "peer", .between_samples = "hold"}),
+            "--peaks peer joins the samples by straight lines; leave --between-samples out");
+  EXPECT_EQ(told({.shock = true}, 2),
+            "--shock takes one recording; ask for the components one after the other");
+  EXPECT_EQ(told({.shock = true, .column = {"x", "y"}}),
+            "--shock takes one recording; ask for the components one after the other");
+  EXPECT_EQ(told({.shock = true, .column = {"x"}}), "");
+}
+
+TEST(ResponseSpectrum, SaysHowFarItIs) {
+  const SpectrumFile file = recording(40, 0.01, ripple);
+  std::vector<double> seen;
+  const auto result = response_spectrum(
+      {&file, 1}, {.damping_ratio = {"0.02,0.05"}, .ductility = {"2"}, .periods = "0.1,0.2,0.3,0.4,0.5"},
+      {.progress = [&](double share) { seen.push_back(share); }});
+  ASSERT_TRUE(result.ok());
+  EXPECT_THAT(seen, ElementsAre(0.4, 0.5, 0.9, 1));
+}
+
+TEST(ResponseSpectrum, SaysWhereADuctilityIsNotReached) {
+  // Two hundred cycles at a natural frequency: the ground itself moves far less than the mass.
+  const auto result = spectrum_of(recording(4001, 0.025, [](double t) { return std::cos(4 * pi * t); }),
+                                  {.damping_ratio = {"0"}, .ductility = {"2", "100"}, .periods = "0.5,2"});
+  ASSERT_TRUE(result.ok());
+  EXPECT_THAT(
+      in_words(result->notices),
+      ::testing::Contains("a ductility of 100 is not reached at 1 period, however weak the spring: NaN"));
+  EXPECT_EQ(result->notices.size(), 2u);
+  EXPECT_TRUE(std::isnan(result->spectra[1].displacement[0][0]));
+  for (const double reached : {result->spectra[0].displacement[0][0], result->spectra[0].displacement[0][1],
+                               result->spectra[1].displacement[0][1]})
+    EXPECT_GT(reached, 0);
+}
+
 TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
   SpectrumOptions options;
   options.periods = "0.015,0.5,100";

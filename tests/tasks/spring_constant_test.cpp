@@ -7,6 +7,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/model/sensor.h"
+#include "cromer/read/recording.h"
 
 namespace cromer::core {
 namespace {
@@ -219,6 +220,103 @@ TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
       in_words(static_stiffness({at(1, 2), at(1, 3)}, {10, 0}).error()),
       "--masses: a line needs at least two holds of different masses, and three where their errors are not "
       "known");
+}
+
+TEST(Holds, OfFewSamplesAreNotWidenedAndNoneIsAPlateau) {
+  const auto three = find_holds({hold(1, 3)}, "f.csv", {{1, 0}});
+  ASSERT_TRUE(three);
+  const Hold& first = three->front();
+  EXPECT_NEAR(first.position, 1 - 0.001 / 3, 1e-15);
+  EXPECT_NEAR(first.standard_error, first.scatter / std::sqrt(3.0), 1e-15);
+  const Quantity kilogram{1, 0};
+  EXPECT_EQ(refusal({hold(1, 4)}, {kilogram, kilogram}),
+            "f.csv: 2 masses are given, and 0 plateaus are found; choose the part with --from and --to, or "
+            "give each hold as a run or file of its own");
+}
+
+/// Runs of 20 values each, at these levels, that begin at 0 s.
+Recording runs_at(const std::vector<double>& levels, const std::string& file = "runs.csv",
+                  bool timed = true) {
+  std::string bytes = timed ? "Time (s),Position (m)\n" : "Position (m)\n";
+  for (const double level : levels)
+    for (int i = 0; i < 20; ++i)
+      bytes += (timed ? std::to_string(0.5 * i) + "," : "") + std::to_string(level + (i % 2 ? 1e-3 : -1e-3)) +
+               "\n";
+  const auto recording = read_recording(bytes, file, {});
+  EXPECT_TRUE(recording) << in_words(recording.error());
+  return *recording;
+}
+
+std::string refused(const std::vector<Recording>& recordings, const StaticOptions& options) {
+  const auto found = fit_static(recordings, options);
+  return found ? "" : in_words(found.error());
+}
+
+TEST(StaticFit, TakesTheRunsOfAllFilesInTheirOrder) {
+  const std::vector<Recording> both{runs_at({0.1, 0.2}, "one.csv"), runs_at({0.3}, "two.csv")};
+  const auto found = fit_static(both, {.masses = {{1, 0}, {2, 0}, {3, 0}}, .gravity = {10, 0}});
+  ASSERT_TRUE(found) << in_words(found.error());
+  EXPECT_NEAR(found->stiffness.value, 100, 1e-9);
+  ASSERT_EQ(found->holds.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(found->holds[i].file, i < 2 ? "one.csv" : "two.csv");
+    EXPECT_EQ(found->holds[i].run, i == 1 ? 2 : 1);
+    EXPECT_NEAR(found->holds[i].position, 0.1 * static_cast<double>(i + 1), 1e-12);
+    EXPECT_EQ(found->holds[i].mass.value, static_cast<double>(i + 1));
+  }
+  EXPECT_EQ(refused(both, {.masses = {{1, 0}, {2, 0}}}),
+            "--masses: 2 masses are given, and there are more holds: two.csv has 1 run");
+  EXPECT_EQ(refused(both, {.masses = {{1, 0}}}),
+            "--masses: 1 masses are given, and there are more holds: one.csv has 2 runs");
+  EXPECT_EQ(refused(both, {.masses = {{1, 0}, {2, 0}, {3, 0}, {4, 0}}}),
+            "--masses: 4 masses are given for 3 holds");
+}
+
+TEST(StaticFit, TakesOneRunOfAFileAndNeedsNoTimes) {
+  const std::vector<Recording> three{runs_at({0.1, 0.2, 0.3})};
+  EXPECT_EQ(refused(three, {.fit = {.run = 2}, .masses = {{1, 0}}}),
+            "--masses: a line needs at least two holds of different masses, and three where their errors are "
+            "not known");
+  EXPECT_EQ(refused(three, {.fit = {.run = 4}, .masses = {{1, 0}}}),
+            "runs.csv: there is no run 4: the file has 3 runs");
+  EXPECT_EQ(refused(three, {.fit = {.from = 90}, .masses = {{1, 0}, {2, 0}, {3, 0}}}),
+            "--from 90: no sample is left, the recording goes from 0 to 9.5 s");
+  const std::vector<Recording> untimed{runs_at({0.2}, "one.csv", false), runs_at({0.1}, "two.csv", false)};
+  const auto found = fit_static(untimed, {.masses = {{1, 0}, {2, 0}}, .gravity = {10, 0}});
+  ASSERT_TRUE(found) << in_words(found.error());
+  EXPECT_NEAR(found->stiffness.value, 100, 1e-9);
+  EXPECT_EQ(found->holds[1].to, 19);  // a sample a second
+  const auto by_rate =
+      fit_static(untimed, {.fit = {.read = {.rate = 4}}, .masses = {{1, 0}, {2, 0}}, .gravity = {10, 0}});
+  ASSERT_TRUE(by_rate);
+  EXPECT_EQ(by_rate->holds[1].to, 4.75);
+}
+
+TEST(StaticFit, TakesNoOptionOfAMotion) {
+  const Quantity some{1, 0};
+  const std::vector<std::pair<std::string, FitOptions>> options{
+      {"mass", {.mass = {some}}},
+      {"spring-mass", {.spring_mass = some}},
+      {"law", {.law = "viscous"}},
+      {"disc-diameter", {.disc_diameter = some}},
+      {"temperature", {.temperature = some}},
+      {"segment", {.segment = 1.0}},
+      {"segments", {.segments = 2}},
+      {"force-column", {.force_column = "F"}},
+      {"hold-out", {.hold_out = 0.2}},
+      {"drive-frequency", {.drive_frequency = "auto"}},
+      {"no-spring", {.no_spring = true}},
+      {"hysteresis-exponent", {.hysteresis_exponent = 2}},
+      {"goal", {.goal = "decay_rate 1 %"}},
+      {"textbook", {.textbook = true}},
+      {"seed", {.seed_given = true}},
+      {"monte-carlo", {.monte_carlo = 1000}},
+  };
+  for (const auto& [option, fit] : options)
+    EXPECT_EQ(refused({}, {.fit = fit}),
+              "--" + option +
+                  " has no meaning with --static: a mass at rest has no motion; leave it out, or "
+                  "leave out --static");
 }
 
 FittedRecording fitted(double w, double error) {
