@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -324,6 +325,137 @@ TEST(NetworkFrictionRun, ManyBlocksComeToRest) {
   EXPECT_GT(farthest, 5);
   EXPECT_LT(farthest, 100);
   EXPECT_GT(spring, 0.1);
+}
+
+/// A state of a network at rest but for one velocity.
+State<MassVector> moving(const Network& network, double v, std::size_t mass = 0) {
+  State<MassVector> state = start_of(network);
+  state.v.first[mass] = v;
+  return state;
+}
+
+TEST(ContactPhase, AContactThatIsNotSeenToMoveSticksForAStep) {
+  const Network network = one_mass({.mass = 1, .stiffness = 0, .friction = 1}, {0, 1});
+  ContactPhases phases(network);
+  ASSERT_EQ(phases.directions(), std::vector{1});
+  std::vector<double> asked;
+  const State<MassVector> begin = moving(network, 0);
+  const auto cut = look_inside(
+      {phases}, 0, 0.1, begin, moving(network, -1), 2, [&](double) { return moving(network, -1); },
+      [&](double theta) {
+        asked.push_back(theta);
+        return moving(network, 0);
+      });
+  EXPECT_EQ(cut.theta, 0);
+  EXPECT_EQ(cut.y.v.first[0], 0);
+  EXPECT_TRUE(cut.at_rest);
+  ASSERT_EQ(asked.size(), 15u);  // of the first half, down to a thousand-millionth of it
+  for (std::size_t n = 0; n < asked.size(); ++n) EXPECT_EQ(asked[n], 0.25 * std::pow(0.25, n));
+  EXPECT_FALSE(phases.any_held());
+  State<MassVector> y = cut.y;
+  phases.begin(0, y);
+  EXPECT_TRUE(phases.any_held());
+  EXPECT_EQ(phases.directions(), std::vector{0});
+  phases.begin(0.1, y);
+  EXPECT_FALSE(phases.any_held());
+}
+
+TEST(ContactPhase, AContactStopsWhereItsSpeedPassesZero) {
+  const Network network = one_mass({.mass = 1, .stiffness = 0, .friction = 1}, {0, 1});
+  const auto at = [&](double theta) { return moving(network, 0.3 - theta); };
+  for (const double first : {0.0, 0.3}) {  // seen to move at an eighth of the step, or from its beginning
+    ContactPhases phases(network);
+    const auto cut = look_inside({phases}, 0, 0.1, moving(network, first), at(1), 1, at, at);
+    EXPECT_NEAR(cut.theta, 0.3, 1e-15);
+    EXPECT_NEAR(cut.y.v.first[0], 0, 1e-15);
+    EXPECT_TRUE(cut.at_rest);
+    EXPECT_EQ(phases.directions(), std::vector{0});
+  }
+  ContactPhases phases(network);
+  const auto whole = look_inside({phases}, 0, 0.1, at(0), at(0.2), 1, at, at);
+  EXPECT_EQ(whole.theta, 1);
+  EXPECT_FALSE(whole.at_rest);
+  EXPECT_EQ(phases.directions(), std::vector{1});
+}
+
+TEST(ContactPhase, AContactThatSticksBreaksLooseInsideAStep) {
+  // The first one slides all the time, the second one holds up to 1 N.
+  Network network;
+  network.masses.push_back({"slides", 1, {0, 1}});
+  network.masses.push_back({"sticks", 1});
+  network.links.push_back({ground, 0, {.stiffness = 0, .friction = 1}});
+  network.links.push_back({ground, 1, {.stiffness = 1, .friction = 1}});
+  const auto stretched = [&](double x, double v = 1) {
+    State<MassVector> state = moving(network, v);
+    state.x.first[1] = x;
+    return state;
+  };
+  ContactPhases phases(network);
+  State<MassVector> begin = stretched(0);
+  phases.begin(0, begin);
+  ASSERT_EQ(phases.directions(), (std::vector{1, 0}));
+  const auto cut = [&](const State<MassVector>& end, double slope) {
+    const auto at = [=, &stretched](double theta) { return stretched(slope * theta); };
+    return look_inside({phases}, 0, 0.1, begin, end, 1, at, at);
+  };
+  EXPECT_NEAR(cut(stretched(4), 4).theta, 0.25, 1e-14);
+  EXPECT_NEAR(cut(stretched(4), 4).y.x.first[1], 1, 1e-14);
+  EXPECT_TRUE(cut(stretched(4), 4).at_rest);
+  // The end of the step is loose where a step of just its length is not.
+  EXPECT_EQ(cut(stretched(4), 0).theta, 1);
+  EXPECT_EQ(cut(stretched(4), 0).y.x.first[1], 4);
+  EXPECT_TRUE(cut(stretched(4), 0).at_rest);
+  EXPECT_EQ(phases.directions(), (std::vector{1, 0}));
+  EXPECT_FALSE(cut(stretched(0.5), 0.5).at_rest);
+  // Then the one that slides stops first.
+  const auto slowing = [&](double theta) { return stretched(theta < 0.5 ? 0 : 4, 0.5 - theta); };
+  const auto stopped = look_inside({phases}, 0, 0.1, begin, slowing(1), 1, slowing, slowing);
+  EXPECT_EQ(stopped.theta, 0.5);
+  EXPECT_EQ(phases.directions(), (std::vector{0, 0}));
+}
+
+TEST(ContactPhase, MomentsAtOneTimeComeToAnEnd) {
+  // Pulled by more than it holds: it begins to slide, over and over.
+  const Network network = one_mass({.mass = 1, .stiffness = 2, .friction = 1}, {1, 0});
+  ContactPhases phases(network);
+  State<MassVector> y = start_of(network);
+  for (int n = 0; n < 5; ++n) {
+    phases.begin(3, y);
+    EXPECT_FALSE(phases.any_held()) << n;
+    EXPECT_EQ(phases.directions(), std::vector{-1}) << n;
+  }
+  for (int n = 0; n < 2; ++n) {
+    phases.begin(3, y);
+    EXPECT_TRUE(phases.any_held()) << n;
+    EXPECT_EQ(phases.directions(), std::vector{0}) << n;
+  }
+  phases.begin(3.5, y);
+  EXPECT_FALSE(phases.any_held());
+  EXPECT_EQ(phases.directions(), std::vector{-1});
+  // One that moves is not held.
+  y.v.first[0] = -1;
+  for (int n = 0; n < 9; ++n) phases.begin(3.5, y);
+  EXPECT_FALSE(phases.any_held());
+  EXPECT_EQ(phases.directions(), std::vector{-1});
+}
+
+TEST(ContactPhase, RestsUntilItIsInterrupted) {
+  // A phase of so many turns is not known to a turn.
+  for (const double phase : {0.0, 1e17}) {
+    const Network network =
+        one_mass({.mass = 1, .stiffness = 0, .friction = 1}, {}, {.amplitude = 0.5, .frequency = 9, .phase = phase});
+    for (const bool asked : {false, true}) {
+      std::atomic<bool> interrupt{asked};
+      int rows = 0;
+      const auto keep = [&](double, const State<MassVector>&) { ++rows; };
+      const Outcome outcome = solve_with_contacts(network, Rk4{}, {0, 10}, start_of(network), StepControl(0.1, 1),
+                                                  keep, {.interrupt = &interrupt});
+      EXPECT_EQ(outcome.interrupted, asked);
+      EXPECT_EQ(outcome.status, asked ? Status::stopped_by_event : Status::reached_end);
+      EXPECT_EQ(outcome.t, asked ? 0 : 10);
+      EXPECT_EQ(rows, asked ? 1 : 101);
+    }
+  }
 }
 
 }  // namespace

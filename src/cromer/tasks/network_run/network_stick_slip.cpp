@@ -120,13 +120,13 @@ CutOf<MassVector> look_inside(const ContactLookout& look, double t, double h, co
       // It slid and stopped; or it began to slide in this part and stopped again; or the pull just balances
       // the friction and only rounding moves it: then it sticks for a step.
       double moving_at = from, moving = forwards(start);
-      for (double share = 0.5; !(moving > 0) && share > 1e-9; share /= 4) {
-        moving_at = from + (to - from) * share;
+      for (double share = 0.5; !(moving > 0) && share > 1e-9; share /= 4) {  // in the first part alone
+        moving_at = to * share;
         moving = forwards(exactly(moving_at));
       }
       if (!(moving > 0)) {
         phases.hold(c);
-        return {.theta = from, .y = from > 0 ? exactly(from) : y0, .at_rest = true};
+        return {.theta = 0, .y = y0, .at_rest = true};
       }
       to = find_root([&](double theta) { return forwards(exactly(theta)); }, moving_at, moving, to,
                      forwards(exactly(to)));
