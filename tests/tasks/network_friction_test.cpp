@@ -442,14 +442,14 @@ TEST(ContactPhase, MomentsAtOneTimeComeToAnEnd) {
 TEST(ContactPhase, RestsUntilItIsInterrupted) {
   // A phase of so many turns is not known to a turn.
   for (const double phase : {0.0, 1e17}) {
-    const Network network =
-        one_mass({.mass = 1, .stiffness = 0, .friction = 1}, {}, {.amplitude = 0.5, .frequency = 9, .phase = phase});
+    const Network network = one_mass({.mass = 1, .stiffness = 0, .friction = 1}, {},
+                                     {.amplitude = 0.5, .frequency = 9, .phase = phase});
     for (const bool asked : {false, true}) {
       std::atomic<bool> interrupt{asked};
       int rows = 0;
       const auto keep = [&](double, const State<MassVector>&) { ++rows; };
-      const Outcome outcome = solve_with_contacts(network, Rk4{}, {0, 10}, start_of(network), StepControl(0.1, 1),
-                                                  keep, {.interrupt = &interrupt});
+      const Outcome outcome = solve_with_contacts(network, Rk4{}, {0, 10}, start_of(network),
+                                                  StepControl(0.1, 1), keep, {.interrupt = &interrupt});
       EXPECT_EQ(outcome.interrupted, asked);
       EXPECT_EQ(outcome.status, asked ? Status::stopped_by_event : Status::reached_end);
       EXPECT_EQ(outcome.t, asked ? 0 : 10);

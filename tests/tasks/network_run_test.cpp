@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,71 @@ TEST(NetworkRun, HasDefaultsByItsPeriods) {
   EXPECT_EQ(run.outcome.status, Status::reached_end);
   EXPECT_EQ(run.states.t.size(), static_cast<std::size_t>(run.outcome.counts.accepted) + 1);
   EXPECT_EQ(run.last[1].x, run.states.x[1].back());
+}
+
+TEST(NetworkRun, HasDefaultsByItsDrivesToo) {
+  const auto defaults = [](const Network& network, const SimulateOptions& options = {}) {
+    const NetworkRun run = run_of(network, options);
+    return std::array{run.step, run.until};
+  };
+  const double natural = 2 * std::numbers::pi / std::sqrt(32.0);  // of one mass between two springs
+  Network driven = chain(1);
+  driven.masses[0].start.x = 0;
+  driven.masses[0].drive = {1, 2, 0};
+  EXPECT_NEAR(defaults(driven)[0], natural / 200, 1e-15);
+  EXPECT_NEAR(defaults(driven)[1], 20 * natural, 1e-12);
+  driven.masses[0].drive.frequency = 10;
+  EXPECT_NEAR(defaults(driven)[0], std::numbers::pi / 5 / 200, 1e-15);
+  EXPECT_NEAR(defaults(driven)[1], 20 * natural, 1e-12);
+  // A constant force has no period.
+  driven.masses[0].drive.frequency = 0;
+  EXPECT_NEAR(defaults(driven)[0], natural / 200, 1e-15);
+  // Where nothing swings by itself, the first drive says how long, and the fastest how fine.
+  Network free;
+  for (const double frequency : {4.0, 8.0}) free.masses.push_back({"m", 1, {}, {1, frequency, 0}});
+  free.links.push_back({0, 1, {.stiffness = 0, .damping = 0.1}});
+  EXPECT_NEAR(defaults(free)[0], std::numbers::pi / 4 / 200, 1e-15);
+  EXPECT_NEAR(defaults(free)[1], 20 * std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(defaults(free, {.step = 0.01})[0], 0.01);
+  EXPECT_NEAR(defaults(free, {.step = 0.01})[1], 20 * std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(defaults(free, {.until = 3.0})[0], std::numbers::pi / 4 / 200, 1e-15);
+  EXPECT_EQ(defaults(free, {.until = 3.0})[1], 3);
+  free.masses[0].drive.amplitude = free.masses[1].drive.amplitude = 0;
+  free.masses[0].start.v = 1;
+  const auto none = run_network(free, "n.toml", {.step = 0.01});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(in_words(none.error().notice), "n.toml: nothing swings: give --step and --until");
+  EXPECT_EQ(defaults(free, {.step = 0.01, .until = 2.0})[1], 2);
+}
+
+TEST(NetworkRun, TheForceOfALinkWithMemoryIsThatFromEitherEnd) {
+  const auto inner = [](bool turned) {
+    Network network;
+    network.masses.push_back({"m", 0.5, {1, 0}});
+    network.links.push_back({turned ? 0 : ground, turned ? ground : 0, {.stiffness = 8}});
+    network.links[0].law.hysteresis_stiffness = 2;
+    network.links[0].law.hysteresis_beta = 3;
+    return run_of(network, {.method = {"rk4"}, .step = 0.01, .until = 1}).states.inner;
+  };
+  const auto one = inner(false), other = inner(true);
+  ASSERT_EQ(one.size(), 1u);
+  ASSERT_EQ(other.size(), 1u);
+  ASSERT_EQ(one[0].force.size(), 101u);
+  EXPECT_LT(one[0].force[20], -0.1);
+  for (std::size_t n = 0; n <= 100; ++n) EXPECT_EQ(one[0].force[n], -other[0].force[n]);
+}
+
+TEST(NetworkRun, SlowModesThatAreLostAreSaid) {
+  Network network;
+  for (int i = 0; i < 2; ++i) network.masses.push_back({"m", 1, {1, 0}});
+  network.links.push_back({ground, 0, {.stiffness = 1}});
+  network.links.push_back({0, 1, {.stiffness = 1e17}});
+  const NetworkRun run = run_of(network, {.method = {"newmark"}, .step = 0.1, .until = 0.2});
+  ASSERT_EQ(run.notices.size(), 1u);
+  EXPECT_EQ(
+      in_words(run.notices[0]),
+      "1 slow mode is lost in rounding, at the frequency 0: the stiffnesses are too far apart; join what "
+      "is stiff to one mass");
 }
 
 TEST(NetworkRun, KeepsEveryNthStateAndTheLast) {
@@ -181,6 +247,8 @@ TEST(NetworkRun, RefusesWhatItCannotDo) {
   EXPECT_NE(refusal(network, {.step = -1.0}).find("positive"), std::string::npos);
   EXPECT_NE(refusal(network, {.method = {"rk5"}}).find("rk4"), std::string::npos);
   EXPECT_NE(refusal(network, {.step = 1e-9, .until = 1e6, .memory = 1e6}).find("memory"), std::string::npos);
+  EXPECT_EQ(refusal(network, {.step = 1e-16, .until = 1}),
+            "--step: 1e-16 s up to 1 s are 1e+16 steps, too many to be told apart; take a longer step");
   network.masses[0].start.x = 0;
   EXPECT_EQ(refusal(network, {}), "n.toml: nothing moves: give a mass a position, a velocity or a drive");
   EXPECT_EQ(refusal(chain(501), {}),

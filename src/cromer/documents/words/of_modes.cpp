@@ -151,12 +151,10 @@ constexpr Entry entries[] = {
      "den "
      "Boden zurück"},
     {"slow_modes_lost", wrong_if_ignored,
-     "{modes:slow mode is|slow modes are} lost in rounding and {modes:stands|stand} at the frequency 0: the "
-     "stiffnesses are too far apart; join what is stiff to one mass",
-     "{modes:langsame Eigenschwingung geht|langsame Eigenschwingungen gehen} im Runden verloren und "
-     "{modes:steht|stehen} bei der Frequenz 0: die Steifigkeiten liegen zu weit auseinander; bitte Starres "
-     "zu "
-     "einer Masse verbinden"},
+     "{modes:slow mode is|slow modes are} lost in rounding, at the frequency 0: the stiffnesses are too far "
+     "apart; join what is stiff to one mass",
+     "{modes:langsame Eigenschwingung geht|langsame Eigenschwingungen gehen} im Runden verloren, bei der "
+     "Frequenz 0: die Steifigkeiten liegen zu weit auseinander; bitte Starres zu einer Masse verbinden"},
     {"modes_that_fall_away", worth_knowing,
      "{modes:mode falls|modes fall} away from rest: a stiffness is negative there",
      "{modes:Eigenschwingung fällt|Eigenschwingungen fallen} von der Ruhelage weg: dort ist eine Steifigkeit "
