@@ -132,6 +132,47 @@ TEST(TermsInTasks, HysteresisTakesAPulseAndStays) {
   EXPECT_NEAR(result.runs[1].outcome.y.x, rest, 1e-4);
 }
 
+TEST(TermsInTasks, HysteresisKeepsToTheJumpsOfEachDrive) {
+  // Next to no hysteresis changes nothing, wherever the drive jumps or bends between two steps or at one.
+  const SimulateOptions still{
+      .stiffness = 9, .damping = 0.4, .drive_amplitude = 4, .position = 0, .until = 2};
+  std::vector<SimulateOptions> drives(8, still);
+  drives[0].drive = "step";
+  drives[0].drive_start = 0.37;
+  drives[1].drive = "rectangular";
+  drives[1].drive_start = 0.31;
+  drives[1].drive_duration = 0.06;  // between two steps
+  drives[2].drive = "half-sine";
+  drives[2].drive_start = 0.31;
+  drives[2].drive_duration = 0.47;
+  drives[3].drive = "chirp";
+  drives[3].drive_frequency = {2};
+  drives[3].drive_to = 9;
+  drives[3].drive_start = 0.21;
+  drives[3].drive_duration = 1.1;
+  drives[4].drive_frequency = {3};
+  for (const std::size_t i : {5u, 6u, 7u}) {
+    drives[i].drive_amplitude = 0;
+    drives[i].drive_file = "force.csv";
+    drives[i].drive_record = DriveRecord{{0, 4, -1, 2, 0, 3, 1, 0, -4, 0, 0, 0}, i == 7 ? 0.23 : 0.2, {}};
+  }
+  drives[6].between_samples = "hold";
+  for (SimulateOptions& options : drives) {
+    options.step = 0.1;
+    options.method = {"rk4", "newmark", "euler-cromer", "dormand-prince", "gauss-legendre4"};
+    const SimulateResult plain = simulated(options);
+    options.law.hysteresis_stiffness = 1e-9;
+    const SimulateResult with = simulated(options);
+    ASSERT_EQ(with.runs.size(), 5u);
+    for (std::size_t m = 0; m < 5; ++m) {
+      const Trajectory &one = with.runs[m].trajectory, &other = plain.runs[m].trajectory;
+      ASSERT_EQ(one.t, other.t);
+      for (std::size_t n = 0; n < one.size(); ++n)
+        EXPECT_NEAR(one.x[n], other.x[n], 1e-8) << &options - drives.data() << ' ' << one.t[n] << ' ' << m;
+    }
+  }
+}
+
 TEST(TermsInTasks, RunLongInCompensatedSums) {
   for_each_term([]<class T>() {
     if constexpr (smooth_terms.has<T>()) {

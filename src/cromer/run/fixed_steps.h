@@ -259,9 +259,11 @@ void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look
       course.status = Status::not_finite;
       return;
     }
-    const auto partly = [&](double theta) { return count(stepper.part(course.t, theta * h, course.y)).y; };
-    const CutOf<Real> cut =
-        look_inside(look, course.t, h, course.y, trial.y, stepper.parts_of_step(h), partly, partly);
+    CutOf<Real> cut{.y = trial.y};
+    if constexpr (std::is_same_v<Real, typename Look::Number>) {
+      const auto partly = [&](double theta) { return count(stepper.part(course.t, theta * h, course.y)).y; };
+      cut = look_inside(look, course.t, h, course.y, trial.y, stepper.parts_of_step(h), partly, partly);
+    }
     ++course.counts.accepted;
     const bool whole = cut.theta == 1;
     course.t = whole ? next : course.t + cut.theta * h;

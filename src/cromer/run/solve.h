@@ -103,14 +103,17 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
     });
     return course.outcome(rows, watch);
   } else {
-    if constexpr (std::is_same_v<Real, double>) {
+    if constexpr (std::is_same_v<Real, double> || SystemWithBreaks<S>) {
       if (look.anything() || has_breaks_within_steps<M>(system, interval, control.step)) {
         const Rows rows{interval, control.step};
-        Course<double> course{interval.from, start};
+        Course<Real> course{interval.from, start};
         one_by_one(course.t, start);
         const auto run = [&](const S& smooth, double end) {
           StepperOf stepper(smooth, method, course.t, course.y);
-          take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+          if constexpr (std::is_same_v<Real, double>)
+            take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+          else
+            take_searched_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
         };
         if constexpr (M::info.is_exact())
           run(system, std::numeric_limits<double>::infinity());

@@ -27,8 +27,8 @@ struct LawRun {
   State<double> start{};
   StepControl control;
   EventLog* events = nullptr;  ///< what to watch for and what was found, without hysteresis; nullptr: none
-  bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
-                               ///< takes_fixed_steps
+  bool compensated = false;    ///< states in compensated sums: without friction and events, under a harmonic
+                               ///< drive or none, by a method that takes_fixed_steps
 };
 
 /// Runs it as solve does. Every law is compiled with every method here, once for all tasks, in a unit for

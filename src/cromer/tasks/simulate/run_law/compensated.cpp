@@ -1,9 +1,8 @@
-// States in compensated sums, by the same methods. Few sets of terms and one type of force serve all laws and
-// drives: what a long run costs is its increments, not its drive.
+// States in compensated sums, by the same methods. Few sets of terms and one type of force serve all laws:
+// what a long run costs is its increments, not its drive.
 #include "cromer/base/compensated.h"
 
 #include <cassert>
-#include <variant>
 
 #include "cromer/base/function_ref.h"
 #include "cromer/tasks/simulate/run_law/units.h"
@@ -47,12 +46,8 @@ Outcome run_under(const LawRun& run, AnyForce force, KeepEvery& keep, const Watc
 }  // namespace
 
 Outcome run_compensated(const LawRun& run, KeepEvery& keep, const Watch& watch) {
-  const double m = run.oscillator.mass;
-  if (run.general)
-    return std::visit(
-        [&](const auto& drive) { return run_under<true>(run, force_of(drive, m), keep, watch); },
-        *run.general);
-  const HarmonicForce<double> force = force_of(run.drive, m);
+  assert(!run.general && "no sums under drives that jump");
+  const HarmonicForce<double> force = force_of(run.drive, run.oscillator.mass);
   return run.drive.amplitude != 0 ? run_under<true>(run, force, keep, watch)
                                   : run_under<false>(run, force, keep, watch);
 }
