@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -264,6 +265,161 @@ TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
   EXPECT_THAT(in_words(driven.notices), testing::Contains(HasSubstr("the motion is driven, at 1.2063")));
   EXPECT_EQ(fitted(beats(0), {}).find("drive_frequency"), nullptr);
   EXPECT_EQ(fitted(beats(0.3), {.law = "viscous"}).find("drive_frequency"), nullptr);
+}
+
+/// A column of these values every 0.03 s.
+Series column_of(const std::string& name, const std::string& quantity, const std::vector<double>& y) {
+  Series series;
+  series.column = name;
+  series.quantity = quantity;
+  series.rate = 100 / 3.0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    series.t.push_back(0.03 * static_cast<double>(i));
+    series.lines.push_back(static_cast<long>(i) + 2);
+  }
+  series.y = y;
+  return series;
+}
+
+/// Leaves out what lies between two times, and says so.
+void cut_out(Series& series, double from, double to) {
+  const auto first = std::upper_bound(series.t.begin(), series.t.end(), from) - series.t.begin(),
+             last = std::lower_bound(series.t.begin(), series.t.end(), to) - series.t.begin();
+  series.gaps.push_back({series.t[static_cast<std::size_t>(first) - 1], to - from});
+  series.t.erase(series.t.begin() + first, series.t.begin() + last);
+  series.y.erase(series.y.begin() + first, series.y.begin() + last);
+  series.lines.erase(series.lines.begin() + first, series.lines.begin() + last);
+}
+
+/// Force and motion of a rig, as columns.
+struct Columns {
+  Series force, motion;
+
+  explicit Columns(
+      const ForcedTruth& truth = {.w0 = 12, .g = 0.35, .gain = 4, .position = 0.01, .velocity = 0},
+      std::size_t n = 600) {
+    const auto record = forced_synthetic(truth, multisine(40, 1), n, 0.03, 1e-4, 1);
+    force = column_of("Force (N)", "force", record.force);
+    motion = column_of("Position (m)", "position", record.y);
+  }
+  Result<FittedRecording> fit(FitOptions options) const {
+    options.law = options.law == "auto" ? "viscous" : options.law;
+    return fit_forced(motion, force, "rig.csv", options, {});
+  }
+  std::string told(const FitOptions& options = {}) const {
+    const auto result = fit(options);
+    return result ? "fitted" : in_words(result.error());
+  }
+};
+
+TEST(FitForced, OnlyAGapBesideTheMotionDoesNotMatter) {
+  const FitOptions part{.from = 6.0, .to = 12.0};
+  Columns rig;
+  cut_out(rig.force, 5.7, 5.85);
+  cut_out(rig.force, 12.3, 12.6);
+  EXPECT_EQ(rig.told(part), "fitted");
+  EXPECT_EQ(
+      rig.told(),
+      "force column \"Force (N)\" has 2 gaps, the first 0.15 s long at 5.7 s: what the force did there is "
+      "not known; choose a part without gaps with --from and --to, or fill them in");
+  // Up to the motion itself.
+  rig = Columns();
+  cut_out(rig.force, 5.7, 6);
+  cut_out(rig.force, 12, 12.3);
+  EXPECT_EQ(rig.told(part), "fitted");
+  const std::string one_side =
+      " s: what the force did there is not known; choose one side of it with --from and --to, or fill it in";
+  rig = Columns();
+  cut_out(rig.force, 5.7, 6.03);
+  EXPECT_EQ(rig.told(part), "force column \"Force (N)\" has a gap, 0.33 s long at 5.7" + one_side);
+  rig = Columns();
+  cut_out(rig.force, 11.97, 12.3);
+  EXPECT_EQ(rig.told(part), "force column \"Force (N)\" has a gap, 0.33 s long at 11.97" + one_side);
+  // Where nothing of the force is left, too.
+  rig = Columns();
+  cut_out(rig.force, 0.3, 17.7);
+  EXPECT_EQ(rig.told(part), "force column \"Force (N)\" has a gap, 17.4 s long at 0.3" + one_side);
+}
+
+TEST(FitForced, TheForceMustBeThereAtEachSample) {
+  const auto ends = [](const std::string& from, const std::string& to, const std::string& t) {
+    return "force column \"Force (N)\" goes from " + from + " to " + to +
+           " s, and column \"Position (m)\" has a value at " + t +
+           " s; choose the part that both have with --from and --to";
+  };
+  Columns rig;
+  for (double& t : rig.force.t) t += 0.03;
+  EXPECT_EQ(rig.told(), ends("0.03", "18", "0"));
+  EXPECT_EQ(rig.told({.from = 0.03}), "fitted");
+  rig = Columns();
+  for (double& t : rig.force.t) t -= 0.03;
+  EXPECT_EQ(rig.told(), ends("-0.03", "17.94", "17.97"));
+  EXPECT_EQ(rig.told({.to = 17.94}), "fitted");
+  for (double& t : rig.force.t) t += 100;
+  EXPECT_EQ(rig.told(), ends("99.97", "117.94", "0"));
+  rig = Columns();
+  for (double& t : rig.motion.t) t += 0.0003;  // a hundredth of a spacing
+  EXPECT_EQ(rig.told(), "fitted");
+  for (double& t : rig.motion.t) t += 0.0006;
+  EXPECT_EQ(
+      rig.told(),
+      "force column \"Force (N)\" has other times than column \"Position (m)\": 0.0009 s lies between two "
+      "of its samples; resample one of them first");
+  rig = Columns();
+  rig.force = column_of("Force (N)", "force", {1});
+  EXPECT_EQ(rig.told(), "force column \"Force (N)\" has fewer than two values");
+}
+
+TEST(FitForced, WhatIsSetAsideIsNotFitted) {
+  Columns rig;
+  const auto clean = rig.fit({});
+  ASSERT_TRUE(clean);
+  for (const std::size_t i : {0u, 7u, 300u}) {
+    rig.motion.y[i] = 5;
+    rig.motion.outliers.push_back({rig.motion.t[i], 5, static_cast<long>(i) + 2});
+  }
+  const auto without = rig.fit({});
+  ASSERT_TRUE(without) << in_words(without.error());
+  EXPECT_EQ(without->series.t.front(), 0.03);  // the motion begins at the first sample that is fitted
+  EXPECT_EQ(without->series.t.size(), 599u);
+  EXPECT_NEAR(without->find("angular_frequency")->value, clean->find("angular_frequency")->value, 1e-3);
+  EXPECT_NEAR(without->fit.residual.rms, 1e-4, 1e-5);
+  for (std::size_t i = 0; i < 600; ++i) rig.motion.outliers.push_back({rig.motion.t[i], rig.motion.y[i], 0});
+  std::sort(rig.motion.outliers.begin(), rig.motion.outliers.end(),
+            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
+  EXPECT_EQ(rig.told(), "all values of column \"Position (m)\" are set aside");
+}
+
+TEST(FitForced, SaysWhatADrivenMotionDoesNotGive) {
+  const Columns rig;
+  const Quantity disc{0.1, 0};
+  const auto notices = [&](const FitOptions& options) {
+    const auto result = rig.fit(options);
+    return result ? in_words(result->notices) : std::vector{in_words(result.error())};
+  };
+  const std::string reynolds = "--disc-diameter gives no Reynolds number of a driven motion",
+                    number = reynolds + "; and no drag coefficient: that needs --mass and drag in the law";
+  EXPECT_THAT(notices({}), testing::IsEmpty());
+  EXPECT_THAT(notices({.disc_diameter = disc}), testing::ElementsAre(number));
+  EXPECT_THAT(notices({.law = "viscous+drag", .mass = {Quantity{0.25, 0}}, .disc_diameter = disc}),
+              testing::Contains(reynolds));
+  EXPECT_THAT(notices({.segment = 2.0, .textbook = true}),
+              testing::ElementsAre("--segment is not used: the motion is driven",
+                                   "--textbook is not used: the motion is driven"));
+  const auto trials = rig.fit({.mass = {Quantity{0.25, 0.001}}, .monte_carlo = 1000});
+  ASSERT_TRUE(trials && trials->monte_carlo);
+  EXPECT_NEAR(trials->monte_carlo->mean, trials->find("stiffness")->value, 0.05);
+  EXPECT_FALSE(rig.fit({.mass = {Quantity{0.25, 0.001}}})->monte_carlo);
+}
+
+TEST(FitForced, AnOverdampedLawIsSaidToBe) {
+  const auto notices = [](double g) {
+    return in_words(
+        Columns({.w0 = 3, .g = g, .gain = 4, .position = 0, .velocity = 0}, 1500).fit({})->notices);
+  };
+  const std::string overdamped = "the law is overdamped: it has no frequency and no period of its own";
+  EXPECT_THAT(notices(6), testing::Contains(overdamped));
+  EXPECT_THAT(notices(1), testing::Not(testing::Contains(overdamped)));
 }
 
 TEST(FitForced, ForetellsTheSilverbox) {

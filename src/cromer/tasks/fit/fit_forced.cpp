@@ -34,15 +34,15 @@ struct ForceGrid {
 
 /// An Error if the force has gaps, uneven times, or one value throughout.
 Result<ForceGrid> grid_of(const Series& force) {
-  if (force.t.size() < 2) return Error{"force_is_too_short", {{"column", force.column}}};
-  const auto [low, high] = extent_of(force.y);
-  if (low == high) return Error{"force_never_changes", {{"column", force.column}, {"value", shortest(low)}}};
   if (!force.gaps.empty())
     return Error{Notice{force.gaps.size() == 1 ? "force_has_a_gap" : "force_has_gaps",
                         {{"column", force.column},
                          {"gaps", force.gaps.size()},
                          {"length", force.gaps.front().length},
                          {"t", force.gaps.front().t}}}};
+  if (force.t.size() < 2) return Error{"force_is_too_short", {{"column", force.column}}};
+  const auto [low, high] = extent_of(force.y);
+  if (low == high) return Error{"force_never_changes", {{"column", force.column}, {"value", shortest(low)}}};
   ForceGrid grid{force.t.front(),
                  (force.t.back() - force.t.front()) / static_cast<double>(force.t.size() - 1),
                  force.t.size()};
@@ -63,17 +63,27 @@ Series force_around(const Series& force, double from, double to) {
   const double reach = force.rate > 0 ? margin / force.rate : 0;
   auto first = std::lower_bound(force.t.begin(), force.t.end(), from - reach) - force.t.begin();
   auto last = std::upper_bound(force.t.begin(), force.t.end(), to + reach) - force.t.begin();
+  std::vector<Gap> inside;
   for (const Gap& gap : force.gaps) {
     const auto after = std::upper_bound(force.t.begin(), force.t.end(), gap.t) - force.t.begin();
-    if (gap.t < from) first = std::max(first, after);
-    if (gap.t >= to) last = std::min(last, after);
+    if (force.t[static_cast<std::size_t>(after)] <= from)
+      first = std::max(first, after);
+    else if (gap.t >= to)
+      last = std::min(last, after);
+    else
+      inside.push_back(gap);
   }
   Series part = force;
   part.t.assign(force.t.begin() + first, force.t.begin() + last);
   part.y.assign(force.y.begin() + first, force.y.begin() + last);
   part.lines.assign(force.lines.begin() + first, force.lines.begin() + last);
-  std::erase_if(part.gaps, [&](const Gap& gap) { return gap.t < from || gap.t >= to; });
+  part.gaps = std::move(inside);
   return part;
+}
+
+Error force_ends(const Series& force, double from, double to, const Series& motion, double t) {
+  return Error{"force_ends",
+               {{"force", force.column}, {"from", from}, {"to", to}, {"column", motion.column}, {"t", t}}};
 }
 
 /// Index of each sample of the motion on the grid. An Error if one has none.
@@ -83,12 +93,7 @@ Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& 
   for (std::size_t i = 0; i < motion.t.size(); ++i) {
     const double at = (motion.t[i] - grid.begin) / grid.spacing, place = std::round(at);
     if (place < 0 || place >= static_cast<double>(grid.size))
-      return Error{"force_ends",
-                   {{"force", force.column},
-                    {"from", grid.begin},
-                    {"to", grid.time(grid.size - 1)},
-                    {"column", motion.column},
-                    {"t", motion.t[i]}}};
+      return force_ends(force, grid.begin, grid.time(grid.size - 1), motion, motion.t[i]);
     if (std::abs(at - place) > most_uneven)
       return Error{"force_at_other_times",
                    {{"force", force.column}, {"column", motion.column}, {"t", motion.t[i]}}};
@@ -193,6 +198,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Series around = force_around(force, used->t.front(), used->t.back());
+  if (around.t.empty() && around.gaps.empty() && !force.t.empty())
+    return force_ends(force, force.t.front(), force.t.back(), *used, used->t.front());
   const Result<ForceGrid> grid = grid_of(around);
   if (!grid) return grid.error();
   const Result<std::vector<std::size_t>> places = places_on(*grid, *used, force);
@@ -249,7 +256,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
     held.law.push_back(law_motion[i]);
     ++held.samples;
   }
-  held.rms = held.samples > 0 ? std::sqrt(held.rms / static_cast<double>(held.samples)) : 0;
+  held.rms = std::sqrt(held.rms / static_cast<double>(held.samples));
   return result;
 }
 
