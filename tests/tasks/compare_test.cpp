@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -427,6 +428,48 @@ TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
   EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("the zero drifts, by 0.0599 m")));
   EXPECT_THAT(in_words(explanation(result)), HasSubstr("No verdict on the damping"));
   EXPECT_THAT(in_words(explanation(result)), testing::Not(HasSubstr("enough")));
+}
+
+/// Interrupts a comparison at its n-th look at the watch; returns what is there of it.
+Result<CompareResult> interrupted_at(int n, const FittedRecording& fit, const CompareOptions& options) {
+  std::atomic<bool> interrupt{false};
+  int looks = 0;
+  Watch watch{.interrupt = &interrupt};
+  watch.pulse = [&] { interrupt = ++looks >= n; };
+  return compare_fitted(fit, options, watch);
+}
+
+TEST(CompareTask, AnInterruptLeavesWhatIsThere) {
+  CompareOptions options;
+  options.method = {"rk4", "euler-cromer"};
+  options.fit.law = "viscous+drag";
+  const auto fit = fit_series(disc_recording(4, 20), "recording2.csv", options.fit);
+  ASSERT_TRUE(fit);
+  const auto early = interrupted_at(1, *fit, options);
+  ASSERT_TRUE(early) << in_words(early.error());
+  EXPECT_FALSE(early->complete);
+  EXPECT_TRUE(early->curves.empty());
+  EXPECT_EQ(in_words(early->notices.back()), "interrupted before anything was simulated");
+  // Sooner or later it falls into the first run, then into the second one, then behind both.
+  std::vector<std::size_t> ended;
+  for (int n = 2; ended.size() < 2; ++n) {
+    const auto late = interrupted_at(n, *fit, options);
+    ASSERT_TRUE(late);
+    if (late->complete) break;
+    if (late->curves.empty()) continue;
+    ASSERT_EQ(late->curves.size(), 4u);
+    const bool first = !late->curves[2].complete;
+    if (first) {
+      EXPECT_FALSE(late->curves[3].complete);
+    }
+    const ComparedCurve& curve = late->curves[first ? 2 : 3];
+    EXPECT_FALSE(curve.diverged);
+    EXPECT_TRUE(std::isnan(curve.rms));
+    EXPECT_LT(curve.trajectory.size(), late->recording.series.t.size());
+    EXPECT_THAT(in_words(late->notices.back()), testing::ContainsRegex("viscous.drag: interrupted at [0-9.]+ s"));
+    if (ended.empty() || ended.back() != (first ? 2u : 3u)) ended.push_back(first ? 2 : 3);
+  }
+  EXPECT_THAT(ended, testing::ElementsAre(2, 3));
 }
 
 }  // namespace

@@ -422,6 +422,61 @@ TEST(FitForced, AnOverdampedLawIsSaidToBe) {
   EXPECT_THAT(notices(1), testing::Not(testing::Contains(overdamped)));
 }
 
+/// beats() as a series.
+Series beats_series() {
+  const auto recording = read_recording(beats(0.3), "rig.csv", {});
+  return *take_series(*recording, "Position", 1, {});
+}
+
+TEST(FitDriven, RefusesADriveThatTheSamplesCannotShow) {
+  const Series series = beats_series();
+  const auto told = [&](const std::string& asked) {
+    const auto result = fit_driven(series, "rig.csv", {.law = "viscous", .drive_frequency = asked}, {});
+    return result ? "fitted" : in_words(result.error());
+  };
+  const std::string cannot = " cannot be seen in 100 samples per second, only frequencies up to 50 Hz";
+  EXPECT_EQ(told("60 Hz"), "--drive-frequency: 60 Hz" + cannot);
+  EXPECT_EQ(told("50.001 Hz"), "--drive-frequency: 50.001 Hz" + cannot);
+  EXPECT_EQ(told("1.2 Hz"), "fitted");
+}
+
+TEST(FitDriven, BeginsAtTheFirstSampleThatIsFitted) {
+  Series series = beats_series();
+  const auto set_aside = [&](std::size_t i) {
+    series.outliers.push_back({series.t[i], series.y[i], static_cast<long>(i) + 2});
+  };
+  for (const std::size_t i : {0u, 1u, 500u}) {
+    series.y[i] = 3;
+    set_aside(i);
+  }
+  const FitOptions options{.law = "viscous", .drive_frequency = "auto"};
+  const auto result = fit_driven(series, "rig.csv", options, {});
+  ASSERT_TRUE(result) << in_words(result.error());
+  ASSERT_EQ(result->fit.status, FitStatus::converged);
+  EXPECT_EQ(result->series.t.front(), 0.02);
+  EXPECT_EQ(result->series.t.size(), 7998u);
+  EXPECT_EQ(result->driven->motion.size(), 7998u);
+  EXPECT_NEAR(result->driven->motion[0], series.y[2], 1e-3);
+  EXPECT_NEAR(result->fit.residual.rms, 2e-4, 1e-5);
+  series.outliers.clear();
+  for (std::size_t i = 0; i < series.t.size(); ++i) set_aside(i);
+  EXPECT_EQ(in_words(fit_driven(series, "rig.csv", options, {}).error()),
+            "all values of column \"Position (m)\" are set aside");
+}
+
+TEST(FitDriven, AMassGivesNoStiffnessOfAnAngle) {
+  Series series = beats_series();
+  series.column = "Angle (rad)";
+  series.quantity = "angle";
+  const auto notices = [&](const FitOptions& options) {
+    return in_words(fit_driven(series, "rig.csv", options, {})->notices);
+  };
+  const std::string none = "--mass gives no stiffness here: column \"Angle (rad)\" is no length";
+  EXPECT_THAT(notices({.law = "viscous", .mass = {Quantity{0.25, 0}}, .drive_frequency = "auto"}),
+              testing::Contains(none));
+  EXPECT_THAT(notices({.law = "viscous", .drive_frequency = "auto"}), testing::Not(testing::Contains(none)));
+}
+
 TEST(FitForced, ForetellsTheSilverbox) {
   const std::string path = data("silverbox/silverbox_train.csv");
   SKIP_WITHOUT(path);
