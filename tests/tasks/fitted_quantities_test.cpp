@@ -380,5 +380,26 @@ TEST(DecayRateEnds, NeitherOfHystereticNorOfDrivenMotions) {
   EXPECT_TRUE(decay_rate_ends(loops, 10).empty());
 }
 
+TEST(DerivedQuantities, ABodyWithoutASpringHasItsMass) {
+  LawFit fit;
+  fit.law = Law{};
+  fit.student = 2;
+  set(fit, "force_gain", make_estimate(4, 0.02, 2));
+  const auto mass = [&](std::string_view observed, int derivative, std::string_view force) {
+    const std::vector<Parameter> list = derived_quantities(fit, observed, derivative, {}, force);
+    EXPECT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].name, "mass");
+    EXPECT_EQ(list[0].estimate.value, 0.25);
+    EXPECT_EQ(list[0].estimate.standard_error, 0.02 / 16);
+    return list[0].unit;
+  };
+  EXPECT_EQ(mass("m", 0, "N"), "kg");
+  EXPECT_EQ(mass("m/s", 1, "N"), "kg");
+  EXPECT_EQ(mass("m", 0, "V"), "");
+  EXPECT_EQ(mass("rad", 0, "N"), "");
+  EXPECT_EQ(mass("", 0, "N"), "");
+  EXPECT_TRUE(decay_rate_ends(fit, 10).empty());
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -9,6 +9,7 @@
 #include "cromer/analysis/air.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 #include "tests/tasks/disc_recording.h"
 
 namespace cromer::core {
@@ -174,6 +175,135 @@ TEST(FittedMotion, IsTheTrueMotionAndTheSamplesAgree) {
   EXPECT_GT(n, 11'000);
   // A central difference over as many samples would shrink the velocity by half.
   EXPECT_NEAR(sum / square, 0, 2e-4);
+}
+
+/// A fit that says 3 rad/s and 0.02 1/s of 0.4 m, with an uncertain frequency.
+LawFit swinging() {
+  LawFit fit;
+  fit.law = law_of("viscous");
+  fit.student = 2;
+  fit.names = {"angular_frequency", "decay_rate", "position", "velocity"};
+  fit.estimates = {make_estimate(3, 0.003, 2), make_estimate(0.02, 0, 2), make_estimate(0.4, 0, 2),
+                   make_estimate(0, 0, 2)};
+  fit.covariance.assign(16, 0);
+  fit.motion.law = fit.law;
+  fit.motion.per_mass.stiffness = 9.000123456789;
+  fit.motion.per_mass.damping = 0.04;
+  fit.motion.position = 0.4;
+  return fit;
+}
+
+Series even(double rate, double until, double from = 0) {
+  Series series;
+  series.column = "x (m)";
+  series.quantity = "position";
+  series.rate = rate;
+  series.t = {from, from + until};
+  series.y = {0, 0};
+  return series;
+}
+
+std::string value_of_option(const std::vector<TypedOption>& settings, std::string_view option) {
+  for (const TypedOption& each : settings)
+    if (each.first == option) return each.second;
+  return "none";
+}
+
+TEST(SimulateSettings, HaveTheDigitsThatAreKnownAndAStepThatDividesASample) {
+  const LawFit fit = swinging();
+  const auto settings = simulate_settings(fit, even(10, 7.3), 2);
+  EXPECT_EQ(value_of_option(settings, "mass"), "2");
+  // With 0.2 %: to about a thousandth of that. What has no error has all its digits.
+  EXPECT_EQ(value_of_option(settings, "stiffness"), "18.0002");
+  EXPECT_EQ(value_of_option(settings, "damping"), "0.08");
+  EXPECT_EQ(value_of_option(settings, "position"), "0.4");
+  EXPECT_EQ(value_of_option(settings, "velocity"), "0");
+  EXPECT_EQ(value_of_option(settings, "method"), "rk4");
+  EXPECT_EQ(value_of_option(settings, "until"), "7.3");
+  EXPECT_EQ(value_of_option(settings, "step"), "0.01");  // 2.09 s take at least 200 of them
+  EXPECT_EQ(value_of_option(simulate_settings(fit, even(500, 7.3), 2), "step"), "0.002");
+  EXPECT_EQ(value_of_option(simulate_settings(fit, even(0, 7.3), 2), "step").substr(0, 8), "0.010471");
+  EXPECT_EQ(value_of_option(settings, "drive-amplitude"), "none");
+}
+
+TEST(SimulateSettings, AreNoneOfWhatCannotBeRunAgain) {
+  const auto none = [](auto change) {
+    LawFit fit = swinging();
+    change(fit);
+    return simulate_settings(fit, even(10, 7), 2).empty();
+  };
+  EXPECT_FALSE(none([](LawFit&) {}));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.drive.kind = DriveKind::recorded; }));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.law = Law{}; }));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.motion.position = HUGE_VAL; }));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.motion.velocity = std::nan(""); }));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.motion.per_mass.stiffness = HUGE_VAL; }));
+  EXPECT_TRUE(simulate_settings(swinging(), even(10, 7), HUGE_VAL).empty());
+}
+
+TEST(OverSettings, NameTheRecordingAndHowItIsRead) {
+  FittedRecording fitted;
+  fitted.file = "lab.csv";
+  fitted.series = even(10, 7.3, 0.1 + 0.2);
+  fitted.simulate = {{"mass", "1"}};
+  fitted.fit.names = {"equilibrium"};
+  fitted.fit.estimates = {make_estimate(0.123456789, 0.001, 2)};
+  using Settings = std::vector<TypedOption>;
+  EXPECT_EQ(
+      over_settings(fitted),
+      (Settings{
+          {"over", "lab.csv"}, {"over-column", "x (m)"}, {"over-from", "0.3"}, {"over-offset", "0.123457"}}));
+  fitted.series.run = 2;
+  fitted.fit.estimates = {make_estimate(0, 0.001, 2)};
+  ReadOptions& read = fitted.options.read;
+  read.rate = 10;
+  read.time_column = "t";
+  read.delimiter = ";";
+  read.decimal = ",";
+  read.skip_bad_rows = true;
+  EXPECT_EQ(over_settings(fitted), (Settings{{"over", "lab.csv"},
+                                             {"over-column", "x (m)"},
+                                             {"over-run", "2"},
+                                             {"over-from", "0.3"},
+                                             {"rate", "10"},
+                                             {"time-column", "t"},
+                                             {"delimiter", ";"},
+                                             {"decimal", ","},
+                                             {"skip-bad-rows", ""}}));
+  const auto none = [&](auto change) {
+    FittedRecording other = fitted;
+    change(other);
+    return over_settings(other).empty();
+  };
+  EXPECT_TRUE(none([](auto& other) { other.simulate.clear(); }));
+  EXPECT_TRUE(none([](auto& other) { other.of_arrays = true; }));
+  EXPECT_TRUE(none([](auto& other) { other.file = ""; }));
+  EXPECT_TRUE(none([](auto& other) { other.file = "-"; }));
+  EXPECT_TRUE(none([](auto& other) { other.series.quantity = "velocity"; }));
+  EXPECT_FALSE(none([](auto& other) { other.series.quantity = "angle"; }));
+}
+
+TEST(Headline, IsOfWhatIsFiniteAndOfAFitThatCanBeUsed) {
+  FittedRecording fitted;
+  fitted.series = even(10, 7);
+  fitted.fit = swinging();
+  fitted.derived = {{"frequency", make_estimate(0.5, 0.1, 2), "Hz"}};
+  fitted.parameters = {{"stiffness", make_estimate(HUGE_VAL, 0.1, 2), "N/m"}};
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const Parameter& each : headline_of(fitted)) found.push_back(each.name);
+    return found;
+  };
+  EXPECT_THAT(names(), testing::ElementsAre("frequency", "decay_rate_start", "decay_rate_end"));
+  fitted.parameters[0].estimate.value = 18;
+  fitted.reynolds_max = make_estimate(100, 1, 2);
+  EXPECT_THAT(names(), testing::ElementsAre("frequency", "stiffness", "decay_rate_start", "decay_rate_end",
+                                            "reynolds_max"));
+  fitted.series.t = {3};
+  EXPECT_THAT(names(), testing::ElementsAre("frequency", "stiffness", "reynolds_max"));
+  fitted.series.t = {3, 4};
+  fitted.fit.status = FitStatus::too_noisy;
+  EXPECT_THAT(names(), testing::ElementsAre("frequency", "stiffness", "reynolds_max"));
 }
 
 }  // namespace

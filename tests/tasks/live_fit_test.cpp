@@ -6,6 +6,7 @@
 #include <random>
 
 #include "cromer/documents/words/words.h"
+#include "cromer/tasks/record/options.h"
 
 namespace cromer::core {
 namespace {
@@ -56,6 +57,31 @@ TEST(LiveFit, SaysNothingBeforeThereIsAnythingToSay) {
   EXPECT_FALSE(live_fit(swing(0.1), headings, ""));
   const auto short_one = live_fit(swing(0.6), headings, "");
   EXPECT_TRUE(!short_one || !short_one->succeeded());
+}
+
+TEST(RecordOptions, AreCheckedBeforeAnythingIsOpened) {
+  const auto told = [](const RecordOptions& options) {
+    const auto setup = check(options);
+    return setup ? "" : in_words(setup.error());
+  };
+  RecordOptions options;
+  options.from = "-";
+  options.output = "new.csv";
+  EXPECT_EQ(told(options), "");
+  EXPECT_EQ(check(options)->lines.time_unit, 0);
+  for (const auto& [unit, factor] : {std::pair{"s", 1.0}, std::pair{"ms", 1e-3}, std::pair{"us", 1e-6}}) {
+    options.time_unit = unit;
+    EXPECT_EQ(check(options)->lines.time_unit, factor);
+  }
+  for (const std::string unit : {"m", "Hz", "fortnights"}) {
+    options.time_unit = unit;
+    EXPECT_EQ(told(options), "--time-unit \"" + unit + "\" is no unit of time; it is s, ms or us");
+  }
+  options.time_unit = "";
+  options.output = "no/such/folder/new.csv";
+  EXPECT_EQ(told(options), "cannot write no/such/folder/new.csv: there is no folder no/such/folder");
+  options.output = "";
+  EXPECT_EQ(told(options), "-o FILE.csv is needed: where the recording is to go");
 }
 
 }  // namespace

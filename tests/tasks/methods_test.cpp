@@ -180,7 +180,12 @@ TEST(ListMethods, RefusesWhatItCannotUse) {
   EXPECT_THAT(message({.natural_frequency = 6}),
               testing::StartsWith("--natural-frequency: it needs a --step"));
   EXPECT_THAT(message({.step = 0.1}), testing::StartsWith("--step: it needs a --natural-frequency"));
-  EXPECT_THAT(message({.damping_ratio = 0.1}), testing::StartsWith("--damping-ratio: it needs"));
+  const std::string needs = ": it needs a --natural-frequency and a --step";
+  EXPECT_EQ(message({.damping_ratio = 0.1}), "--damping-ratio" + needs);
+  EXPECT_EQ(message({.beta = 0.3}), "--beta" + needs);
+  EXPECT_EQ(message({.gamma = 0.6}), "--gamma" + needs);
+  EXPECT_EQ(message({.rho_inf = 0.6}), "--rho-inf" + needs);
+  EXPECT_EQ(message({.beta = 0.3, .gamma = 0.6, .rho_inf = 0.6}), "--rho-inf" + needs);
   EXPECT_THAT(message({.natural_frequency = -6, .step = 0.1}), testing::HasSubstr("be positive"));
   EXPECT_THAT(message({.natural_frequency = 6, .step = 0.1, .rho_inf = 1.5}),
               testing::HasSubstr("lie between 0 and 1"));

@@ -11,6 +11,7 @@
 #include "cromer/analysis/complex_modes.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "cromer/tasks/modes/modes_options.h"
 #include "cromer/tasks/network/network_file.h"
 #include "tests/support/expect_in.h"
 #include "tests/support/shared_data.h"
@@ -285,6 +286,9 @@ TEST(Modes, RefuseWhatTheyCannotTake) {
   EXPECT_EQ(refusal({.step = 0.1}), "--step needs a --method");
   EXPECT_EQ(refusal({.method = {"rk4"}}), "--method needs a --step");
   EXPECT_EQ(refusal({.beta = 0.2}), "--beta needs --method and --step");
+  EXPECT_EQ(refusal({.gamma = 0.6}), "--gamma needs --method and --step");
+  EXPECT_EQ(refusal({.rho_inf = 0.6}), "--rho-inf needs --method and --step");
+  EXPECT_EQ(refusal({.gamma = 0.6, .rho_inf = 0.6}), "--rho-inf needs --method and --step");
   EXPECT_EQ(refusal({.method = {"dormand-prince"}, .step = 0.1}),
             "--method: dormand-prince chooses its own steps");
   EXPECT_NE(refusal({.method = {"rk5"}, .step = 0.1}).find("rk4"), std::string::npos);
@@ -292,6 +296,22 @@ TEST(Modes, RefuseWhatTheyCannotTake) {
   const auto many = network_modes(chain(501, 0), "n.toml");
   ASSERT_FALSE(many);
   EXPECT_EQ(in_words(many.error().notice), "n.toml: 501 masses; modes are found for at most 500");
+}
+
+TEST(Modes, OptionsOfRecordingsAreKnown) {
+  EXPECT_EQ(option_of_recordings({}), "");
+  EXPECT_EQ(option_of_recordings({.method = {"rk4"}, .step = 0.1, .beta = 0.2}), "");
+  EXPECT_EQ(option_of_recordings({.from = 0.0}), "from");
+  EXPECT_EQ(option_of_recordings({.to = 0.0}), "to");
+  EXPECT_EQ(option_of_recordings({.modes = 2}), "modes");
+  EXPECT_EQ(option_of_recordings({.from_frequency = 1.0}), "from-frequency");
+  EXPECT_EQ(option_of_recordings({.to_frequency = 1.0}), "to-frequency");
+  EXPECT_EQ(option_of_recordings({.of_method = "newmark"}), "of-method");
+  EXPECT_EQ(option_of_recordings({.read = {.rate = 100}}), "rate");
+  EXPECT_EQ(option_of_recordings({.read = {.time_column = "t"}}), "time-column");
+  EXPECT_EQ(option_of_recordings({.read = {.delimiter = ";"}}), "delimiter");
+  EXPECT_EQ(option_of_recordings({.read = {.decimal = ","}}), "decimal");
+  EXPECT_EQ(option_of_recordings({.read = {.skip_bad_rows = true}}), "skip-bad-rows");
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
+#include "cromer/tasks/simulate/early_end.h"
+#include "cromer/tasks/simulate/laid_over.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 #include "tests/support/simulated.h"
 
@@ -151,6 +153,73 @@ TEST(Simulate, ASensorReadsEveryKeptState) {
   ASSERT_EQ(only.sensor.size(), only.trajectory.size());
   EXPECT_EQ(only.sensor.front(), 1.2);
   EXPECT_NEAR(only.sensor.back(), 0.2 + std::cos(1.0), 0.01);
+}
+
+TEST(EarlyEnd, SaysWhyWhenAndAtWhichStep) {
+  const auto told = [](Status status, bool interrupted = false) {
+    const Notice why =
+        early_end({.status = status, .t = 1.5, .step = 30, .interrupted = interrupted, .counts = {}});
+    return why.empty() ? "" : in_words(why);
+  };
+  EXPECT_EQ(told(Status::reached_end), "");
+  EXPECT_EQ(told(Status::stopped_by_event), "");
+  EXPECT_EQ(told(Status::stopped_by_event, true), "interrupted after t = 1.5 s (step 30)");
+  EXPECT_EQ(told(Status::step_limit), "the step limit was reached at t = 1.5 s (step 30)");
+  EXPECT_EQ(told(Status::step_too_small),
+            "the step became too small to go on at t = 1.5 s (step 30): the motion runs away there, or "
+            "--tolerance asks for too much");
+  EXPECT_EQ(told(Status::no_convergence),
+            "no convergence in Newton's iteration after t = 1.5 s (step 30); take a shorter --step");
+  EXPECT_EQ(told(Status::not_finite), "diverged: not finite after t = 1.5 s (step 30)");
+}
+
+SimulatedRun kept_run(const std::vector<double>& t, const std::vector<double>& x) {
+  SimulatedRun run;
+  run.label = "rk4";
+  run.until = t.back();
+  run.trajectory.t = t;
+  run.trajectory.x = x;
+  run.trajectory.v.assign(t.size(), 0);
+  return run;
+}
+
+TEST(LaidOver, TheDistanceIsThatFromTheLineThroughTheKeptStates) {
+  const SimulatedRun run = kept_run({0, 1, 2}, {0, 2, 0});
+  LaidOver samples{"x (m)", "m", {-0.5, 0, 0.5, 1.5, 2, 2.5}, {9, 0.1, 0.9, 1.1, -0.1, 9}};
+  const auto told = [&] {
+    const Notice notice = distance_notice(samples, run);
+    return notice.empty() ? "" : in_words(notice);
+  };
+  EXPECT_EQ(told(), "rk4: the recording lies 10.0 cm (rms) from it, over 4 samples of x (m)");
+  samples.unit = "rad";
+  EXPECT_EQ(told(), "rk4: the recording lies 0.100 rad (rms) from it, over 4 samples of x (m)");
+  samples.unit = "";
+  EXPECT_EQ(told(), "rk4: the recording lies 0.100 (rms) from it, over 4 samples of x (m)");
+  samples.t = {-1, -0.5, 2.01, 3, 4, 5};
+  EXPECT_EQ(told(), "");
+  EXPECT_TRUE(distance_notice(samples, kept_run({0}, {0})).empty());
+  EXPECT_TRUE(distance_notice({"x", "m", {}, {}}, run).empty());
+}
+
+TEST(LaidOver, SamplesAreThoseWithinTheLongestRun) {
+  const auto recording = read_recording(
+      "Time (s),Position (m),Speed (m/s)\n1,0.1,1\n2,0.2,1\n3,0.3,1\n4,0.4,1\n5,0.5,1\n", "r.csv", {});
+  SimulateResult runs;
+  runs.runs = {kept_run({0, 2}, {0, 0}), kept_run({0, 1}, {0, 0})};
+  const auto laid = lay_over(*recording, {.column = "Position", .from = 2.0, .offset = 0.05}, runs, {});
+  ASSERT_TRUE(laid);
+  EXPECT_EQ(laid->name, "Position (m)");
+  EXPECT_EQ(laid->unit, "m");
+  EXPECT_EQ(laid->t, (std::vector{0.0, 1.0, 2.0}));
+  ASSERT_EQ(laid->x.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(laid->x[i], 0.15 + 0.1 * static_cast<double>(i));
+  EXPECT_EQ(lay_over(*recording, {.column = "Position"}, runs, {})->x.size(), 3u);
+  EXPECT_EQ(in_words(lay_over(*recording, {.column = "Position", .from = 5.5}, runs, {}).error()),
+            "--over-from: column \"Position (m)\" has no sample from 5.5 to 7.5 s, where the runs are");
+  EXPECT_EQ(in_words(lay_over(*recording, {.column = "Position", .from = -2.0}, runs, {}).error()),
+            "--over-from: column \"Position (m)\" has no sample from -2 to 0 s, where the runs are");
+  EXPECT_THAT(in_words(lay_over(*recording, {.column = "Speed"}, runs, {}).error()),
+              HasSubstr("a run is laid over positions or angles, and column \"Speed (m/s)\" holds velocity"));
 }
 
 }  // namespace

@@ -203,5 +203,103 @@ TEST(SpectrumSetup, TwoComponentsAreCutToTheShorter) {
             "spectrum takes one recording, or the two components of one motion; 4 are given");
 }
 
+TEST(Correction, ABandHasTwoCornersOrOne) {
+  const auto band = [](const std::string& text) {
+    const auto correction = correction_of({.band_pass = text});
+    EXPECT_TRUE(correction) << said(correction);
+    return correction ? *correction->band : PassBand{};
+  };
+  EXPECT_EQ(band("0.1:25 Hz").low, 0.1);
+  EXPECT_EQ(band("0.1:25 Hz").high, 25);
+  EXPECT_EQ(band("0.1 Hz:").low, 0.1);
+  EXPECT_FALSE(band("0.1 Hz:").has_high());
+  EXPECT_EQ(band(":25").low, 0);
+  EXPECT_EQ(band(":25").high, 25);
+  const auto refused = [](const std::string& text) { return said(correction_of({.band_pass = text})); };
+  const auto two = [](const std::string& text) {
+    return "--band-pass: \"" + text +
+           "\": two corners with a colon between them are expected, \"0.1:25 Hz\", or one of them, \"0.1 "
+           "Hz:\", \":25 Hz\"";
+  };
+  for (const std::string text : {"5 Hz", ":", "1:2:3", "1,2:3", "1:2,3", "1,2:"})
+    EXPECT_EQ(refused(text), two(text));
+  for (const std::string text : {"25:0.1 Hz", "1:1", "0:5", "-1:5", ":0", "0:"})
+    EXPECT_EQ(refused(text),
+              "--band-pass: \"" + text + "\": the corners must be positive, and the second one the higher");
+}
+
+TEST(Correction, ItsOptionsGoWithABand) {
+  EXPECT_FALSE(correction_of({})->any());
+  EXPECT_EQ(*correction_of({.baseline = "cubic"})->baseline, 3);
+  EXPECT_TRUE(correction_of({.baseline = "constant"})->any());
+  EXPECT_EQ(said(correction_of({.band_pass_order = 2})),
+            "--band-pass-order says how --band-pass filters; give that too");
+  EXPECT_EQ(said(correction_of({.causal = true})), "--causal says how --band-pass filters; give that too");
+  const auto of_order = [](int order) {
+    return correction_of({.band_pass = "1:5", .band_pass_order = order, .causal = true});
+  };
+  for (const int order : {1, 12}) EXPECT_EQ(of_order(order)->order, order);
+  EXPECT_TRUE(of_order(1)->causal);
+  EXPECT_EQ(correction_of({.band_pass = "1:5"})->order, 4);
+  for (const int order : {0, 13})
+    EXPECT_EQ(said(of_order(order)),
+              "--band-pass-order: it must lie between 1 and 12, not " + std::to_string(order));
+}
+
+TEST(Correction, ABaselineIsTakenOff) {
+  Component component;
+  component.file = "shake.csv";
+  component.spacing = 0.1;
+  component.acceleration = {1, 3, 5, 7};
+  Component straight = component;
+  ASSERT_TRUE(correct(straight, {.baseline = 1}));
+  for (const double a : straight.acceleration) EXPECT_NEAR(a, 0, 1e-14);
+  EXPECT_NEAR(straight.baseline, 7, 1e-14);
+  ASSERT_TRUE(correct(component, {.baseline = 0}));
+  EXPECT_THAT(component.acceleration, ElementsAre(-3, -1, 1, 3));
+  EXPECT_EQ(component.baseline, 4);
+  EXPECT_TRUE(correct(component, {.baseline = 2}));
+  EXPECT_EQ(said(correct(component, {.baseline = 3})),
+            "--baseline: shake.csv: 4 samples are too few for this polynomial; take a lower degree");
+}
+
+TEST(Correction, AFilterNeedsTheRecordingToHoldItsCorners) {
+  Component component;
+  component.file = "shake.csv";
+  component.spacing = 0.01;
+  component.acceleration.assign(200, 0);
+  component.acceleration[100] = 1;
+  const auto refused = [&](PassBand band) {
+    Component copy = component;
+    return said(correct(copy, {.band = band}));
+  };
+  EXPECT_EQ(refused({.low = 1, .high = 49.9}), "");
+  EXPECT_EQ(
+      refused({.low = 1, .high = 50}),
+      "--band-pass: shake.csv: a corner of 50 Hz is not below half the sampling rate, 50 Hz: the recording "
+      "holds nothing that fast; leave the high corner out");
+  EXPECT_EQ(
+      refused({.low = 50}),
+      "--band-pass: shake.csv: a corner of 50 Hz is not below half the sampling rate, 50 Hz: the recording "
+      "holds nothing that fast; leave the high corner out");
+  EXPECT_EQ(
+      refused({.low = 1e-6}),
+      "--band-pass: shake.csv: a corner of 1e-06 Hz is far slower than the recording of 2 s shows; take a "
+      "higher one");
+  // What it rings with dies down in zeros before and behind, or behind alone.
+  Component both = component, causal = component;
+  ASSERT_TRUE(correct(both, {.band = PassBand{.low = 1}}));
+  ASSERT_TRUE(correct(causal, {.band = PassBand{.low = 1}, .causal = true}));
+  const std::size_t zeros = causal.acceleration.size() - 200;
+  EXPECT_GT(zeros, 50u);
+  EXPECT_EQ(both.acceleration.size(), 200 + 2 * zeros);
+  EXPECT_EQ(causal.begins, 0);
+  EXPECT_NEAR(both.begins, -0.01 * static_cast<double>(zeros), 1e-12);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(causal.acceleration[i], 0);
+  const std::size_t middle = zeros + 100;
+  for (std::size_t i = 1; i < 100; ++i)
+    EXPECT_NEAR(both.acceleration[middle - i], both.acceleration[middle + i], 1e-9);
+}
+
 }  // namespace
 }  // namespace cromer::core
