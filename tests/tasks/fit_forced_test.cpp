@@ -477,6 +477,43 @@ TEST(FitDriven, AMassGivesNoStiffnessOfAnAngle) {
   EXPECT_THAT(notices({.law = "viscous", .drive_frequency = "auto"}), testing::Not(testing::Contains(none)));
 }
 
+/// Two free swings at once, of like size.
+Series two_swings() {
+  Series series;
+  series.column = "x (m)";
+  series.quantity = "position";
+  series.rate = 25;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0, 2e-4);
+  for (int i = 0; i < 1200; ++i) {
+    const double t = 0.04 * i;
+    series.t.push_back(t);
+    series.y.push_back(0.2 + std::exp(-0.03 * t) * (0.03 * std::cos(7.2 * t) + 0.02 * std::sin(8.9 * t)) +
+                       normal(engine));
+  }
+  return series;
+}
+
+TEST(FitDriven, TwoSwingsAreNoDriveThatIsAskedFor) {
+  const Series series = two_swings();
+  for (const char* asked : {"auto", "7.2 rad/s", "8.9 rad/s"}) {
+    const FitOptions options{.law = "viscous", .drive_frequency = asked};
+    const auto driven = fit_driven(series, "rig.csv", options, {});
+    ASSERT_TRUE(driven);
+    const auto result = check_drive(*driven, series, options, {});
+    ASSERT_TRUE(result) << in_words(result.error());
+    EXPECT_EQ(result->fit.status, FitStatus::no_oscillation) << asked;
+    EXPECT_THAT(
+        in_words(result->fit.message),
+        testing::StartsWith("no single swing: two modes swing here, and both decay, like those of coupled "
+                            "pendulums: 1.1459"));
+    EXPECT_EQ(result->modes.size(), 2u);
+    EXPECT_TRUE(result->parameters.empty());
+    EXPECT_FALSE(result->driven);
+    EXPECT_EQ(result->options.drive_frequency, asked);
+  }
+}
+
 TEST(FitForced, ForetellsTheSilverbox) {
   const std::string path = data("silverbox/silverbox_train.csv");
   SKIP_WITHOUT(path);

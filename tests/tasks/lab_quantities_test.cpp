@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "cromer/analysis/air.h"
@@ -304,6 +306,27 @@ TEST(Headline, IsOfWhatIsFiniteAndOfAFitThatCanBeUsed) {
   fitted.series.t = {3, 4};
   fitted.fit.status = FitStatus::too_noisy;
   EXPECT_THAT(names(), testing::ElementsAre("frequency", "stiffness", "reynolds_max"));
+}
+
+TEST(InterruptedFit, SaysThatResultsBesideTheLawAreMissing) {
+  const Series series = disc_recording(4, 20);
+  const auto interrupted_at = [&](int n, int& looks) {
+    std::atomic<bool> interrupt{false};
+    looks = 0;
+    Watch watch{.interrupt = &interrupt};
+    watch.pulse = [&] { interrupt = ++looks >= n; };
+    FitOptions options = disc_options();
+    options.law = "viscous+drag";
+    return *fit_series(series, "disc.csv", options, watch);
+  };
+  int looks = 0;
+  EXPECT_EQ(interrupted_at(std::numeric_limits<int>::max(), looks).fit.status, FitStatus::converged);
+  const FittedRecording late = interrupted_at(looks, looks);
+  EXPECT_EQ(late.fit.status, FitStatus::iteration_limit);
+  EXPECT_EQ(in_words(late.fit.message),
+            "interrupted: the law is fitted, but some results that follow from it are missing");
+  EXPECT_NE(late.find("angular_frequency"), nullptr);
+  EXPECT_TRUE(late.reynolds_max);
 }
 
 }  // namespace

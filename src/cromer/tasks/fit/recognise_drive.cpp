@@ -101,8 +101,9 @@ void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice r
 }
 
 // Where one of two modes is small the law is that of the other: it accounts for the motion, and swings with
-// one of the two.
+// one of the two. A drive only stands in for the other one.
 bool is_of_one_mode(const FittedRecording& result, const TwoModes& found) {
+  if (result.driven) return false;
   constexpr double well = 0.9;  // of the variance
   const Estimate* frequency = result.find("frequency");
   if (!frequency || result.fit.explained < well) return false;
