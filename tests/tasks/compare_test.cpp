@@ -466,7 +466,8 @@ TEST(CompareTask, AnInterruptLeavesWhatIsThere) {
     EXPECT_FALSE(curve.diverged);
     EXPECT_TRUE(std::isnan(curve.rms));
     EXPECT_LT(curve.trajectory.size(), late->recording.series.t.size());
-    EXPECT_THAT(in_words(late->notices.back()), testing::ContainsRegex("viscous.drag: interrupted at [0-9.]+ s"));
+    EXPECT_THAT(in_words(late->notices.back()),
+                testing::ContainsRegex("viscous.drag: interrupted at [0-9.]+ s"));
     if (ended.empty() || ended.back() != (first ? 2u : 3u)) ended.push_back(first ? 2 : 3);
   }
   EXPECT_THAT(ended, testing::ElementsAre(2, 3));
