@@ -168,6 +168,8 @@ class ModesOptions(TypedDict, total=False):
     beta: Value
     gamma: Value
     rho_inf: Value
+    from_: Value
+    to: Value
     modes: int
     from_frequency: Value
     to_frequency: Value
@@ -400,6 +402,8 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "beta": ("Value", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("Value", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("Value", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
+        "from_": ("Value", "[s] first time used [the first sample]"),
+        "to": ("Value", "[s] last time used [the last sample]"),
         "modes": ("int", "how many at most: those found at most orders of the model; must be at least 1 [all that are found]"),
         "from_frequency": ("Value", "[rad/s] only modes from this frequency on; must not be negative [0]"),
         "to_frequency": ("Value", "[rad/s] only modes up to this frequency; must be positive [half the rate]"),
