@@ -317,8 +317,9 @@ class WriteReport : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  const std::string place_ = testing::TempDir() + "cromer_report_files", study_ = place_ + "/lab.toml",
-                    folder_ = place_ + "/made";
+  const std::string place_ = testing::TempDir() + "cromer_report_files_" +
+                             testing::UnitTest::GetInstance()->current_test_info()->name(),
+                    study_ = place_ + "/lab.toml", folder_ = place_ + "/made";
   std::vector<std::string> said_;
   double share_ = 0;
   std::atomic<bool> stop_{false};
