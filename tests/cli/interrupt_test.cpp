@@ -91,7 +91,7 @@ TEST(Interrupted, WhatIsMissingIsNamedUpToFive) {
 // Each thread has begun one.
 TEST(Interrupted, FitsMakeNoLine) {
   const Folder folder;
-  const LateFiles late(folder, 2, recording(2000, 0.002));
+  const LateFiles late(folder, 2, recording(30000, 0.002));
   const Finished end =
       late.interrupted(with_files({"fit", "--mass-line", "--masses", "1 kg, 2 kg"}, late.names));
   EXPECT_EQ(end.status, 1);
@@ -123,7 +123,7 @@ TEST(Interrupted, ASpectrumIsNotWritten) {
 
 TEST(Interrupted, AReportIsNotMade) {
   const Folder folder;
-  const LateFiles late(folder, 1, recording(2000, 0.002));
+  const LateFiles late(folder, 1, recording(30000, 0.002));
   const Finished end = late.interrupted({"report", "r1.csv", "-o", "out"});
   EXPECT_EQ(end.status, 1);
   EXPECT_EQ(end.err, "cromer: interrupted before the report was made\n");
