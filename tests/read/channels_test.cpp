@@ -62,10 +62,18 @@ TEST(Channels, AreCroppedBetweenTwoTimes) {
   EXPECT_EQ(channels.each[1].missing, 0u);
   EXPECT_THAT(channels.t, ElementsAre(0.1, 0.2));
   EXPECT_TRUE(crop(channels, {}, {}).ok());
-  const auto one = crop(channels, 0.15, {});
-  ASSERT_FALSE(one.ok());
-  EXPECT_EQ(in_words(one.error()),
-            "--from 0.15 --to 0.2: no sample is left, the recording goes from 0.1 to 0.2 s");
+  const auto none = [&](std::optional<double> from, std::optional<double> to) {
+    const auto done = crop(channels, from, to);
+    return done ? "" : in_words(done.error());
+  };
+  EXPECT_EQ(none(0.15, 0.18),
+            "--from 0.15 --to 0.18: no sample is left, the recording goes from 0.1 to 0.2 s");
+  EXPECT_EQ(none(0.3, {}).substr(0, 30), "--from 0.3: no sample is left,");
+  EXPECT_EQ(none({}, 0.05).substr(0, 29), "--to 0.05: no sample is left,");
+  // To a millionth of a step, and one sample is a part.
+  EXPECT_EQ(none(0.2 + 1e-8, {}), "");
+  EXPECT_THAT(channels.t, ElementsAre(0.2));
+  EXPECT_EQ(none({}, {}), "");
 }
 
 TEST(Channels, TimesThatOneLacksAreLeftOutOfAll) {

@@ -196,9 +196,16 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   }));
   EXPECT_THAT(in_words(late.notices),
               testing::ElementsAre(
-                  "the first 10 s are still: what is found is of the motion from 10 s on; --from takes "
+                  "nothing moves for the first 10 s: the result is for the motion from 10 s on; --from takes "
                   "another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
+  // A beginning that is asked for is taken.
+  const ModesResult asked = modes_in(
+      decay(pendulums, two_angles,
+            [](std::size_t i, double a, double b) { return i < 200 ? both(i, 0, 0) : both(i, a, b); }),
+      {.from = 0});
+  EXPECT_EQ(asked.recording->samples, 2400u);
+  EXPECT_THAT(codes(asked), testing::Not(testing::Contains("still_before_motion")));
   EXPECT_NEAR(late.recording->duration, 109.95, 1e-9);
   EXPECT_NEAR(late.modes[1].damping_ratio.value, 0.002, 1e-9);
 }
@@ -209,8 +216,8 @@ TEST(RecordingModes, more_modes_than_channels_are_doubted) {
   const ModesResult result = modes_in(decay(three, two_angles, both));
   EXPECT_EQ(result.modes.size(), 3u);
   EXPECT_THAT(in_words(result.notices),
-              testing::Contains(
-                  testing::StartsWith("there are 3 modes and 2 channels: if each channel is a mass, some")));
+              testing::Contains(testing::StartsWith(
+                  "there are 3 modes and 2 channels: if each channel is a mass, some of them")));
   const ModesResult one =
       modes_in(decay(pendulums, "Time (s),Angle (rad)",
                      [](std::size_t, double a, double) { return fmt::format("{:.17g}", a); }));
@@ -220,7 +227,7 @@ TEST(RecordingModes, more_modes_than_channels_are_doubted) {
 TEST(RecordingModes, bad_options_are_refused) {
   const std::string bytes = decay(pendulums, two_angles, both);
   EXPECT_EQ(refusal(bytes, {.from = 3, .to = 3}), "from_behind_to");
-  EXPECT_EQ(refusal(bytes, {.from = 300}), "nothing_left_between");
+  EXPECT_EQ(refusal(bytes, {.from = 300}), "nothing_left_from");
   EXPECT_EQ(refusal(bytes, {.method = {"newmark"}, .step = 0.01}), "method_of_networks");
   EXPECT_EQ(refusal(bytes, {.of_method = "newmark"}), "of_method_needs_step");
   EXPECT_EQ(refusal(bytes, {.step = 0.01}), "step_needs_of_method");

@@ -16,8 +16,8 @@ namespace {
 
 using Amplitudes = std::vector<std::complex<double>>;
 
-/// Between two repetitions [s]: a free motion takes so long to fall to 1e-4, and what a large loss factor
-/// makes last for longer, as t^-2, has fallen as far.
+/// Between two repetitions [s]: until a free motion has fallen to 1e-4, and the tail of a large loss factor,
+/// which falls as t^-2, to 1e-3.
 double pause(double duration, double period, double loss_factor) {
   const double fallen = std::log(1e4) * period / (std::numbers::pi * loss_factor);
   return std::max(fallen, 8 * loss_factor / (1 + loss_factor * loss_factor) * duration);

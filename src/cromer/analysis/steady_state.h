@@ -24,10 +24,10 @@ struct MeasuredSteadyState {
   bool settled() const { return change < 1e-3 && change > -1e-3 && growth < 1e-3; }
 };
 
-/// Least squares of x = mean + a cos(w t + phi) + b sin(w t + phi) over the last `cycles` whole drive periods
-/// (even; fewer where the trajectory is shorter); a last state after a shorter step is left out. An Error for
-/// a drive that is no oscillation, or if the trajectory has fewer than two periods or less than four samples
-/// a period.
+/// Least squares, with Hann's weights over the window, of x = mean + a cos(w t + phi) + b sin(w t + phi) over
+/// the last `cycles` whole drive periods (even; fewer where the trajectory is shorter); a last state after a
+/// shorter step is left out. An Error for a drive that is no oscillation, or if the trajectory has fewer than
+/// two periods or less than four samples a period.
 Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
                                                  const HarmonicDrive<double>& drive, int cycles = 10);
 

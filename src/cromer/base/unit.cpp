@@ -91,7 +91,7 @@ constexpr std::array prefixes{
     Prefix{"h", 1e2},       Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9},
 };
 
-/// 1 of no prefix.
+/// 1 without a prefix.
 std::optional<double> prefix_factor(std::string_view text) {
   if (text.empty()) return 1;
   for (const Prefix& prefix : prefixes)

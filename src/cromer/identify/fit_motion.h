@@ -22,7 +22,7 @@ struct Beginning {
 /// Fits the linear law to a record that refuse_record lets pass; of a free motion it also follows the swing.
 /// Under a recorded force the law has a quadratic and a cubic spring as well, where options.law has them, and
 /// a cubic one where another term bends the spring. Not usable() where no oscillation is found: `linear` then
-/// says why. After an interruption it may be usable and lack the rest.
+/// says why.
 Beginning begin_fit(const Record& record, const LawFitOptions& options, const Watch& watch);
 
 /// Fits options.law from a known motion. If `roughly`, only to a hundredth of the standard errors and in

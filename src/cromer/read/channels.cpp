@@ -6,6 +6,7 @@
 
 #include "cromer/base/add_once.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/samples_between.h"
 
 namespace cromer::core {
 namespace {
@@ -74,22 +75,15 @@ Result<Channels> take_channels(const Recording& recording, int run, const ReadOp
 }
 
 Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to) {
-  const auto first =
-      from ? std::lower_bound(channels.t.begin(), channels.t.end(), *from) : channels.t.begin();
-  const auto last = to ? std::upper_bound(channels.t.begin(), channels.t.end(), *to) : channels.t.end();
-  if (last - first < 2)
-    return Error{"nothing_left_between",
-                 {{"from", from.value_or(channels.t.front())},
-                  {"to", to.value_or(channels.t.back())},
-                  {"first", channels.t.front()},
-                  {"last", channels.t.back()}}};
-  const auto begin = first - channels.t.begin(), end = last - channels.t.begin();
+  const auto part = samples_between(channels.t, channels.rate, from, to);
+  if (!part) return part.error();
+  const auto begin = static_cast<std::ptrdiff_t>(part->first), end = static_cast<std::ptrdiff_t>(part->end);
   for (Channel& channel : channels.each) {
     channel.y = {channel.y.begin() + begin, channel.y.begin() + end};
     channel.missing = static_cast<std::size_t>(
         std::count_if(channel.y.begin(), channel.y.end(), [](double y) { return std::isnan(y); }));
   }
-  channels.t = {first, last};
+  channels.t = {channels.t.begin() + begin, channels.t.begin() + end};
   return {};
 }
 

@@ -34,7 +34,7 @@ struct Channels {
 /// and all of a column without values. An Error if there are none.
 Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options);
 
-/// Keeps the times between these [s], both included; an Error if fewer than two are left.
+/// Keeps the times between these [s], as samples_between() has them.
 Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to);
 
 /// Keeps the times at which all channels have values, and returns how many others there were.

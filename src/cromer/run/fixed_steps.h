@@ -226,7 +226,8 @@ class StepperOf final : public StepperFor<Real> {
 /// Goes on from where the course stands, from row to row, until the last one, the end of the phase (rest, or
 /// phase_end [s], to 1e-9 of a step), or an early end. A phase that begins between two rows first makes a
 /// shorter step to the next: a method's partial step is as good as its step, so phases and events keep its
-/// order. The stepper has been started where the course stands.
+/// order. The stepper has been started where the course stands. A Look of another number than Real is not
+/// asked.
 template <class Real, class Look, class Recorder>
 void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look& look, Course<Real>& course,
                          const Recorder& record, const Watch& watch, const Limits& limits,

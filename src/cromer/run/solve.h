@@ -92,8 +92,8 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
     record(t, y);
     pause(record);
   };
+  assert((std::is_same_v<Real, double> || !look.anything()) && "events are for doubles");
   if constexpr (AdaptiveMethod<M, S, Real>) {
-    assert((std::is_same_v<Real, double> || !look.anything()) && "events are for doubles");
     const Rows rows{interval, control.step};
     Course<Real> course{interval.from, start};
     MotionScale scale;
@@ -122,7 +122,6 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
         return course.outcome(rows, watch);
       }
     }
-    assert(!look.anything() && "events are for doubles");
     return take_uniform_steps(system, method, interval, start, control.step, record, watch, limits);
   }
 }

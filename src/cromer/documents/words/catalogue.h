@@ -6,7 +6,7 @@
 //   {laws:and}        for several, "a, b and c"; {laws:or} likewise; {laws} is "a, b, c"
 //   {unit: }          for a text with a blank before it, and for nothing where it is empty
 //   {value:n}         for a text of numbers, which gets its decimal comma in German
-//   {doubt:A}         for a notice with a capital letter at its beginning, if that is no name
+//   {doubt:A}         for a notice with a capital letter at its beginning, unless it begins with a name
 //   {--step}          for an option, "--step" on the command line and "step" elsewhere
 //   {|{--to}|handle}  for the first to users of program and library, and for the second on the page; each may
 //                     be empty, and hold places

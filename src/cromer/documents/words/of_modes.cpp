@@ -181,12 +181,12 @@ constexpr Entry entries[] = {
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
-     "the first {length:.3g} s are still: what is found is of the motion from {from:.4g} s on; {--from} "
-     "takes "
+     "nothing moves for the first {length:.3g} s: the result is for the motion from {from:.4g} s on; "
+     "{--from} takes "
      "another beginning",
-     "die ersten {length:.3g} s sind still: das Ergebnis gilt für die Bewegung ab {from:.4g} s; {--from} "
-     "wählt einen "
-     "anderen Anfang"},
+     "in den ersten {length:.3g} s bewegt sich nichts: das Ergebnis gilt für die Bewegung ab {from:.4g} s; "
+     "{--from} "
+     "wählt einen anderen Anfang"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,
@@ -205,26 +205,29 @@ constexpr Entry entries[] = {
      "Uhr des "
      "Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
     {"modes_of_random_forces", clause,
-     "the motion does not decay from the first sample used on: these are modes under random forces, by "
+     "the motion does not decay from the first used sample on: these are modes under random forces, by "
      "subspace "
      "identification (orders to {order}, correlations over {reach:.3g} s)",
-     "die Bewegung klingt nicht vom ersten Messwert an ab: dies sind Eigenschwingungen unter zufälligen "
+     "die Bewegung klingt nicht vom ersten benutzten Messwert an ab: dies sind Eigenschwingungen unter "
+     "zufälligen "
      "Kräften, "
      "durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über {reach:.3g} s)"},
     {"modes_of_free_decay", clause,
-     "the motion decays from the first sample used on, {percent:.3g} % of its power about the modes: these "
+     "the motion decays from the first used sample on, {percent:.3g} % of its power about the modes: these "
      "are "
      "modes of a "
      "free decay, by least squares",
-     "die Bewegung klingt vom ersten Messwert an ab, {percent:.3g} % ihrer Leistung um die Eigenfrequenzen: "
+     "die Bewegung klingt vom ersten benutzten Messwert an ab, {percent:.3g} % ihrer Leistung um die "
+     "Eigenfrequenzen: "
      "dies sind "
      "Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
     {"modes_of_free_motion", clause,
-     "the motion is free from the first sample used on and does not die away, {percent:.3g} % of its power "
+     "the motion is free from the first used sample on and does not die away, {percent:.3g} % of its power "
      "about "
      "the modes: "
      "these are modes of a free motion, by least squares",
-     "die Bewegung ist vom ersten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer Leistung um "
+     "die Bewegung ist vom ersten benutzten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer "
+     "Leistung um "
      "die "
      "Eigenfrequenzen: dies sind Eigenschwingungen einer freien Bewegung, durch kleinste Quadrate"},
     {"mode_grows", wrong_if_ignored,
@@ -263,12 +266,13 @@ constexpr Entry entries[] = {
      "the network's mode {mode}, at {frequency:.4g} Hz, was not found in the recording",
      "die Eigenschwingung {mode} des Netzes, bei {frequency:.4g} Hz, wurde in der Aufnahme nicht gefunden"},
     {"more_modes_than_channels", wrong_if_ignored,
-     "there are {modes} modes and {channels:channel|channels}: if each channel is a mass, some are no modes, "
-     "but what "
-     "a motion that is not linear looks like (dry friction, large angles, a bent spring)",
-     "es gibt {modes} Eigenschwingungen und {channels:Kanal|Kanäle}: ist jeder Kanal eine Masse, so sind "
-     "einige keine, "
-     "sondern so sieht eine nicht lineare Bewegung aus (Reibung, große Winkel, eine gekrümmte Feder)"},
+     "there are {modes} modes and {channels} channels: if each channel is a mass, some of them are no modes "
+     "but part of "
+     "a motion that is not linear (dry friction, large angles, a nonlinear spring)",
+     "es gibt {modes} Eigenschwingungen und {channels} Kanäle: ist jeder Kanal eine Masse, so gehören einige "
+     "zu keiner "
+     "Eigenschwingung, sondern zu einer nichtlinearen Bewegung (trockene Reibung, große Winkel, nichtlineare "
+     "Feder)"},
     {"fewer_modes_than_channels", worth_knowing,
      "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
      "hardly "

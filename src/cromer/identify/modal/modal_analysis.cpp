@@ -147,7 +147,7 @@ ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& se
 }  // namespace
 
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
-  if (const std::size_t still = still_samples(record); still > 0) {
+  if (const std::size_t still = settings.from_first_sample ? 0 : still_samples(record); still > 0) {
     ModalAnalysis result = modes_of_motion(from_sample(record, still), settings);
     if (result.motion == ModalMotion::free_decay && is_still_before(record, still, result.modes)) {
       result.still = still;

@@ -40,7 +40,8 @@ struct MeasuredMode {
 struct ModalSettings {
   double from = 0;                                      // [Hz] only modes between
   double to = std::numeric_limits<double>::infinity();  // [Hz]
-  int modes = 0;  ///< at most this many, those at the most orders; 0: all
+  int modes = 0;                   ///< at most this many, those at the most orders; 0: all
+  bool from_first_sample = false;  ///< no still beginning is left out
 };
 
 /// A pole of one order, as the stabilisation diagram shows it.

@@ -14,8 +14,8 @@ namespace cromer::core {
 /// place, or fewer than four. Free motion that begins at a turning point may look so, too.
 std::size_t still_samples(const ModalRecord& record);
 
-/// Whether the samples before `first` are no part of the free motion after it, in these modes: together they
-/// leave three times the rms there that the motion leaves alone.
+/// Whether the samples before `first` are no part of the free motion after it, in these modes: fitted
+/// together with the motion, they leave a residual rms above three times the motion's own.
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes);
 
 /// Says how long nothing moves, and when the motion begins.

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -60,7 +61,8 @@ class HarmonicColumns {
     return within;
   }
 
-  /// Adds the drive at s [s] to the acceleration and sets its columns.
+  /// Adds the drive at s [s] to the acceleration and sets its columns. Within a step it is asked once for
+  /// each stage, in their order.
   void add(double s, double& acceleration, double* columns) const {
     const auto [c, d] = left_ > 0 ? phases_[std::min(stages - 1, stages + 1 - left_--)] : phase_at(s);
     acceleration += cosine_ * c + sine_ * d;
@@ -81,7 +83,7 @@ class HarmonicColumns {
   Phase phase_at(double s) const { return {std::cos(w_ * s), std::sin(w_ * s)}; }
 
   double cosine_, sine_, w_;
-  mutable double h_ = 0;
+  mutable double h_ = std::numeric_limits<double>::quiet_NaN();
   mutable std::array<Phase, stages> turns_{};
   std::array<Phase, stages> phases_{};
   mutable std::size_t left_ = 0;  ///< stages of the step to come, the last one twice

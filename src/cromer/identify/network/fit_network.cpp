@@ -90,7 +90,7 @@ class EquationsOfMotion {
 
   struct Guess {
     double value = 0;
-    double size = 0;  ///< the value whose term alone were as large as the accelerations
+    double size = 0;  ///< the value whose term alone would be as large as the accelerations
   };
 
   /// Empty if the record does not determine them.
@@ -286,8 +286,10 @@ class NetworkMotions {
   /// Weighs each column by what is left of it, or by rounding.
   void weigh(const std::vector<FittedColumn>& columns) {
     constexpr double rounding = 1e-12;
-    for (std::size_t i = 0; i < masses(); ++i)
-      weight_[i] = std::pow(std::max(columns[i].rms, rounding * spreads_[i].deviation), -2);
+    for (std::size_t i = 0; i < masses(); ++i) {
+      const double least = rounding * spreads_[i].deviation, rms = columns[i].rms;
+      weight_[i] = std::pow(rms > least ? rms : least, -2);
+    }
   }
   /// The Euclidean norm of all columns, weighed.
   double norm() const {

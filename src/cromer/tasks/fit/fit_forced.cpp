@@ -81,9 +81,13 @@ Series force_around(const Series& force, double from, double to) {
   return part;
 }
 
-Error force_ends(const Series& force, double from, double to, const Series& motion, double t) {
+Error force_ends(const Series& force, const Series& motion, double t) {
   return Error{"force_ends",
-               {{"force", force.column}, {"from", from}, {"to", to}, {"column", motion.column}, {"t", t}}};
+               {{"force", force.column},
+                {"from", force.t.front()},
+                {"to", force.t.back()},
+                {"column", motion.column},
+                {"t", t}}};
 }
 
 /// Index of each sample of the motion on the grid. An Error if one has none.
@@ -92,8 +96,7 @@ Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& 
   places.reserve(motion.t.size());
   for (std::size_t i = 0; i < motion.t.size(); ++i) {
     const double at = (motion.t[i] - grid.begin) / grid.spacing, place = std::round(at);
-    if (place < 0 || place >= static_cast<double>(grid.size))
-      return force_ends(force, grid.begin, grid.time(grid.size - 1), motion, motion.t[i]);
+    if (place < 0 || place >= static_cast<double>(grid.size)) return force_ends(force, motion, motion.t[i]);
     if (std::abs(at - place) > most_uneven)
       return Error{"force_at_other_times",
                    {{"force", force.column}, {"column", motion.column}, {"t", motion.t[i]}}};
@@ -199,7 +202,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   if (!used) return used.error();
   const Series around = force_around(force, used->t.front(), used->t.back());
   if (around.t.empty() && around.gaps.empty() && !force.t.empty())
-    return force_ends(force, force.t.front(), force.t.back(), *used, used->t.front());
+    return force_ends(force, *used, used->t.front());
   const Result<ForceGrid> grid = grid_of(around);
   if (!grid) return grid.error();
   const Result<std::vector<std::size_t>> places = places_on(*grid, *used, force);

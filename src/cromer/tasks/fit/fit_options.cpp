@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cromer/read/samples_between.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
@@ -80,8 +81,7 @@ Result<void> check_fit_options(const FitOptions& given) {
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
   if (options.no_spring && options.force_column.empty()) return Error{"no_spring_without_force"};
   if (const Result<void> good = check_forced_options(options); !good) return good;
-  if (options.from && options.to && !(*options.from < *options.to))
-    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
+  if (const Result<void> good = check_from_before_to(options.from, options.to); !good) return good;
   if (const auto law = law_of(options); !law) return law.error();
   return {};
 }

@@ -7,6 +7,7 @@
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/read/samples_between.h"
 
 namespace cromer::core {
 namespace {
@@ -24,15 +25,6 @@ Result<void> check_size(const Series& series) {
   if (middle < most && largest > least) return {};
   return Error{Notice{middle < 1 ? "values_too_small" : "values_too_large",
                       {{"column", series.column}, {"value", middle}}}};
-}
-
-Error nothing_left(const Series& series, const FitOptions& options) {
-  const double first = series.t.front(), last = series.t.back();
-  if (!options.to)
-    return Error{"nothing_left_from", {{"from", *options.from}, {"first", first}, {"last", last}}};
-  if (!options.from) return Error{"nothing_left_to", {{"to", *options.to}, {"first", first}, {"last", last}}};
-  return Error{"nothing_left_between",
-               {{"from", *options.from}, {"to", *options.to}, {"first", first}, {"last", last}}};
 }
 
 /// Cuts the series off where the sensor has lost the motion for good, with a notice.
@@ -75,11 +67,9 @@ void set_drop_outs_aside(Series& series) {
 Result<Series> used_part(Series series, const FitOptions& options) {
   const std::size_t n = series.t.size();
   if (n == 0) return Error{"column_has_no_values", {{"column", series.column}}};
-  const double from = options.from.value_or(-HUGE_VAL), to = options.to.value_or(HUGE_VAL);
-  const double slack = series.rate > 0 ? 1e-6 / series.rate : 0;  // 30 s as typed and as printed by a logger
-  const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
-  const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
-  if (first >= last) return nothing_left(series, options);
+  const auto part = samples_between(series.t, series.rate, options.from, options.to);
+  if (!part) return part.error();
+  const auto first = static_cast<std::ptrdiff_t>(part->first), last = static_cast<std::ptrdiff_t>(part->end);
   if (const Result<void> good = check_size(series); !good) return good.error();
   const auto cut = [&](auto& values) {
     if (values.size() != n) return;

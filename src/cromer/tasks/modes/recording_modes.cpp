@@ -10,6 +10,7 @@
 #include "cromer/identify/modal/still_beginning.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/channels.h"
+#include "cromer/read/samples_between.h"
 #include "cromer/tasks/methods/law_before_method.h"
 #include "cromer/tasks/modes/beside_network.h"
 #include "cromer/tasks/modes/modes_options.h"
@@ -208,8 +209,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   if (auto good = check_modes_options(checked); !good) return good.error();
   if (options.from_frequency && options.to_frequency && *options.from_frequency >= *options.to_frequency)
     return Error{"frequencies_reversed"};
-  if (options.from && options.to && *options.from >= *options.to)
-    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
+  if (auto good = check_from_before_to(options.from, options.to); !good) return good.error();
 
   ModesResult result{.file = recording.file, .notices = recording.notices};
   const auto channels = moving_channels(recording, options, result.notices);
@@ -232,12 +232,13 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   settings.from = options.from_frequency.value_or(0) / two_pi;
   if (options.to_frequency) settings.to = *options.to_frequency / two_pi;
   settings.modes = options.modes.value_or(0);
+  settings.from_first_sample = options.from.has_value();
   result.recording = ModalSource{.quantity = channels->quantity,
                                  .unit = channels->unit,
                                  .rate = 1 / record.step,
-                                 .gaps = record.starts.size() - 1,
                                  .found = find_modes(record, settings)};
   const ModalAnalysis& found = result.recording->found;
+  result.recording->gaps = from_sample(record, found.still).starts.size() - 1;
   result.recording->samples = channels->t.size() - found.still;
   result.recording->duration = channels->t.back() - channels->t[found.still];
   if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still));

@@ -128,7 +128,7 @@ std::vector<CandidateMaker> all_candidates(const Evidence& evidence, const Traje
   return candidates;
 }
 
-/// Where the fit begins: the guess, of a law that is sought the one that this method turns into it.
+/// Where the fit begins: the guess; where the law is sought, the law that this method turns into the guess.
 Origin start_of(const Maker& maker, const Evidence& evidence) {
   Origin start = evidence.guess;
   if (!evidence.freedom.law || !maker.shows_steps()) return start;
