@@ -63,6 +63,19 @@ TEST(MeasuredSteadyState, OvertonesDoNotLeakIn) {
   }
 }
 
+TEST(MeasuredSteadyState, IsSettledWhereNeitherAmplitudeNorRestChanges) {
+  const auto settled = [](double change, double growth) {
+    return MeasuredSteadyState{.change = change, .growth = growth}.settled();
+  };
+  for (const double change : {-0.9e-3, 0.0, 0.9e-3}) {
+    EXPECT_TRUE(settled(change, 0.9e-3));
+    EXPECT_TRUE(settled(change, -1));
+    EXPECT_FALSE(settled(change, 1.1e-3));
+  }
+  for (const double change : {-1.1e-3, 1.1e-3})
+    for (const double growth : {-1.0, 0.0, 1.1e-3}) EXPECT_FALSE(settled(change, growth));
+}
+
 TEST(MeasuredSteadyState, WhatGrowsBesideTheDriveIsNotSettled) {
   const auto driven_beside = [](double rate) {
     Trajectory motion;

@@ -10,7 +10,8 @@ Result<SampleRange> samples_between(std::span<const double> t, double rate, cons
   const auto first = from ? std::lower_bound(t.begin(), t.end(), *from - slack) : t.begin();
   const auto end = to ? std::upper_bound(t.begin(), t.end(), *to + slack) : t.end();
   if (first < end)
-    return SampleRange{static_cast<std::size_t>(first - t.begin()), static_cast<std::size_t>(end - t.begin())};
+    return SampleRange{static_cast<std::size_t>(first - t.begin()),
+                       static_cast<std::size_t>(end - t.begin())};
   const double front = t.front(), back = t.back();
   if (!to) return Error{"nothing_left_from", {{"from", *from}, {"first", front}, {"last", back}}};
   if (!from) return Error{"nothing_left_to", {{"to", *to}, {"first", front}, {"last", back}}};
