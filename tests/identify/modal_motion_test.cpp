@@ -187,6 +187,32 @@ TEST(ModalMotion, a_motion_that_begins_within_the_record_is_told_from_there) {
   EXPECT_GE(held, 162);  // 95 %, to three standard deviations
 }
 
+TEST(ModalMotion, a_late_beginning_is_found_in_noise_and_beside_a_channel_that_hardly_moves) {
+  std::vector<TrueMode> truth = three_masses();
+  for (TrueMode& mode : truth) mode.shape[0] *= 1e-3;
+  int held = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Channels channels = beginning_late(truth, 400, seed % 2 == 0, seed);
+    std::mt19937 random(seed + 100);
+    add_noise(channels, 0.1, random);
+    const ModalAnalysis found = find_modes(channels.record());
+    EXPECT_EQ(found.motion, ModalMotion::free_decay) << seed;
+    EXPECT_GE(found.still, 400u);
+    EXPECT_LE(found.still, 406u);
+    ASSERT_FALSE(found.modes.empty());
+    held += holds(found.modes[0].damping_ratio, truth[0].damping_ratio);
+  }
+  EXPECT_GE(held, 8);
+}
+
+TEST(ModalMotion, few_samples_have_no_still_beginning) {
+  Channels channels = beginning_late(two_masses(), 30, true, 1);
+  for (auto& channel : channels.values) channel.resize(48);
+  EXPECT_EQ(still_samples(channels.record()), 0u);
+  for (auto& channel : channels.values) channel.resize(20);
+  EXPECT_EQ(still_samples(channels.record()), 0u);
+}
+
 TEST(ModalMotion, what_moves_from_the_first_sample_on_keeps_all_samples) {
   // At a turning point it moves little at first; a slow swing beside a fast rate, all the more.
   const std::vector<TrueMode> slow = {{0.31, 0.01, {1.0, 0.8}}};

@@ -11,10 +11,9 @@ namespace {
 // Variances of a channel's first samples and of the others, for every number of them.
 class SplitVariance {
  public:
-  explicit SplitVariance(std::span<const double> values) : sums_{0}, squares_{0} {
-    const double origin = values.front();
+  explicit SplitVariance(std::span<const double> values) : origin_(values.front()), sums_{0}, squares_{0} {
     for (const double value : values) {
-      const double y = value - origin;
+      const double y = value - origin_;
       sums_.push_back(sums_.back() + y);
       squares_.push_back(squares_.back() + y * y);
     }
@@ -22,6 +21,15 @@ class SplitVariance {
 
   double before(std::size_t k) const { return between(0, k); }
   double after(std::size_t k) const { return between(k, sums_.size() - 1); }
+  double mean(std::size_t from, std::size_t to) const {
+    return origin_ + (sums_[to] - sums_[from]) / static_cast<double>(to - from);
+  }
+  /// Whether the mean of the first k moves on by more than noise can: so begins a swing at its turning point.
+  bool shifts_within(std::size_t k) const {
+    constexpr double most = 2.5;
+    const double noise = std::sqrt((between(0, k / 2) + between(k / 2, k)) / 2);
+    return std::abs(mean(k / 2, k) - mean(0, k / 2)) > most * noise;
+  }
 
  private:
   double between(std::size_t from, std::size_t to) const {
@@ -31,30 +39,47 @@ class SplitVariance {
     return std::max((squares_[to] - squares_[from]) / n - mean * mean, 1e-12 * squares_.back() / n);
   }
 
+  double origin_;
   std::vector<double> sums_, squares_;
 };
 
 }  // namespace
 
 std::size_t still_samples(const ModalRecord& record) {
-  constexpr std::size_t fewest = 4;
-  constexpr double quiet = 1.0 / 25;
+  constexpr std::size_t fewest = 8, fewest_moving = 40;
+  constexpr double quiet = 0.25, louder = 2;
   std::vector<SplitVariance> channels(record.channels.begin(), record.channels.end());
   const auto n = static_cast<double>(record.samples());
+  const std::size_t left = std::max(fewest_moving, record.samples() / 10);
+  const std::size_t last = std::max(left, record.samples()) - left;
   std::size_t best = 0;
   double most = 0;
-  for (std::size_t k = fewest; k <= record.samples() / 2; ++k) {
-    const bool still = std::all_of(channels.begin(), channels.end(), [&](const SplitVariance& channel) {
-      return channel.before(k) < quiet * channel.after(k);
-    });
-    if (!still) continue;
-    const auto size = static_cast<double>(k);
+  for (std::size_t k = fewest; k < last; ++k) {
+    bool still = false;
     double gain = 0;
-    for (const SplitVariance& channel : channels)
-      gain += n * std::log(channel.before(record.samples())) - size * std::log(channel.before(k)) -
-              (n - size) * std::log(channel.after(k));
-    if (gain > most) most = gain, best = k;
+    const auto size = static_cast<double>(k);
+    for (const SplitVariance& channel : channels) {
+      const double before = channel.before(k), after = channel.after(k);
+      if (before > louder * after) {
+        gain = -1;
+        break;
+      }
+      still = still || before < quiet * after;
+      gain += n * std::log(channel.before(record.samples())) - size * std::log(before) -
+              (n - size) * std::log(after);
+    }
+    if (still && gain > most) most = gain, best = k;
   }
+  if (best == 0 || std::any_of(channels.begin(), channels.end(),
+                               [&](const SplitVariance& channel) { return channel.shifts_within(best); }))
+    return 0;
+  // The variance of a motion that dies away says little about where it begins: it leaves the noise before it.
+  constexpr double leaves = 5;
+  for (std::size_t i = best; i < last; ++i)
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      if (std::abs(record.channels[c][i] - channels[c].mean(0, best)) >
+          leaves * std::sqrt(channels[c].before(best)))
+        return i;
   return best;
 }
 
