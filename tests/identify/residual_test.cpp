@@ -120,26 +120,23 @@ TEST(Residual, NothingLeftIsNoCorrelation) {
 
 // Twenty pairs at a lag, or it tells nothing.
 TEST(Residual, FewSamplesWithAGapAreWhite) {
-  for (const int samples : {20, 21}) {
+  const auto rising_with_a_gap = [](int samples) {
     std::vector<double> t, r;
     for (int i = 0; i < samples; ++i) {
       t.push_back(i < 10 ? i : i + 5);
       r.push_back(i);
     }
-    // 19 and 20 pairs less the one across the gap.
     const SampleGrid grid = find_grid(t);
-    const Residual residual = describe_residual(r, autocorrelations(r, grid, 5), grid);
+    return describe_residual(r, autocorrelations(r, grid, 5), grid);
+  };
+  for (const int samples : {20, 21}) {
+    // 19 and 20 pairs less the one across the gap.
+    const Residual residual = rising_with_a_gap(samples);
     EXPECT_TRUE(residual.white);
     EXPECT_EQ(residual.autocorrelation, 0);
     EXPECT_EQ(residual.strongest, 0);
   }
-  std::vector<double> t, r;
-  for (int i = 0; i < 22; ++i) {
-    t.push_back(i < 10 ? i : i + 5);
-    r.push_back(i);
-  }
-  const SampleGrid grid = find_grid(t);
-  const Residual residual = describe_residual(r, autocorrelations(r, grid, 5), grid);
+  const Residual residual = rising_with_a_gap(22);
   EXPECT_FALSE(residual.white);
   EXPECT_GT(residual.autocorrelation, 0.5);
   EXPECT_EQ(residual.strongest_lag, 1);

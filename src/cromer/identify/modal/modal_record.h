@@ -11,6 +11,9 @@
 
 namespace cromer::core {
 
+/// With fewer samples no modes are sought.
+inline constexpr std::size_t fewest_modal_samples = 40;
+
 /// Channels of one kind (accelerations, say) at even times.
 struct ModalRecord {
   std::vector<std::span<const double>> channels;  ///< at least one; all of one length, no NaN

@@ -46,17 +46,19 @@ class SplitVariance {
 }  // namespace
 
 std::size_t still_samples(const ModalRecord& record) {
-  constexpr std::size_t fewest = 8, fewest_moving = 40;
+  constexpr std::size_t fewest = 8;
   constexpr double quiet = 0.25, louder = 2;
   std::vector<SplitVariance> channels(record.channels.begin(), record.channels.end());
   const auto n = static_cast<double>(record.samples());
-  const std::size_t left = std::max(fewest_moving, record.samples() / 10);
+  const std::size_t left = std::max(fewest_modal_samples, record.samples() / 10);
   const std::size_t last = std::max(left, record.samples()) - left;
+  double whole = 0;
+  for (const SplitVariance& channel : channels) whole += n * std::log(channel.before(record.samples()));
   std::size_t best = 0;
   double most = 0;
   for (std::size_t k = fewest; k < last; ++k) {
     bool still = false;
-    double gain = 0;
+    double gain = whole;
     const auto size = static_cast<double>(k);
     for (const SplitVariance& channel : channels) {
       const double before = channel.before(k), after = channel.after(k);
@@ -65,8 +67,7 @@ std::size_t still_samples(const ModalRecord& record) {
         break;
       }
       still = still || before < quiet * after;
-      gain += n * std::log(channel.before(record.samples())) - size * std::log(before) -
-              (n - size) * std::log(after);
+      gain -= size * std::log(before) + (n - size) * std::log(after);
     }
     if (still && gain > most) most = gain, best = k;
   }

@@ -10,10 +10,10 @@
 namespace cromer::core {
 
 /// The samples before the motion begins: before the place at which the channels' variances most likely change
-/// (D. V. Hinkley, Biometrika 57, 1 (1970)), before the last tenth and the last 40 samples, where one channel
-/// has less than a quarter of what follows, and on to the first sample that leaves the noise before it by
-/// five standard deviations. 0 where there is no such place, fewer than eight samples, or a mean that moves
-/// on in them as at a turning point.
+/// (D. V. Hinkley, Biometrika 57, 1 (1970)), before the last tenth and the last fewest_modal_samples, where
+/// one channel has less than a quarter of what follows, and on to the first sample that leaves the noise
+/// before it by five standard deviations. 0 where there is no such place, fewer than eight samples, or a mean
+/// that moves on in them as at a turning point.
 std::size_t still_samples(const ModalRecord& record);
 
 /// Whether the samples before `first` are no part of the free motion after it, in these modes: fitted

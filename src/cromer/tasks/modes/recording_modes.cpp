@@ -214,10 +214,10 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   ModesResult result{.file = recording.file, .notices = recording.notices};
   const auto channels = moving_channels(recording, options, result.notices);
   if (!channels) return channels.error();
-  constexpr std::size_t fewest = 40;
-  if (channels->t.size() < fewest)
-    return Error{"too_few_samples_for_modes",
-                 {{"file", recording.file}, {"samples", channels->t.size()}, {"fewest", fewest}}};
+  if (channels->t.size() < fewest_modal_samples)
+    return Error{
+        "too_few_samples_for_modes",
+        {{"file", recording.file}, {"samples", channels->t.size()}, {"fewest", fewest_modal_samples}}};
   ModalRecord record;
   for (const Channel& each : channels->each) record.channels.emplace_back(each.y);
   set_times(record, channels->t);

@@ -19,8 +19,7 @@ Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& option
   if (options.from) return {};
   Channels complete = result.channels;
   leave_out_incomplete(complete);
-  constexpr std::size_t fewest = 40;
-  if (complete.t.size() < fewest) return {};
+  if (complete.t.size() < fewest_modal_samples) return {};
   ModalRecord record;
   for (const Channel& channel : complete.each) record.channels.emplace_back(channel.y);
   set_times(record, complete.t);
