@@ -22,7 +22,7 @@ double rms(const std::vector<double>& values) {
 
 // A machine of this strength, as a share of each channel's rms, whose phase wanders by so many radians in a
 // second.
-void add_machine(Channels& channels, double frequency, double share, double wander, unsigned seed) {
+void add_machine(MadeChannels& channels, double frequency, double share, double wander, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> phase(channels.values.front().size());
@@ -43,7 +43,7 @@ TEST(ModalMotion, a_machine_among_random_forces_is_a_line_and_no_mode) {
   int held = 0, found = 0;
   const int records = 20;
   for (int seed = 0; seed < records; ++seed) {
-    Channels channels = under_white_forces(truth, 15000, 0.04, static_cast<unsigned>(seed));
+    MadeChannels channels = under_white_forces(truth, 15000, 0.04, static_cast<unsigned>(seed));
     add_machine(channels, 4.2, seed % 2 ? 1.5 : 0.4, 0, 7);
     const ModalAnalysis analysis = find_modes(channels.record());
     EXPECT_EQ(analysis.motion, ModalMotion::ambient);
@@ -61,7 +61,7 @@ TEST(ModalMotion, a_machine_among_random_forces_is_a_line_and_no_mode) {
 
 TEST(ModalMotion, a_machine_on_a_mode_leaves_the_mode) {
   for (unsigned seed = 0; seed < 5; ++seed) {
-    Channels channels = under_white_forces(three_masses(), 15000, 0.04, seed);
+    MadeChannels channels = under_white_forces(three_masses(), 15000, 0.04, seed);
     add_machine(channels, 5.2, 1, 0, 7);
     const ModalAnalysis analysis = find_modes(channels.record());
     EXPECT_EQ(analysis.motion, ModalMotion::ambient);
@@ -79,7 +79,7 @@ TEST(ModalMotion, random_forces_alone_show_no_line) {
 }
 
 TEST(ModalMotion, a_decay_beside_a_machine_is_still_a_decay) {
-  Channels channels = let_go(two_masses(), {1, 0.5}, 1200, 0.05, 0.01, 1);
+  MadeChannels channels = let_go(two_masses(), {1, 0.5}, 1200, 0.05, 0.01, 1);
   add_machine(channels, 3, 0.3, 0, 1);
   const ModalAnalysis analysis = find_modes(channels.record());
   EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
@@ -118,7 +118,7 @@ TEST(ModalMotion, growth_is_told_from_decay) {
 }
 
 TEST(ModalMotion, a_free_body_that_drifts_away_hides_no_mode) {
-  Channels channels = let_go(two_masses(), {0.1, 0.05}, 800, 0.05, 0.02, 3);
+  MadeChannels channels = let_go(two_masses(), {0.1, 0.05}, 800, 0.05, 0.02, 3);
   for (auto& channel : channels.values)
     for (std::size_t i = 0; i < channel.size(); ++i) channel[i] += 3 + 0.01 * static_cast<double>(i);
   const ModalAnalysis analysis = find_modes(channels.record());
@@ -155,11 +155,11 @@ TEST(ModalMotion, a_mode_that_is_not_reported_does_not_widen_the_others) {
 }
 
 // At rest until a hit, or held where it is let go.
-Channels beginning_late(std::vector<TrueMode> modes, std::size_t still, bool hit, unsigned seed) {
+MadeChannels beginning_late(std::vector<TrueMode> modes, std::size_t still, bool hit, unsigned seed) {
   if (hit)
     for (TrueMode& mode : modes)
       for (std::complex<double>& each : mode.shape) each *= std::complex<double>(0, -1);  // a quarter later
-  Channels channels = let_go(modes, {1, 0.5, 0.3}, 1500, 0.02, 0, 0);
+  MadeChannels channels = let_go(modes, {1, 0.5, 0.3}, 1500, 0.02, 0, 0);
   for (auto& channel : channels.values) channel.insert(channel.begin(), still, hit ? 0 : channel.front());
   std::mt19937 random(seed);
   add_noise(channels, 0.01, random);
@@ -192,7 +192,7 @@ TEST(ModalMotion, a_late_beginning_is_found_in_noise_and_beside_a_channel_that_h
   for (TrueMode& mode : truth) mode.shape[0] *= 1e-3;
   int held = 0;
   for (unsigned seed = 0; seed < 10; ++seed) {
-    Channels channels = beginning_late(truth, 400, seed % 2 == 0, seed);
+    MadeChannels channels = beginning_late(truth, 400, seed % 2 == 0, seed);
     std::mt19937 random(seed + 100);
     add_noise(channels, 0.1, random);
     const ModalAnalysis found = find_modes(channels.record());
@@ -206,7 +206,7 @@ TEST(ModalMotion, a_late_beginning_is_found_in_noise_and_beside_a_channel_that_h
 }
 
 TEST(ModalMotion, few_samples_have_no_still_beginning) {
-  Channels channels = beginning_late(two_masses(), 30, true, 1);
+  MadeChannels channels = beginning_late(two_masses(), 30, true, 1);
   for (auto& channel : channels.values) channel.resize(48);
   EXPECT_EQ(still_samples(channels.record()), 0u);
   for (auto& channel : channels.values) channel.resize(20);
@@ -224,7 +224,7 @@ TEST(ModalMotion, what_moves_from_the_first_sample_on_keeps_all_samples) {
 }
 
 TEST(ModalMotion, gaps_stay_where_they_are_behind_a_still_beginning) {
-  const Channels channels = let_go(two_masses(), {1, 1}, 100, 0.02, 0, 0);
+  const MadeChannels channels = let_go(two_masses(), {1, 1}, 100, 0.02, 0, 0);
   ModalRecord record = channels.record();
   record.starts = {0, 10, 30, 60};
   for (std::size_t i = 0; i < 100; ++i) record.times.push_back(0.02 * static_cast<double>(i) + 5);

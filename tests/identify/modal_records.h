@@ -22,7 +22,7 @@ struct TrueMode {
   }
 };
 
-struct Channels {
+struct MadeChannels {
   std::vector<std::vector<double>> values;
   double step = 1;
 
@@ -37,7 +37,7 @@ struct Channels {
 // Two equal masses between three springs, the middle one weaker; unit masses.
 inline std::vector<TrueMode> two_masses() { return {{1.6, 0.006, {1.0, 1.0}}, {4.5, 0.012, {-1.0, 1.0}}}; }
 
-inline void add_noise(Channels& channels, double share, std::mt19937& random) {
+inline void add_noise(MadeChannels& channels, double share, std::mt19937& random) {
   std::normal_distribution<double> normal;
   for (auto& channel : channels.values) {
     double square = 0;
@@ -48,11 +48,11 @@ inline void add_noise(Channels& channels, double share, std::mt19937& random) {
 
 // Accelerations under white forces that are held over each step: exact. Of modes with real, orthogonal
 // shapes.
-inline Channels under_white_forces(const std::vector<TrueMode>& modes, std::size_t samples, double step,
-                                   unsigned seed) {
+inline MadeChannels under_white_forces(const std::vector<TrueMode>& modes, std::size_t samples, double step,
+                                       unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Channels channels{
+  MadeChannels channels{
       std::vector<std::vector<double>>(modes.front().shape.size(), std::vector<double>(samples)), step};
   for (const TrueMode& mode : modes) {
     const std::complex<double> value = mode.eigenvalue(), turn = std::exp(value * step),
@@ -72,10 +72,10 @@ inline Channels under_white_forces(const std::vector<TrueMode>& modes, std::size
   return channels;
 }
 
-inline Channels let_go(const std::vector<TrueMode>& modes, const std::vector<double>& amplitudes,
-                       std::size_t samples, double step, double noise, unsigned seed) {
+inline MadeChannels let_go(const std::vector<TrueMode>& modes, const std::vector<double>& amplitudes,
+                           std::size_t samples, double step, double noise, unsigned seed) {
   std::mt19937 random(seed);
-  Channels channels{
+  MadeChannels channels{
       std::vector<std::vector<double>>(modes.front().shape.size(), std::vector<double>(samples)), step};
   for (std::size_t j = 0; j < modes.size(); ++j)
     for (std::size_t i = 0; i < samples; ++i) {

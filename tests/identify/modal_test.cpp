@@ -21,9 +21,9 @@ namespace cromer::core {
 namespace {
 
 // A recording of ../shared/data/networks: its channels, without the times; empty if it is not there.
-Channels shared_recording(const std::string& name) {
+MadeChannels shared_recording(const std::string& name) {
   std::ifstream file(CROMER_SOURCE_DIR "/../shared/data/networks/" + name);
-  Channels channels;
+  MadeChannels channels;
   std::string line;
   std::getline(file, line);
   std::vector<double> times;
@@ -60,7 +60,7 @@ TEST(Modal, modal_assurance_is_one_for_the_same_shape_turned_and_nought_for_an_o
 }
 
 TEST(Modal, correlations_of_blocks_are_those_of_the_whole_and_none_spans_a_gap) {
-  const Channels channels = under_white_forces(two_masses(), 500, 0.05, 3);
+  const MadeChannels channels = under_white_forces(two_masses(), 500, 0.05, 3);
   ModalRecord record = channels.record();
   record.starts = {0, 200};
   const ScaledChannels scaled = scale_channels(record);
@@ -81,7 +81,7 @@ TEST(Modal, correlations_of_blocks_are_those_of_the_whole_and_none_spans_a_gap) 
 
 // The derivative that the intervals rest on, against a difference.
 TEST(Modal, derivatives_of_poles_and_shapes_are_those_of_differences) {
-  const Channels channels = under_white_forces(two_masses(), 4000, 0.0625, 5);
+  const MadeChannels channels = under_white_forces(two_masses(), 4000, 0.0625, 5);
   const ModalRecord record = channels.record();
   const ScaledChannels scaled = scale_channels(record);
   const int rows = 12, order = 8;
@@ -126,7 +126,7 @@ TEST(Modal, two_masses_under_random_forces_have_their_modes_in_the_intervals) {
   const std::vector<TrueMode> truth = two_masses();
   int records = 40, frequencies = 0, dampings = 0, found = 0;
   for (int seed = 0; seed < records; ++seed) {
-    const Channels channels = under_white_forces(truth, 6000, 0.0625, static_cast<unsigned>(100 + seed));
+    const MadeChannels channels = under_white_forces(truth, 6000, 0.0625, static_cast<unsigned>(100 + seed));
     const ModalAnalysis analysis = find_modes(channels.record());
     EXPECT_EQ(analysis.motion, ModalMotion::ambient);
     EXPECT_LE(analysis.modes.size(), truth.size());
@@ -146,8 +146,8 @@ TEST(Modal, two_masses_under_random_forces_have_their_modes_in_the_intervals) {
 }
 
 TEST(Modal, intervals_narrow_as_the_root_of_the_length) {
-  const Channels brief = under_white_forces(two_masses(), 8000, 0.0625, 8),
-                 longer = under_white_forces(two_masses(), 128000, 0.0625, 8);
+  const MadeChannels brief = under_white_forces(two_masses(), 8000, 0.0625, 8),
+                     longer = under_white_forces(two_masses(), 128000, 0.0625, 8);
   const auto short_modes = find_modes(brief.record()).modes, long_modes = find_modes(longer.record()).modes;
   ASSERT_EQ(short_modes.size(), 2u);
   ASSERT_EQ(long_modes.size(), 2u);
@@ -158,7 +158,7 @@ TEST(Modal, noise_has_no_modes) {
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
   for (int run = 0; run < 6; ++run) {
-    Channels channels{std::vector<std::vector<double>>(3, std::vector<double>(8000)), 0.05};
+    MadeChannels channels{std::vector<std::vector<double>>(3, std::vector<double>(8000)), 0.05};
     for (auto& channel : channels.values) {
       double walk = 0;
       for (double& each : channel) {
@@ -171,7 +171,7 @@ TEST(Modal, noise_has_no_modes) {
 }
 
 TEST(Modal, a_gap_costs_its_samples_and_no_more) {
-  Channels channels = under_white_forces(two_masses(), 12000, 0.0625, 12);
+  MadeChannels channels = under_white_forces(two_masses(), 12000, 0.0625, 12);
   for (auto& channel : channels.values) channel.erase(channel.begin() + 5000, channel.begin() + 5777);
   ModalRecord record = channels.record();
   record.starts = {0, 5000};
@@ -182,7 +182,7 @@ TEST(Modal, a_gap_costs_its_samples_and_no_more) {
 }
 
 TEST(Modal, one_channel_gives_frequencies_and_dampings) {
-  const Channels channels = under_white_forces(two_masses(), 12000, 0.0625, 13);
+  const MadeChannels channels = under_white_forces(two_masses(), 12000, 0.0625, 13);
   ModalRecord record = channels.record();
   record.channels.resize(1);
   const auto modes = find_modes(record).modes;
@@ -192,12 +192,12 @@ TEST(Modal, one_channel_gives_frequencies_and_dampings) {
 }
 
 TEST(Modal, a_record_too_short_says_so) {
-  const Channels channels = under_white_forces(two_masses(), 30, 0.0625, 14);
+  const MadeChannels channels = under_white_forces(two_masses(), 30, 0.0625, 14);
   EXPECT_EQ(find_modes(channels.record()).highest_order, 0);
 }
 
 TEST(Modal, only_modes_between_the_frequencies_are_given_and_no_more_than_asked) {
-  const Channels channels = under_white_forces(two_masses(), 12000, 0.0625, 15);
+  const MadeChannels channels = under_white_forces(two_masses(), 12000, 0.0625, 15);
   const auto above = find_modes(channels.record(), {.from = 3}).modes;
   ASSERT_EQ(above.size(), 1u);
   EXPECT_NEAR(above[0].frequency.value, 4.5, 0.05);
@@ -213,7 +213,7 @@ TEST(Modal, a_free_decay_is_known_as_one_and_its_modes_are_in_the_intervals) {
   int frequencies = 0, dampings = 0, found = 0;
   const int records = 12;
   for (int seed = 0; seed < records; ++seed) {
-    const Channels channels = let_go(truth, {0.07, 0.06}, 2400, 0.05, 0.05, static_cast<unsigned>(seed));
+    const MadeChannels channels = let_go(truth, {0.07, 0.06}, 2400, 0.05, 0.05, static_cast<unsigned>(seed));
     const ModalAnalysis analysis = find_modes(channels.record());
     EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
     if (analysis.modes.size() != 2) continue;
@@ -247,7 +247,7 @@ TEST(Modal, one_swing_with_drag_is_one_mode) {
 
 TEST(Modal, an_exact_decay_is_found_to_rounding) {
   const std::vector<TrueMode> truth{{1.0, 0.01, {1.0, {0.5, 0.1}}}, {2.7, 0.02, {-0.6, 1.0}}};
-  const Channels channels = let_go(truth, {1, 0.4}, 1000, 0.04, 0, 1);
+  const MadeChannels channels = let_go(truth, {1, 0.4}, 1000, 0.04, 0, 1);
   const auto modes = find_modes(channels.record()).modes;
   ASSERT_EQ(modes.size(), 2u);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -260,7 +260,7 @@ TEST(Modal, an_exact_decay_is_found_to_rounding) {
 
 // truth.json beside the recordings.
 TEST(Modal, shear_frame) {
-  const Channels channels = shared_recording("shear_frame.csv");
+  const MadeChannels channels = shared_recording("shear_frame.csv");
   if (channels.values.empty()) GTEST_SKIP() << "no ../shared/data";
   const std::vector<TrueMode> truth{{1.7475031075332073,
                                      0.006485584416009495,
@@ -304,7 +304,7 @@ TEST(Modal, shear_frame) {
 }
 
 TEST(Modal, coupled_pendulums) {
-  const Channels channels = shared_recording("coupled_pendulums.csv");
+  const MadeChannels channels = shared_recording("coupled_pendulums.csv");
   if (channels.values.empty()) GTEST_SKIP() << "no ../shared/data";
   const ModalAnalysis analysis = find_modes(channels.record());
   EXPECT_EQ(analysis.motion, ModalMotion::free_decay);
