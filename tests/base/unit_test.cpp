@@ -52,8 +52,9 @@ TEST(ParseUnit, EverySymbolIsWhatTheSiSays) {
                          Row{"°", pi / 180, angle, false},
                          Row{"in", 0.0254, length, false},
                          Row{"ft", 0.3048, length, false},
-                         Row{"Gal", 0.01, acceleration, false},
+                         Row{"Gal", 0.01, acceleration, true},
                          Row{"gal", 0.01, acceleration, false},
+                         Row{"gn", 9.80665, acceleration, false},
                          Row{"%", 0.01, none, false},
                          Row{"1", 1, none, false}}) {
     expect(row.text, row.factor, row.dimension);
@@ -145,6 +146,8 @@ TEST(ParseUnit, GramOrGravityIsWhatWasExpected) {
   EXPECT_EQ(parse_unit("g", &mass)->factor, 1e-3);
   EXPECT_EQ(parse_unit("mg", &acceleration)->factor, 1e-3 * 9.80665);
   EXPECT_EQ(parse_unit("µg", &acceleration)->factor, 1e-6 * 9.80665);
+  EXPECT_EQ(parse_unit("%g", &acceleration)->factor, 0.01 * 9.80665);
+  EXPECT_FALSE(parse_unit("%g", &mass).ok());
   EXPECT_EQ(parse_unit("mg", &mass)->factor, 1e-6);
   EXPECT_EQ(parse_unit("kg", &acceleration)->dimension, mass);
   EXPECT_EQ(parse_unit("mg")->dimension, mass);

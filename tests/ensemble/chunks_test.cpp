@@ -101,6 +101,9 @@ TEST(Chunks, in_memory_are_two_a_thread_however_slow_the_sink) {
   work.make = [&](std::uint64_t, double*, const Watch&) { return ++begun, true; };
   const auto end = make_chunks(work, all_chunks(work), 2,
                                [&](std::uint64_t, const double*) -> Result<void> {
+                                 // Another is begun at once where memory is left, on a busy machine later.
+                                 for (int wait = 0; wait < 1000 && most < 2 && begun - taken < 2; ++wait)
+                                   std::this_thread::sleep_for(std::chrono::milliseconds(5));
                                  std::this_thread::sleep_for(std::chrono::milliseconds(5));
                                  most = std::max(most, begun - taken++);
                                  return {};

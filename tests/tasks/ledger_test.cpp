@@ -92,7 +92,8 @@ std::string forced_swing(const ForcedTruth& truth, bool hold = false) {
   const auto acting = multisine(20, 3);
   std::vector<double> samples;
   for (int i = 0; i < 1000; ++i) samples.push_back(acting(0.02 * i));
-  const ForcedSynthetic record = forced_synthetic(truth, read_between(samples, 0.02, hold), 1000, 0.02, 1e-3, 4);
+  const ForcedSynthetic record =
+      forced_synthetic(truth, read_between(samples, 0.02, hold), 1000, 0.02, 1e-3, 4);
   return file_of(record.t, {record.y, record.force}, "Time (s),Position (m),Force (N)");
 }
 
@@ -153,7 +154,8 @@ std::vector<Case> free_cases() {
       {"viscous, growing", free_swing(swing(1, -0.05, 0.02))},
       {"viscous, velocities", free_swing(plain, 1e-3, usual, "Time (s),Velocity (m/s)", 1), lab},
       {"viscous, accelerations", free_swing(plain, 1e-2, usual, "Time (s),Acceleration (m/s^2)", 2)},
-      {"viscous, uneven times", free_swing(plain, 2e-4, some_of(usual, [](std::size_t i) { return i % 7 < 4; }))},
+      {"viscous, uneven times",
+       free_swing(plain, 2e-4, some_of(usual, [](std::size_t i) { return i % 7 < 4; }))},
       {"viscous, two gaps",
        free_swing(plain, 2e-4, some_of(usual, [](std::size_t i) { return i % 400 > 60; }))},
       {"drag", free_swing(with("viscous+drag", 1.5)), lab},
@@ -166,12 +168,13 @@ std::vector<Case> free_cases() {
       {"quadratic", free_swing(with("viscous+quadratic", 60))},
       {"odd quadratic", free_swing(with("viscous+odd-quadratic", 40))},
       {"quintic", free_swing(with("viscous+quintic", 2e4))},
-      {"pendulum",
-       free_swing(pendulum, 2e-3, usual, "Time (s),Angle (rad)")},
+      {"pendulum", free_swing(pendulum, 2e-3, usual, "Time (s),Angle (rad)")},
       {"two modes",
        changed_swing([&](double t, double x) { return x + 0.05 * decayed(0.02, t) * std::cos(7.1 * t); })},
-      {"with a quiet overtone", changed_swing([](double t, double x) { return x + 5e-4 * std::sin(31 * t); })},
-      {"outliers", changed_swing([](double t, double x) { return std::fmod(t, 3.1) < 0.019 ? x + 0.07 : x; })},
+      {"with a quiet overtone",
+       changed_swing([](double t, double x) { return x + 5e-4 * std::sin(31 * t); })},
+      {"outliers",
+       changed_swing([](double t, double x) { return std::fmod(t, 3.1) < 0.019 ? x + 0.07 : x; })},
       {"clipped", changed_swing([](double, double x) { return std::min(x, 0.07); })},
       {"coarse", changed_swing([](double, double x) { return 0.005 * std::round(x / 0.005); })},
       {"drifting", changed_swing([](double t, double x) { return x + 0.001 * t; })},
@@ -186,18 +189,20 @@ std::vector<Case> free_cases() {
          double at = 0;
          return changed_swing([&](double, double x) { return x + (at = 0.9 * at + normal(engine)); });
        }()},
-      {"noise alone", changed_swing([](double, double x) { return x; }, swing(1, 0.03, 0), even_times(400, 0.02))},
+      {"noise alone",
+       changed_swing([](double, double x) { return x; }, swing(1, 0.03, 0), even_times(400, 0.02))},
       {"a straight line", changed_swing([](double t, double x) { return 0.3 * t + 1e-3 * x; })},
-      {"two runs",
-       "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n" + [] {
-         std::string rows;
-         for (int i = 0; i < 500; ++i) {
-           const double t = 0.02 * i;
-           rows += fmt::format("{0:.2f},{1:.4f},{0:.2f},{2:.4f}\n", t, 0.3 * std::exp(-0.05 * t) * std::cos(6 * t),
-                               0.2 * std::exp(-0.08 * t) * std::sin(4.5 * t));
-         }
-         return rows;
-       }()},
+      {"two runs", "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n" +
+                       [] {
+                         std::string rows;
+                         for (int i = 0; i < 500; ++i) {
+                           const double t = 0.02 * i;
+                           rows += fmt::format("{0:.2f},{1:.4f},{0:.2f},{2:.4f}\n", t,
+                                               0.3 * std::exp(-0.05 * t) * std::cos(6 * t),
+                                               0.2 * std::exp(-0.08 * t) * std::sin(4.5 * t));
+                         }
+                         return rows;
+                       }()},
   };
 }
 
@@ -236,8 +241,10 @@ std::string codes_of(const std::vector<Notice>& notices) {
   for (const Notice& each : notices) {
     codes += "  notice " + each.code;
     for (const NoticeValue& value : each.values) {
-      if (const auto* number = std::get_if<double>(&value.value)) codes += fmt::format(" {}={:.5g}", value.name, *number);
-      if (const auto* count = std::get_if<long long>(&value.value)) codes += fmt::format(" {}={}", value.name, *count);
+      if (const auto* number = std::get_if<double>(&value.value))
+        codes += fmt::format(" {}={:.5g}", value.name, *number);
+      if (const auto* count = std::get_if<long long>(&value.value))
+        codes += fmt::format(" {}={}", value.name, *count);
     }
     codes += "\n";
   }
@@ -245,28 +252,32 @@ std::string codes_of(const std::vector<Notice>& notices) {
 }
 
 std::string entry_of(const FittedRecording& fitted) {
-  std::string text = fmt::format("  {}, {} of {} samples, law {}, {} iterations, rms {:.7g}, lag {:.5g}\n", fitted.status(),
-                                 fitted.used(), fitted.samples, to_text(fitted.fit.law), fitted.fit.iterations,
-                                 fitted.fit.residual.rms, fitted.fit.residual.autocorrelation);
+  std::string text =
+      fmt::format("  {}, {} of {} samples, law {}, {} iterations, rms {:.7g}, lag {:.5g}\n", fitted.status(),
+                  fitted.used(), fitted.samples, to_text(fitted.fit.law), fitted.fit.iterations,
+                  fitted.fit.residual.rms, fitted.fit.residual.autocorrelation);
   if (!fitted.fit.message.empty()) text += codes_of(std::vector<Notice>{fitted.fit.message});
   for (const Parameter& each : fitted.parameters) text += line_of("found", each.name, each.estimate);
   for (const Parameter& each : fitted.derived) text += line_of("derived", each.name, each.estimate);
   for (const Candidate& each : fitted.candidates)
-    text += fmt::format("  candidate {} {:.4g} {:.6g} {}\n", to_text(each.law), each.rms, each.bic, each.between_samples);
+    text += fmt::format("  candidate {} {:.4g} {:.6g} {}\n", to_text(each.law), each.rms, each.bic,
+                        each.between_samples);
   for (const DecaySegment& each : fitted.segments)
     text += line_of("segment", fmt::format("{:.6g} to {:.6g}", each.from, each.to), each.rate);
   if (fitted.decay_rate_mean) text += line_of("segments", "mean", *fitted.decay_rate_mean);
   for (const AmplitudeRate& each : fitted.decay_by_amplitude)
     text += line_of("at", fmt::format("{:.5g} law {:.5g}", each.amplitude, each.law_rate), each.rate);
-  if (fitted.reynolds_max) text += line_of("Reynolds", fmt::format("at {:.5g}", fitted.reynolds_max_t), *fitted.reynolds_max);
+  if (fitted.reynolds_max)
+    text += line_of("Reynolds", fmt::format("at {:.5g}", fitted.reynolds_max_t), *fitted.reynolds_max);
   if (fitted.keulegan_carpenter) text += line_of("Keulegan", "Carpenter", *fitted.keulegan_carpenter);
-  for (const Contribution& each : fitted.stiffness_budget) text += fmt::format("  budget {} {:.6g}\n", each.quantity, each.share);
+  for (const Contribution& each : fitted.stiffness_budget)
+    text += fmt::format("  budget {} {:.6g}\n", each.quantity, each.share);
   for (const Mode& each : fitted.modes)
     text += line_of("mode", "frequency", each.angular_frequency) + line_of("mode", "decay", each.decay_rate) +
             fmt::format("  mode amplitude {:.6g} ~ {:.5g}\n", each.amplitude, each.amplitude_error);
   if (fitted.held_out)
-    text += fmt::format("  held out {} from {:.5g} to {:.5g}: {:.6g}\n", fitted.held_out->samples, fitted.held_out->from,
-                        fitted.held_out->to, fitted.held_out->rms);
+    text += fmt::format("  held out {} from {:.5g} to {:.5g}: {:.6g}\n", fitted.held_out->samples,
+                        fitted.held_out->from, fitted.held_out->to, fitted.held_out->rms);
   return text + codes_of(fitted.notices);
 }
 
@@ -289,7 +300,8 @@ struct ModesCase {
 };
 
 std::vector<ModesCase> modes_cases() {
-  const std::vector<TrueMode> three{{1.1, 0.01, {0.5, 0.8, 1.0}}, {3.2, 0.015, {1.0, 0.5, -0.8}}, {4.6, 0.02, {0.8, -1.0, 0.4}}};
+  const std::vector<TrueMode> three{
+      {1.1, 0.01, {0.5, 0.8, 1.0}}, {3.2, 0.015, {1.0, 0.5, -0.8}}, {4.6, 0.02, {0.8, -1.0, 0.4}}};
   const std::vector<TrueMode> near{{0.70, 0.003, {1.0, 1.0}}, {0.73, 0.003, {1.0, -1.0}}};
   ModesOptions some;
   some.modes = 1;
@@ -305,14 +317,17 @@ std::vector<ModesCase> modes_cases() {
   return {
       {"two masses under random forces", under_white_forces(two_masses(), 6000, 0.05, 1)},
       {"three masses under random forces", under_white_forces(three, 9000, 0.04, 2)},
-      {"three masses, between two frequencies", under_white_forces(three, 6000, 0.04, 3), "Acceleration {} (m/s^2)", between},
+      {"three masses, between two frequencies", under_white_forces(three, 6000, 0.04, 3),
+       "Acceleration {} (m/s^2)", between},
       {"a short record of random forces", under_white_forces(two_masses(), 800, 0.05, 4)},
       {"two masses let go", let_go(two_masses(), {0.3, 0.1}, 800, 0.05, 0.01, 3)},
       {"two masses let go, noisy", let_go(two_masses(), {0.3, 0.1}, 800, 0.05, 0.2, 3)},
-      {"three masses let go, one mode", let_go(three, {0.3, 0.1, 0.05}, 900, 0.04, 0.02, 5), "Position {} (m)", some},
+      {"three masses let go, one mode", let_go(three, {0.3, 0.1, 0.05}, 900, 0.04, 0.02, 5),
+       "Position {} (m)", some},
       {"pendulums let go", let_go(near, {0.05, 0.04}, 1500, 0.05, 0.01, 6), angle},
       {"pendulums let go late", late, angle},
-      {"simulated by average acceleration", let_go(near, {0.05, 0.04}, 1500, 0.05, 0.001, 7), angle, simulated},
+      {"simulated by average acceleration", let_go(near, {0.05, 0.04}, 1500, 0.05, 0.001, 7), angle,
+       simulated},
   };
 }
 
@@ -328,12 +343,14 @@ std::string entry_of(const ModesCase& each) {
   if (!found) return text + codes_of(std::vector<Notice>{found.error().notice});
   if (!found->ok()) text += codes_of(std::vector<Notice>{found->message});
   for (const NaturalMode& mode : found->modes) {
-    text += line_of("mode", "frequency", mode.frequency) + line_of("mode", "damping ratio", mode.damping_ratio);
+    text +=
+        line_of("mode", "frequency", mode.frequency) + line_of("mode", "damping ratio", mode.damping_ratio);
     for (std::size_t i = 0; i < mode.shape.size(); ++i)
       text += line_of("shape", "real", {mode.shape[i].real(), mode.shape_error[i].real()}) +
               line_of("shape", "imaginary", {mode.shape[i].imag(), mode.shape_error[i].imag()});
     for (const ModeByMethod& by : mode.methods)
-      text += fmt::format("  by {}: {:.7g} {:.7g}\n", by.method, by.frequency().value_or(0), by.damping_ratio().value_or(0));
+      text += fmt::format("  by {}: {:.7g} {:.7g}\n", by.method, by.frequency().value_or(0),
+                          by.damping_ratio().value_or(0));
   }
   if (found->recording) text += codes_of(std::vector<Notice>{found->recording->words});
   return text + codes_of(found->notices);
@@ -391,12 +408,14 @@ std::string said_before(const std::string& name) {
 void expect_as_before(const std::string& name, const std::string& entry) {
   if (std::getenv("CROMER_WRITE_LEDGER")) {
     const bool is_first = name == free_cases().front().name;
-    std::ofstream(ledger_file, is_first ? std::ios::trunc : std::ios::app) << (is_first ? title : "") << "\n" << entry;
+    std::ofstream(ledger_file, is_first ? std::ios::trunc : std::ios::app) << (is_first ? title : "") << "\n"
+                                                                           << entry;
     return;
   }
   std::istringstream then(said_before(name)), now(entry);
   for (std::string one, other;;) {
-    const bool more = static_cast<bool>(std::getline(then, one)), more_now = static_cast<bool>(std::getline(now, other));
+    const bool more = static_cast<bool>(std::getline(then, one)),
+               more_now = static_cast<bool>(std::getline(now, other));
     if (!more && !more_now) break;
     ASSERT_TRUE(more && more_now && same_entry(one, other)) << name << "\nthen " << one << "\nnow  " << other;
   }

@@ -72,8 +72,9 @@ constexpr std::array symbols{
     Symbol{"°", degree, {0, 0, 0, 0, 0, 1}},
     Symbol{"in", 0.0254, {0, 1}},
     Symbol{"ft", 0.3048, {0, 1}},
-    Symbol{"Gal", 1e-2, acceleration},
+    Symbol{"Gal", 1e-2, acceleration, true},
     Symbol{"gal", 1e-2, acceleration},  // as seismologists write it
+    Symbol{"gn", gravity, acceleration},
     Symbol{"%", 0.01, none},
     Symbol{"1", 1, none},
     Symbol{"°C", 1, {0, 0, 0, 1}},
@@ -97,6 +98,12 @@ std::optional<double> prefix_factor(std::string_view text) {
   for (const Prefix& prefix : prefixes)
     if (prefix.text == text) return prefix.factor;
   return std::nullopt;
+}
+
+/// Of what stands before the g of gravity: a prefix below 1, or a percent sign.
+std::optional<double> part_of_gravity(std::string_view text) {
+  const auto factor = text == "%" ? std::optional(0.01) : prefix_factor(text);
+  return factor && *factor <= 1 ? factor : std::nullopt;
 }
 
 std::optional<Symbol> find_symbol(std::string_view text) {
@@ -205,8 +212,7 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   reader.skip_blanks();
   while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);
   if (expected && *expected == acceleration && reader.rest.ends_with('g'))
-    if (const auto factor = prefix_factor(reader.rest.substr(0, reader.rest.size() - 1));
-        factor && *factor <= 1)
+    if (const auto factor = part_of_gravity(reader.rest.substr(0, reader.rest.size() - 1)))
       return Unit{*factor * gravity, 0, acceleration};
   // A tonne where a mass is asked for: elsewhere "t" is a time without a unit.
   constexpr Dimension mass{1};
