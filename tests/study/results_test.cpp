@@ -54,14 +54,14 @@ TEST(Results, AreADocument) {
   EXPECT_EQ(document, nlohmann::json::parse(
                           R"({"a.label": "rk4", "a.k": {"value": 4.0, "standard_error": 0.5, "unit": "N/m"},
                               "a.x": {"value": 2.0, "unit": "m"}})"));
-  const Notice careful{"points_not_settled", {{"points", 1}, {"all", 4}}};
+  const Notice careful{"points_ran_away", {{"points", 1}, {"all", 4}}};
   const Notice interrupted{"task_interrupted"};
   WrittenReport report{"", {"f.svg"}, {careful}, {interrupted}, {}};
   EXPECT_EQ(nlohmann::json::parse(to_json(report)),
             nlohmann::json::parse(
-                R"({"index": null, "figures": ["f.svg"], "warnings": ["1 of 4 points never settled"],
-              "notices": [{"code": "points_not_settled", "severity": "worth_knowing",
-                           "text": "1 of 4 points never settled", "values": {"points": 1, "all": 4}}],
+                R"({"index": null, "figures": ["f.svg"], "warnings": ["1 of 4 points ran away"],
+              "notices": [{"code": "points_ran_away", "severity": "worth_knowing",
+                           "text": "1 of 4 points ran away", "values": {"points": 1, "all": 4}}],
               "shown": ["interrupted"]})"));
   report.index = "index.html";
   report.failure = interrupted;

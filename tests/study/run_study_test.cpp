@@ -184,7 +184,9 @@ TEST(RunStudy, SweepsTakeListsAsGrids) {
                                 "motion stays; give --damping"));
   const StudyRun half = done(sweep + "damping = [0, 1]\ndrive_frequency = [0.5, 2]\n");
   EXPECT_TRUE(half.failure.empty());
-  EXPECT_THAT(in_words(half.notices), testing::Contains("grid: 2 of 4 points never settled"));
+  EXPECT_THAT(in_words(half.notices),
+              testing::Contains(
+                  "grid: 2 of 4 points never settled; --settle N measures them as they are after N cycles"));
   EXPECT_EQ(fact(half.results, "grid.not_settled"), "2");
 }
 

@@ -185,8 +185,10 @@ constexpr Entry entries[] = {
     {"settling_leaves", clause, "settling leaves {left:.6g}, or ",
      "das Einschwingen lässt {left:.6g} übrig, oder "},
     {"points_in_trouble", error, "{points}", "{points}"},
-    {"points_not_settled", worth_knowing, "{points} of {all} points never settled",
-     "{points} von {all} Punkten schwingen sich nie ein"},
+    {"points_not_settled", worth_knowing,
+     "{points} of {all} points never settled; {--settle} N measures them as they are after N cycles",
+     "{points} von {all} Punkten schwingen sich nie ein; {--settle} N misst sie, wie sie nach N Perioden "
+     "sind"},
     {"points_not_settled_undamped", worth_knowing,
      "{points} of {all} points never settled: the law has no damping, so the free motion stays; give "
      "{--damping}",
