@@ -77,6 +77,33 @@ TEST(GroundPath, TurnsBetweenSamplesCount) {
   EXPECT_NEAR(there.peak_displacement, 2.0 / 3, 1e-14);  // at 2, between the samples
 }
 
+// The displacement turns where the velocity is 0: at the root that a held or a falling acceleration has.
+TEST(GroundPath, TurnsAtEitherRootOfItsVelocity) {
+  for (const double sign : {1.0, -1.0}) {
+    // Held: v = 1 - 2 t from 0.5 m on.
+    const std::vector<double> held{sign, -2 * sign, sign};
+    const GroundPath steps = ground_path(held, 1, BetweenSamples::hold);
+    EXPECT_NEAR(steps.peak_displacement, 0.75, 1e-14);
+    EXPECT_NEAR(steps.peak_velocity, 1, 1e-14);
+    EXPECT_NEAR(steps.displacement[2], 0.5 * sign, 1e-14);
+    EXPECT_NEAR(steps.velocity[2], -sign, 1e-14);
+    // Joined: v = 2 t - 1.5 t^2, then 0.5 - t - t^2/2, 0 at sqrt(2) - 1.
+    const std::vector<double> joined{2 * sign, -sign, -2 * sign};
+    const GroundPath lines = ground_path(joined, 1, BetweenSamples::linear);
+    const double t = std::sqrt(2.0) - 1;
+    EXPECT_NEAR(lines.peak_displacement, 0.5 + t * (0.5 + t * (-0.5 - t / 6)), 1e-14);
+    EXPECT_NEAR(lines.peak_velocity, 1, 1e-14) << "at the end";
+    EXPECT_NEAR(lines.displacement[2], sign / 3, 1e-14);
+    EXPECT_NEAR(lines.velocity[2], -sign, 1e-14);
+    // Joined: v = 1 + t - 3 t^2 in the second interval, 0 at (1 + sqrt(13))/6.
+    const std::vector<double> falling{sign, sign, -5 * sign};
+    const double u = (1 + std::sqrt(13.0)) / 6;
+    const GroundPath fall = ground_path(falling, 1, BetweenSamples::linear);
+    EXPECT_NEAR(fall.peak_displacement, 0.5 + u * (1 + u * (0.5 - u)), 1e-14);
+    EXPECT_NEAR(fall.peak_velocity, 1 + 1.0 / 12, 1e-14) << "1 + t - 3 t^2 at 1/6";
+  }
+}
+
 TEST(GroundPath, IsThatOfAFineSum) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;

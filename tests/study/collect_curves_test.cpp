@@ -102,8 +102,12 @@ TEST(CollectWorkPrecision, FindsTheWorkForAMillionth) {
   const WorkPrecisionCurve meets{"b", {10, 100, 300}, {1e-3, 1e-6, 1e-7}, 3};
   const WorkPrecisionCurve never{"c", {10, 100}, {1e-3, 1e-5}, 4};
   const WorkPrecisionCurve twice{"d", {10, 100, 400, 500, 600}, {1e-4, 1e-5, 1e-7, 1e-5, 1e-6}, 5};
+  const WorkPrecisionCurve rises{"e", {5, 100, 400}, {1e-7, 1e-5, 1e-7}, 6};
+  const WorkPrecisionCurve all_below{"f", {5, 10}, {1e-6, 1e-7}, 7};
   Results results;
-  collect("w", WorkPrecisionResult{{crosses, meets, never, twice}}, results);
+  collect("w", WorkPrecisionResult{{crosses, meets, never, twice, rises, all_below}}, results);
+  EXPECT_NEAR(value(results, "w.5.evaluations_for_a_millionth"), 200, 1e-9);
+  EXPECT_TRUE(std::isnan(value(results, "w.6.evaluations_for_a_millionth")));
   EXPECT_NEAR(value(results, "w.1.evaluations_for_a_millionth"), 200, 1e-9);
   EXPECT_NEAR(value(results, "w.2.evaluations_for_a_millionth"), 100, 1e-9);
   EXPECT_TRUE(std::isnan(value(results, "w.3.evaluations_for_a_millionth")));

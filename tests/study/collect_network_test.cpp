@@ -52,6 +52,37 @@ TEST(CollectNetwork, NamesModesAndTheirBeat) {
   EXPECT_EQ(column(results, "modes.frequency").values.size(), 2u);
 }
 
+TEST(CollectNetwork, EveryNumberOfTheModesOfTwoMassesIsByHand) {
+  const double h = 0.1, pi = std::numbers::pi;
+  const auto found =
+      network_modes(two_masses(), "n.toml", {.method = {"implicit-midpoint", "exact"}, .step = h});
+  ASSERT_TRUE(found);
+  Results results;
+  collect("m", *found, results);
+  EXPECT_EQ(fact(results, "m.modes"), "2");
+  const double w[] = {2, std::sqrt(5.0)};
+  EXPECT_NEAR(value(results, "m.beat_frequency"), (w[1] - w[0]) / (2 * pi), 1e-13);
+  for (int j = 0; j < 2; ++j) {
+    const std::string mode = "m." + std::to_string(j + 1);
+    EXPECT_NEAR(value(results, mode + ".period"), 2 * pi / w[j], 1e-12);
+    EXPECT_NEAR(value(results, mode + ".damping_ratio"), 0, 1e-15);
+    EXPECT_NEAR(value(results, mode + ".participation"), j == 0 ? 1 : 0, 1e-14);
+    EXPECT_NEAR(value(results, mode + ".left"), 1, 1e-14);
+    EXPECT_NEAR(value(results, mode + ".left.phase"), 0, 1e-14);
+    EXPECT_NEAR(value(results, mode + ".floor_1"), j == 0 ? 1 : -1, 1e-14);
+    EXPECT_NEAR(std::abs(value(results, mode + ".floor_1.phase")), j == 0 ? 0 : pi, 1e-14);
+    // The midpoint's: tan(w' h/2) = w h/2.
+    const double by_midpoint = 2 / h * std::atan(w[j] * h / 2);
+    EXPECT_NEAR(value(results, mode + ".methods.1.frequency"), by_midpoint / (2 * pi), 1e-12);
+    EXPECT_NEAR(value(results, mode + ".methods.1.frequency_error"), by_midpoint / w[j] - 1, 1e-11);
+    EXPECT_NEAR(value(results, mode + ".methods.1.damping_ratio"), 0, 1e-12);
+    EXPECT_NEAR(value(results, mode + ".methods.2.frequency_error"), 0, 1e-11);
+    EXPECT_EQ(fact(results, mode + ".methods.2.label"), "exact");
+    EXPECT_EQ(fact(results, mode + ".methods.3.label"), "none");
+    EXPECT_EQ(column(results, "m.mode").values[static_cast<std::size_t>(j)], j + 1);
+  }
+}
+
 TEST(CollectNetwork, NamesWhatIsFound) {
   const auto run = run_network(two_masses(), "n.toml", {.method = {"exact"}, .step = 0.05, .until = 30});
   std::string bytes = "t (s),left (m),floor 1 (m)";

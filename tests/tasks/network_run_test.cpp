@@ -257,5 +257,54 @@ TEST(NetworkRun, RefusesWhatItCannotDo) {
             "--method: exact takes networks of at most 500 masses, and there are 501");
 }
 
+TEST(NetworkRun, TakesTheMemoryOfItsStates) {
+  // Eleven states of two masses: time, energy, and two numbers of each mass, 8 bytes each.
+  SimulateOptions options{.method = {"rk4"}, .step = 0.125, .until = 1.25, .memory = 11 * 8 * 6};
+  EXPECT_TRUE(run_network(chain(2), "n.toml", options));
+  options.memory -= 1;
+  EXPECT_FALSE(run_network(chain(2), "n.toml", options));
+  options.every = 5;
+  options.memory = 3 * 8 * 6;
+  EXPECT_EQ(run_of(chain(2), options).states.t, (std::vector{0.0, 0.625, 1.25}));
+  options.memory -= 1;
+  EXPECT_FALSE(run_network(chain(2), "n.toml", options));
+  options.method = {"rk4", "verlet"};
+  options.memory = 2 * 3 * 8 * 6;
+  const auto both = run_network_by_each(chain(2), "n.toml", options);
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->size(), 2u);
+  EXPECT_EQ(both->front().method + " " + both->back().method, "rk4 verlet");
+  options.memory -= 1;
+  EXPECT_FALSE(run_network_by_each(chain(2), "n.toml", options));
+}
+
+TEST(NetworkRun, EnergyIsToldOfNineStatesAndTwelveAPeriod) {
+  const auto tells = [](std::size_t masses, double step, double until, long long every = 1) {
+    return run_of(chain(masses), {.method = {"rk4"}, .step = step, .until = until, .every = every})
+        .energy.has_value();
+  };
+  EXPECT_FALSE(tells(1, 0.015625, 7 * 0.015625));
+  EXPECT_TRUE(tells(1, 0.015625, 8 * 0.015625));
+  EXPECT_FALSE(tells(1, 0.015625, 14 * 0.015625, 2));
+  EXPECT_TRUE(tells(1, 0.015625, 16 * 0.015625, 2));
+  // Half a radian of the fastest that Gershgorin's circles allow: sums of stiffnesses over the mass of 32, 48
+  // and 64 1/s^2, links between masses twice.
+  EXPECT_TRUE(tells(1, 0.4999 / std::sqrt(32.0), 4));
+  EXPECT_FALSE(tells(1, 0.5001 / std::sqrt(32.0), 4));
+  EXPECT_TRUE(tells(2, 0.4999 / std::sqrt(48.0), 4));
+  EXPECT_FALSE(tells(2, 0.5001 / std::sqrt(48.0), 4));
+  EXPECT_TRUE(tells(3, 0.4999 / 8, 4));
+  EXPECT_FALSE(tells(3, 0.5001 / 8, 4));
+  EXPECT_TRUE(tells(3, 0.2499 / 8, 4, 2));
+  EXPECT_FALSE(tells(3, 0.2501 / 8, 4, 2));
+}
+
+TEST(NetworkRun, StabilityIsToldOfSixtyMasses) {
+  const SimulateOptions unstable{.method = {"verlet"}, .step = 0.4, .until = 0.8};
+  ASSERT_EQ(run_of(chain(60), unstable).notices.size(), 1u);
+  EXPECT_EQ(run_of(chain(60), unstable).notices[0].code, "method_unstable_on_network");
+  EXPECT_TRUE(run_of(chain(61), unstable).notices.empty());
+}
+
 }  // namespace
 }  // namespace cromer::core
