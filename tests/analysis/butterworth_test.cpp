@@ -34,6 +34,30 @@ std::complex<double> response(const std::vector<FilterSection>& sections, double
 const PassBand bands[] = {
     {.low = 0.1, .high = 25}, {.low = 3, .high = 4}, {.low = 2}, {.high = 10}, {.low = 0.05, .high = 49}};
 
+TEST(Butterworth, OfFirstOrderIsItsClosedFormUpToTheEndsOfTheBand) {
+  // s = -W by s = (z - 1)/(z + 1): a pole at (1 - W)/(1 + W).
+  for (const double f : {1e-7, 1e-4, 0.1, 0.25, 0.4, 0.49999, 0.4999999}) {
+    const double w = std::tan(pi * f), pole = (1 - w) / (1 + w);
+    const auto slow = butterworth(1, {.high = f}, 1), fast = butterworth(1, {.low = f}, 1);
+    for (const auto* sections : {&slow, &fast}) {
+      ASSERT_EQ(sections->size(), 1u) << f;
+      EXPECT_NEAR(sections->front().a1, -pole, 1e-15) << f;
+      EXPECT_EQ(sections->front().a2, 0) << f;
+      EXPECT_EQ(sections->front().b2, 0) << f;
+    }
+    EXPECT_NEAR(slow[0].b0 * (1 + w) / w, 1, 1e-8) << f;
+    EXPECT_NEAR(slow[0].b1 * (1 + w) / w, 1, 1e-8) << f;
+    EXPECT_NEAR(fast[0].b0 * (1 + w), 1, 1e-8) << f;
+    EXPECT_NEAR(fast[0].b1 * (1 + w), -1, 1e-8) << f;
+    for (int order = 2; order <= 8; ++order)
+      for (const PassBand& band : {PassBand{.high = f}, PassBand{.low = f}}) {
+        const auto sections = butterworth(order, band, 1);
+        ASSERT_EQ(sections.size(), static_cast<std::size_t>((order + 1) / 2)) << f << ' ' << order;
+        EXPECT_EQ(sections.back().a2 == 0, order % 2 == 1) << f << ' ' << order;
+      }
+  }
+}
+
 TEST(Butterworth, HasTheGainOfItsDefinition) {
   const double h = 0.01;
   for (const PassBand& band : bands)

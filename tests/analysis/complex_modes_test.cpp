@@ -13,7 +13,9 @@ namespace {
 
 using Complex128 = std::complex<double>;
 
-LinearNetwork single(double mass, double stiffness, double damping) { return {1, {mass}, {stiffness}, {damping}}; }
+LinearNetwork single(double mass, double stiffness, double damping) {
+  return {1, {mass}, {stiffness}, {damping}};
+}
 
 TEST(ComplexModes, OfASingleMassAreTheRootsOfItsEquation) {
   struct Case {
@@ -21,8 +23,13 @@ TEST(ComplexModes, OfASingleMassAreTheRootsOfItsEquation) {
     Complex128 first, second;
   };
   const double root = std::sqrt(3.0);
-  for (const Case& c : {Case{10, 4, {-1, 2}, {-1, -2}}, {8, 0, {0, 2}, {0, -2}}, {8, 8, -2, -2},
-                        {2, 8, -2 - root, -2 + root}, {0, 8, -4, 0}, {0, 0, 0, 0}, {2, -8, 2 + root, 2 - root}}) {
+  for (const Case& c : {Case{10, 4, {-1, 2}, {-1, -2}},
+                        {8, 0, {0, 2}, {0, -2}},
+                        {8, 8, -2, -2},
+                        {2, 8, -2 - root, -2 + root},
+                        {0, 8, -4, 0},
+                        {0, 0, 0, 0},
+                        {2, -8, 2 + root, 2 - root}}) {
     const auto modes = complex_modes(single(2, c.stiffness, c.damping));
     ASSERT_EQ(modes.size(), 1u);
     EXPECT_NEAR(std::abs(modes[0].first - c.first), 0, 1e-14) << c.stiffness << ' ' << c.damping;
@@ -69,8 +76,7 @@ TEST(ComplexModes, TiedByDampingSolveTheEquationsOfMotion) {
           EXPECT_EQ(mode.second, std::conj(mode.first));
           EXPECT_LT(rest(*network, mode.first, mode.shape), 1e-11) << damper;
         } else {
-          const Complex128 slower =
-              std::abs(mode.first) < std::abs(mode.second) ? mode.first : mode.second;
+          const Complex128 slower = std::abs(mode.first) < std::abs(mode.second) ? mode.first : mode.second;
           EXPECT_LT(rest(*network, slower, mode.shape), 1e-11) << damper;
         }
       }
@@ -116,7 +122,8 @@ TEST(EffectiveNetwork, OfForwardEulerIsItsClosedForm) {
     std::vector<double> next(4);
     for (std::size_t i = 0; i < 2; ++i) {
       next[i] = z[i] + z[2 + i];
-      next[2 + i] = z[2 + i] - h * h * (network.stiffness[2 * i] * z[0] + network.stiffness[2 * i + 1] * z[1]) / 2;
+      next[2 + i] =
+          z[2 + i] - h * h * (network.stiffness[2 * i] * z[0] + network.stiffness[2 * i + 1] * z[1]) / 2;
     }
     return next;
   };

@@ -189,6 +189,8 @@ TEST(TurningPoints, AMassThatComesToRestTurnsOnce) {
   EXPECT_EQ(times({1, 1, 0, 0, 0}), std::vector<double>{7});
   EXPECT_EQ(times({0, -1, 0, 1, 1}), (std::vector<double>{5, 7}));
   EXPECT_EQ(times({0, 0, 0, 1, 1}), std::vector<double>{}) << "it rested from the start";
+  EXPECT_EQ(times({-1, -1, -1, -1, 0, 1, 1, 1}), std::vector<double>{9}) << "far from both ends";
+  EXPECT_EQ(times({1, 1, 1, 1, -0.0, -1, -1, -1}), std::vector<double>{9});
   EXPECT_EQ(times({1, 2, 3}), std::vector<double>{});
 }
 

@@ -236,6 +236,24 @@ TEST(MeasuredSteadyState, NeedsFourStatesAPeriodAndEightInAll) {
   EXPECT_FALSE(measure_steady_state(seven, by_two, 2).ok());
 }
 
+TEST(MeasuredSteadyState, EightStatesOverTwoPeriodsAreEnough) {
+  Trajectory eight;
+  for (int i = 0; i < 8; ++i) {
+    eight.t.push_back(5 + 2 * std::numbers::pi / 7 * i);
+    eight.x.push_back(0.7 + 3 * std::cos(2 * eight.t.back() + 0.4 - 1.2));
+    eight.v.push_back(0);
+  }
+  const auto found = measure_steady_state(eight, by_two);
+  ASSERT_TRUE(found.ok());
+  EXPECT_NEAR(found->amplitude, 3, 1e-12);
+  EXPECT_NEAR(found->phase_lag, 1.2, 1e-12);
+  EXPECT_NEAR(found->mean, 0.7, 1e-12);
+  EXPECT_NEAR(found->residual, 0, 1e-12);
+  EXPECT_NEAR(found->change, 0, 1e-12);
+  EXPECT_NEAR(found->growth, 0, 1e-12);
+  EXPECT_EQ(found->cycles, 2);
+}
+
 TEST(MeasuredSteadyState, OfWhatDoesNotPushThereIsNone) {
   const Trajectory kept = sinusoid(0, 1, 1, 8, 100);
   EXPECT_FALSE(measure_steady_state(kept, {.amplitude = 0, .frequency = 2}).ok());
