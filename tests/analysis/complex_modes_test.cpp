@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,7 +14,7 @@ namespace {
 
 using Complex128 = std::complex<double>;
 
-LinearNetwork single(double mass, double stiffness, double damping) {
+LinearNetwork one_mass(double mass, double stiffness, double damping) {
   return {1, {mass}, {stiffness}, {damping}};
 }
 
@@ -30,19 +31,19 @@ TEST(ComplexModes, OfASingleMassAreTheRootsOfItsEquation) {
                         {0, 8, -4, 0},
                         {0, 0, 0, 0},
                         {2, -8, 2 + root, 2 - root}}) {
-    const auto modes = complex_modes(single(2, c.stiffness, c.damping));
+    const auto modes = complex_modes(one_mass(2, c.stiffness, c.damping));
     ASSERT_EQ(modes.size(), 1u);
     EXPECT_NEAR(std::abs(modes[0].first - c.first), 0, 1e-14) << c.stiffness << ' ' << c.damping;
     EXPECT_NEAR(std::abs(modes[0].second - c.second), 0, 1e-14) << c.stiffness << ' ' << c.damping;
     EXPECT_EQ(modes[0].shape, std::vector<Complex128>{1});
     EXPECT_NEAR(modes[0].law().stiffness, c.stiffness / 2, 1e-14);
     EXPECT_NEAR(modes[0].law().decay_rate, c.damping / 4, 1e-14);
-    EXPECT_NEAR(participation(single(2, c.stiffness, c.damping), modes[0]), 1, 1e-15);
+    EXPECT_NEAR(participation(one_mass(2, c.stiffness, c.damping), modes[0]), 1, 1e-15);
   }
 }
 
 /// (M z^2 + C z + K) shape, its largest component.
-double rest(const LinearNetwork& network, Complex128 z, const std::vector<Complex128>& shape) {
+double left_over(const LinearNetwork& network, Complex128 z, const std::vector<Complex128>& shape) {
   double most = 0;
   for (std::size_t i = 0; i < network.size; ++i) {
     Complex128 sum = network.mass[i] * z * z * shape[i];
@@ -74,10 +75,10 @@ TEST(ComplexModes, TiedByDampingSolveTheEquationsOfMotion) {
         if (mode.first.imag() != 0) {
           EXPECT_GT(mode.first.imag(), 0);
           EXPECT_EQ(mode.second, std::conj(mode.first));
-          EXPECT_LT(rest(*network, mode.first, mode.shape), 1e-11) << damper;
+          EXPECT_LT(left_over(*network, mode.first, mode.shape), 1e-11) << damper;
         } else {
           const Complex128 slower = std::abs(mode.first) < std::abs(mode.second) ? mode.first : mode.second;
-          EXPECT_LT(rest(*network, slower, mode.shape), 1e-11) << damper;
+          EXPECT_LT(left_over(*network, slower, mode.shape), 1e-11) << damper;
         }
       }
       // Sum and product of all eigenvalues: the trace of C/M, det K/det M.
@@ -99,7 +100,7 @@ TEST(ComplexModes, OfAFreeBodyWithATiedDamperHaveOneThatStands) {
   for (const Complex128& each : modes[0].shape) EXPECT_NEAR(std::abs(each - 1.0), 0, 1e-6);
   EXPECT_NEAR(participation(network, modes[0]), 1, 1e-6);
   for (const std::size_t j : {1u, 2u}) {
-    EXPECT_LT(rest(network, modes[j].first, modes[j].shape), 1e-11);
+    EXPECT_LT(left_over(network, modes[j].first, modes[j].shape), 1e-11);
     EXPECT_NEAR(participation(network, modes[j]), 0, 1e-12);
   }
 }
