@@ -1,0 +1,86 @@
+// Drawings written down: tests compare what is drawn now with a file in the tree. Run with
+// CROMER_WRITE_TRANSCRIPTS=1, they write what is drawn now into the file: look at the picture and at the
+// difference before you commit it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/bytes_of.h"
+
+namespace cromer::core::test {
+
+/// The numbers of path data or points: all of a short list; of a long one how many points there are, the
+/// first, the last and their mean.
+inline std::string in_short(const std::string& numbers) {
+  std::string plain = std::regex_replace(numbers, std::regex("h0"), "");  // a dot: a line of no length
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c >= 'A' || c == ','; }, ' ');
+  std::istringstream read(plain);
+  std::vector<double> all;
+  for (double value = 0; read >> value;) all.push_back(value);
+  if (all.size() <= 48) return numbers;
+  double mean[2] = {0, 0};
+  for (std::size_t i = 0; i < all.size(); ++i) mean[i % 2] += all[i] / static_cast<double>(all.size() / 2);
+  std::ostringstream text;
+  text << all.size() / 2 << " points, " << all[0] << ' ' << all[1] << " to " << all[all.size() - 2] << ' '
+       << all.back() << " about " << std::lround(mean[0]) << ' ' << std::lround(mean[1]);
+  return text.str();
+}
+
+/// The SVG with its long lists of numbers in short, and without the bytes of its images.
+inline std::string drawing_in(const std::string& svg) {
+  static const std::regex list(" (d|points|href)=\"([^\"]*)\"");
+  std::string drawing;
+  std::sregex_iterator each(svg.begin(), svg.end(), list), end;
+  std::size_t from = 0;
+  for (; each != end; ++each) {
+    const auto at = static_cast<std::size_t>(each->position());
+    drawing += svg.substr(from, at - from) + ' ' + (*each)[1].str() + "=\"" +
+               ((*each)[1] == "href" ? "" : in_short((*each)[2])) + '"';
+    from = at + static_cast<std::size_t>(each->length());
+  }
+  return drawing + svg.substr(from);
+}
+
+/// Whole numbers are the same, others to within 0.02: compilers round their last digit differently.
+inline bool same_drawing(const std::string& one, const std::string& other) {
+  static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
+  if (std::regex_replace(one, number, "#") != std::regex_replace(other, number, "#")) return false;
+  std::sregex_iterator a(one.begin(), one.end(), number), b(other.begin(), other.end(), number), end;
+  for (; a != end && b != end; ++a, ++b) {
+    const bool whole = !(*a)[1].matched && !(*b)[1].matched;
+    if (whole ? a->str() != b->str() : std::abs(std::stod(a->str()) - std::stod(b->str())) > 0.0201)
+      return false;
+  }
+  return a == b;
+}
+
+inline void expect_as_written_down(const std::string& drawn, const std::filesystem::path& file) {
+  if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
+    std::ofstream(file, std::ios::binary) << drawn;
+    return;
+  }
+  std::istringstream now(drawn), then(bytes_of(file));
+  int number = 0, wrong = 0;
+  for (std::string a, b;;) {
+    const bool more = static_cast<bool>(std::getline(now, a)), wanted = static_cast<bool>(std::getline(then, b));
+    if (!more && !wanted) return;
+    ++number;
+    if (more == wanted && (a == b || same_drawing(a, b))) continue;
+    ADD_FAILURE() << file.filename() << ", line " << number << "\n  was " << (wanted ? b : "nothing")
+                  << "\n  is  " << (more ? a : "nothing");
+    if (++wrong == 5 || more != wanted) return;
+  }
+}
+
+}  // namespace cromer::core::test
