@@ -96,6 +96,7 @@ Panel words_inside() {
   Panel panel;
   panel.x.name = "time (s)", panel.y.name = "position (cm)";
   panel.names_inside = true;
+  panel.x.low = 0, panel.x.high = 8;
   panel.curves = {swing("exact", 0.12), swing("euler-cromer", 0.3), dense(Mark::band).curves[0]};
   panel.curves[0].name = "asked for", panel.curves[0].remark = "at a place";
   panel.curves[0].label_x = 2, panel.curves[0].text_x = 0.55, panel.curves[0].text_y = 0.93;
@@ -114,7 +115,7 @@ Figure with_key() {
   Figure figure = of({three_methods(), phase_portrait(), three_methods()}, FigureSize::wide);
   figure.columns = 3;
   for (Curve& curve : figure.panels[0].curves) curve.name = curve.remark = "";
-  figure.panels[0].title = "A title that is by far too long for the little room that stands above this panel";
+  figure.panels[0].title = "Positions against time, by all methods at once";
   figure.panels[1].title = "Phases";
   for (const char* role : {"exact", "measured", "fitted", "constant-rate", "drive", "forward-euler",
                            "euler-cromer", "implicit-euler"}) {
@@ -153,7 +154,7 @@ Figure small_rows(FigureSize size) {
 
 std::vector<DrawnFigure> pictures() {
   std::vector<DrawnFigure> all;
-  const char* names[] = {"methods", "half",   "phase",  "dots",  "band",
+  const char* names[] = {"methods", "half", "phase",  "dots",  "band",
                          "log",     "grid", "shared", "empty", "no_curves"};
   const std::vector<Figure> figures = examples();
   for (std::size_t i = 0; i < figures.size(); ++i) all.push_back({names[i], figures[i]});

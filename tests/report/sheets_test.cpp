@@ -25,16 +25,20 @@ FigureBlock square(double width, double height, double share, const std::string&
           fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
                       "height=\"{1}\"><rect width=\"{0}\" height=\"{1}\"/></svg>",
                       width, height),
-          "a square", "Figure 1", caption, share};
+          "a square",
+          "Figure 1",
+          caption,
+          share};
 }
 
 TableBlock narrow_table() {
   TableBlock table;
   table.caption = "Springs, *k* and what was measured";
   table.header = {"spring", "remark", "*k* (N/m)", "answer"};
-  table.rows = {{"steel", "as it came", "17.04", "17.1 ± 0.2"},
-                {"brass", "as it came", "9.5", "9.6 ± 0.1"},
-                {"steel", "cut in two and bent at one end, so that it may be hung up again", "34.1", "34 ± 1"}};
+  table.rows = {
+      {"steel", "as it came", "17.04", "17.1 ± 0.2"},
+      {"brass", "as it came", "9.5", "9.6 ± 0.1"},
+      {"steel", "cut in two and bent at one end, so that it may be hung up again", "34.1", "34 ± 1"}};
   table.text_columns = {0, 1}, table.answer_column = 3;
   return table;
 }
@@ -72,10 +76,12 @@ Page everything() {
                       {"last of row", "2", "x"},
                       {"fifth", "5", "in the second row"}};
   page.blocks.push_back(Heading{"What is *seen*"});
-  page.blocks.push_back(Paragraph{"The motion *x*_{0} with **bold**, `code`, e^{−t}, *ω*_{d}^{2} and "
-                                  "*γ*_{longer}^{2}, e^{x_{0}}. " +
-                                  repeated(12, "A sentence of some words. ")});
-  page.blocks.push_back(Code{"cromer fit\n\n  " + repeated(12, "--option value ") + "\nlast line\n", "As typed"});
+  page.blocks.push_back(
+      Paragraph{"The motion *x*_{0} with **bold**, `code`, e^{−t}, *ω*_{d}^{2} and "
+                "*γ*_{longer}^{2}, e^{x_{0}}. " +
+                repeated(12, "A sentence of some words. ")});
+  page.blocks.push_back(
+      Code{"cromer fit\n\n  " + repeated(12, "--option value ") + "\nlast line\n", "As typed"});
   page.blocks.push_back(narrow_table());
   page.blocks.push_back(Paragraph{"After the table."});
   page.blocks.push_back(square(760, 440, 1, repeated(6, "A caption of more than a line. ")));

@@ -73,7 +73,8 @@ inline void expect_as_written_down(const std::string& drawn, const std::filesyst
   std::istringstream now(drawn), then(bytes_of(file));
   int number = 0, wrong = 0;
   for (std::string a, b;;) {
-    const bool more = static_cast<bool>(std::getline(now, a)), wanted = static_cast<bool>(std::getline(then, b));
+    const bool more = static_cast<bool>(std::getline(now, a)),
+               wanted = static_cast<bool>(std::getline(then, b));
     if (!more && !wanted) return;
     ++number;
     if (more == wanted && (a == b || same_drawing(a, b))) continue;
