@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -130,6 +130,29 @@ TEST(Sheets, AreWrittenAsSvgAndHtmlAsWrittenDown) {
   page.key_figures.resize(3);
   test::expect_as_written_down(to_svg(sheets_of(page, Typeface::lato).at(0), Typeface::lato, "de"),
                                picture("report_svg"));
+}
+
+/// On how many sheets a table of so many rows stands that begins in the last fifth of the first one.
+int sheets_of_table(int rows) {
+  Page page;
+  page.title = "t";
+  page.blocks.push_back(Code{repeated(45, "line\n"), ""});
+  TableBlock table;
+  table.header = {"n"};
+  for (int r = 0; r < rows; ++r) table.rows.push_back({"row"});
+  page.blocks.push_back(table);
+  int sheets = 0;
+  for (const Sheet& sheet : sheets_of(page, Typeface::lato))
+    sheets += std::any_of(sheet.begin(), sheet.end(), [](const Printed& printed) {
+      return printed.svg.find(">row<") != std::string::npos;
+    });
+  return sheets;
+}
+
+TEST(Sheets, ATableOfUpToAThirdOfASheetStandsOnOne) {
+  // A sheet has 986.5 px; a header 23, a row 24.5: 12 of them are 317 px, 13 are 341.5.
+  EXPECT_EQ(sheets_of_table(12), 1);
+  EXPECT_EQ(sheets_of_table(13), 2);
 }
 
 }  // namespace
