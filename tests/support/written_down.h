@@ -33,7 +33,8 @@ inline std::string in_short(const std::string& numbers) {
   for (std::size_t i = 0; i < all.size(); ++i) mean[i % 2] += all[i] / static_cast<double>(all.size() / 2);
   std::ostringstream text;
   text << all.size() / 2 << " points, " << all[0] << ' ' << all[1] << " to " << all[all.size() - 2] << ' '
-       << all.back() << " about " << std::lround(mean[0]) << ' ' << std::lround(mean[1]);
+       << all.back() << " about " << std::round(100 * mean[0]) / 100 << ' '
+       << std::round(100 * mean[1]) / 100;
   return text.str();
 }
 
