@@ -32,7 +32,7 @@ Curve points(const std::string& role, std::vector<double> x, std::vector<double>
   return curve;
 }
 
-Panel map_of(bool decades, std::vector<double> reach = {}) {
+Panel map_panel(bool decades, std::vector<double> reach = {}) {
   Panel panel;
   panel.title = decades ? "Amplitudes in decades" : "Amplitudes";
   panel.x.name = "drive frequency (Hz)", panel.y.name = "damping {/:Italic b} (1/s)";
@@ -46,7 +46,7 @@ Panel map_of(bool decades, std::vector<double> reach = {}) {
 }
 
 Figure maps() {
-  Figure figure = of({map_of(false, {0, 10}), map_of(true)}, FigureSize::wide);
+  Figure figure = of({map_panel(false, {0, 10}), map_panel(true)}, FigureSize::wide);
   figure.columns = 2;
   figure.note = "White: no motion was found.";
   return figure;
@@ -164,7 +164,7 @@ std::vector<DrawnFigure> pictures() {
   dots_on_line.panels[0].curves[0].mark = Mark::dots;
   for (auto& [name, figure] : std::vector<std::pair<std::string, Figure>>{
            {"maps", maps()},
-           {"one_map", of({map_of(true)})},
+           {"one_map", of({map_panel(true)})},
            {"family_of_7", of({family(7, 1, true)})},
            {"family_of_40", of({family(40, 0.3, true)})},
            {"all_looks", of({all_looks()})},

@@ -97,11 +97,11 @@ Page everything() {
   return page;
 }
 
-std::filesystem::path picture(const std::string& name) {
+std::filesystem::path page_picture(const std::string& name) {
   return std::string(CROMER_SOURCE_DIR) + "/tests/report/pictures/" + name + ".txt";
 }
 
-std::string drawn(const Page& page, Typeface typeface) {
+std::string sheets_drawn(const Page& page, Typeface typeface) {
   std::string all;
   for (const Sheet& sheet : sheets_of(page, typeface)) {
     all += "sheet\n";
@@ -113,23 +113,24 @@ std::string drawn(const Page& page, Typeface typeface) {
 }
 
 TEST(Sheets, AreAsWrittenDown) {
-  test::expect_as_written_down(drawn(everything(), Typeface::lato), picture("report_sheets"));
+  test::expect_as_written_down(sheets_drawn(everything(), Typeface::lato), page_picture("report_sheets"));
 }
 
 TEST(Sheets, OfDejaVuSansAreAsWrittenDown) {
   Page page = everything();
   page.blocks.resize(10);
-  test::expect_as_written_down(drawn(page, Typeface::dejavu_sans), picture("report_sheets_dejavu"));
+  test::expect_as_written_down(sheets_drawn(page, Typeface::dejavu_sans),
+                               page_picture("report_sheets_dejavu"));
 }
 
 TEST(Sheets, AreWrittenAsSvgAndHtmlAsWrittenDown) {
   Page page = everything();
   page.blocks.resize(11);
-  test::expect_as_written_down(to_html(page), picture("report_html"));
+  test::expect_as_written_down(to_html(page), page_picture("report_html"));
   page.blocks.resize(1);
   page.key_figures.resize(3);
   test::expect_as_written_down(to_svg(sheets_of(page, Typeface::lato).at(0), Typeface::lato, "de"),
-                               picture("report_svg"));
+                               page_picture("report_svg"));
 }
 
 /// On how many sheets a table of so many rows stands that begins in the last fifth of the first one.
