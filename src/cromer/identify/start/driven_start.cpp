@@ -13,6 +13,8 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t most_even_samples = 2048;
+constexpr double slowest = 0.1;      // decay over the record
+constexpr double dial_error = 0.01;  // of a drive's frequency, as its user gives it
 
 struct EvenSamples {
   std::vector<double> t, y;  // times from the first sample
@@ -139,13 +141,21 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
       highest_lines(std::span(fine.y).last(std::max<std::size_t>(third, 8)), h, 1);
   lines.insert(lines.end(), last.begin(), last.end());
 
-  std::vector<double> drives = lines, natural = lines;
-  if (drive) drives = {*drive};
-  if (drive)
-    for (double line : lines)
-      if (std::abs(line - *drive) < 2 * resolution) drives.push_back(line);
-  for (double at : drives)  // beside the drive's line, where the spectrum shows but one
-    for (double off : {-3.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 3.0}) natural.push_back(at + off * resolution);
+  // A dial may be off by more than the resolution of a long record; then another line is the drive's.
+  std::vector<double> drives = lines, natural = lines, beside;
+  if (drive) {
+    drives = {*drive};
+    for (const double line : lines)
+      if (const double off = std::abs(line - *drive); off < 2 * resolution)
+        drives.push_back(line);
+      else if (off < dial_error * *drive)
+        beside.push_back(line);
+  }
+  // Beside the drive's line, where the spectrum shows but one.
+  for (const auto& each : {drives, beside})
+    for (const double at : each)
+      for (double off : {-3.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 3.0})
+        natural.push_back(at + off * resolution);
 
   // Few enough samples for a search, and enough of them in a period of the fastest line.
   const double fastest = *std::max_element(lines.begin(), lines.end());
@@ -154,32 +164,39 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
       even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
   const double step = coarse.t[1] - coarse.t[0];
-  std::vector<SampledPhasor> driven;
-  for (const double wd : drives) driven.push_back(sampled_phasor(std::polar(1.0, wd * step), coarse));
   NormalEquations level_alone{.size = 5};
   for (const double y : coarse.y) {
     const double row[] = {1};
     level_alone.add_row(row, y);
   }
   const auto n = static_cast<double>(coarse.y.size());
-  double w_best = 0, g_best = 0, drive_best = 0;
-  LinearFit best;
-  for (const double w : natural) {
-    if (!(w > 0.2 * resolution)) continue;
-    for (double g = 0.3 / T; g < w; g *= 2.5) {
-      const SampledPhasor decaying = sampled_phasor(std::polar(std::exp(-g * step), w * step), coarse);
-      for (std::size_t i = 0; i < drives.size(); ++i) {
-        const double wd = drives[i];
-        if (!(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
-        const LinearFit fit = best_linear(level_alone, n, decaying, driven[i]);
-        if (!(fit.rest < best.rest)) continue;
-        best = fit;
-        w_best = w;
-        g_best = g;
-        drive_best = wd;
+  struct Best {
+    LinearFit fit;
+    double w = 0, g = 0, drive = 0;
+  };
+  const auto search = [&](const std::vector<double>& among) {
+    std::vector<SampledPhasor> driven;
+    for (const double wd : among) driven.push_back(sampled_phasor(std::polar(1.0, wd * step), coarse));
+    Best best;
+    for (const double w : natural) {
+      if (!(w > 0.2 * resolution)) continue;
+      for (double g = slowest / T; g < w; g *= 2.5) {
+        const SampledPhasor decaying = sampled_phasor(std::polar(std::exp(-g * step), w * step), coarse);
+        for (std::size_t i = 0; i < among.size(); ++i) {
+          const double wd = among[i];
+          if (!(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
+          const LinearFit fit = best_linear(level_alone, n, decaying, driven[i]);
+          if (fit.rest < best.fit.rest) best = {fit, w, g, wd};
+        }
       }
     }
-  }
+    return best;
+  };
+  Best found = search(drives);
+  const double at_drive = n / 2 * (found.fit.x[3] * found.fit.x[3] + found.fit.x[4] * found.fit.x[4]);
+  const bool nothing_there = at_drive < 0.1 * found.fit.rest;
+  if (const Best other = search(beside); nothing_there && other.fit.rest < found.fit.rest) found = other;
+  const auto& [best, w_best, g_best, drive_best] = found;
   if (!std::isfinite(best.rest)) return std::nullopt;
 
   const double s1 = w_best * w_best + g_best * g_best;
