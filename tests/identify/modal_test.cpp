@@ -316,5 +316,21 @@ TEST(Modal, coupled_pendulums) {
   EXPECT_LT(analysis.modes[1].frequency.standard_error, 1e-5);
 }
 
+// Within ten to twenty of its periods a motion under random forces is nearly a free one.
+TEST(Modal, a_short_record_of_random_forces_is_no_free_decay) {
+  int free = 0;
+  for (const std::size_t samples : {200, 300, 400, 800})
+    for (unsigned seed = 0; seed < 15; ++seed) {
+      const MadeChannels channels = under_white_forces(two_masses(), samples, 0.05, seed);
+      free += find_modes(channels.record()).motion == ModalMotion::free_decay;
+    }
+  EXPECT_LE(free, 4);
+  for (const double noise : {0.01, 0.2, 0.5})
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      const MadeChannels channels = let_go(two_masses(), {0.3, 0.1}, 300, 0.05, noise, seed);
+      EXPECT_EQ(find_modes(channels.record()).motion, ModalMotion::free_decay) << noise << ' ' << seed;
+    }
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -3,9 +3,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer::core {
@@ -17,18 +19,32 @@ Eigenvalues eigenvalues_of(const Parameters& parameters, std::size_t modes) {
   return result;
 }
 
-double power_near(const Eigen::VectorXd& values, const ModalRecord& record, const Eigenvalues& eigenvalues) {
+// The power near eigenvalues, and what noise has there that is as strong as at the middle one of the other
+// frequencies.
+struct PowerNear {
+  double all = 0, noise = 0;
+};
+
+PowerNear power_near(const Eigen::VectorXd& values, const ModalRecord& record,
+                     const Eigenvalues& eigenvalues) {
   const Periodogram spectrum = periodogram(values, record.step);
   const double resolution = two_pi / (static_cast<double>(values.size()) * record.step);
-  double power = 0;
+  PowerNear power;
+  std::vector<double> elsewhere;
   for (std::size_t k = 1; k < spectrum.power.size(); ++k) {
     const double w = static_cast<double>(k) * spectrum.step;
     const bool near =
         std::any_of(eigenvalues.begin(), eigenvalues.end(), [&](const std::complex<double>& each) {
           return std::abs(w - each.imag()) < std::max(3 * resolution, 2 * std::abs(each.real()));
         });
-    if (near) power += spectrum.power[k];
+    if (near)
+      power.all += spectrum.power[k];
+    else
+      elsewhere.push_back(spectrum.power[k]);
   }
+  const auto count = static_cast<double>(spectrum.power.size() - 1 - elsewhere.size());
+  // The power of noise is spread as an exponential is, whose median is ln 2 of its mean.
+  if (!elsewhere.empty()) power.noise = count * upper_median(elsewhere) / std::numbers::ln2;
   return power;
 }
 
@@ -114,18 +130,20 @@ Eigen::VectorXd DecayBasis::dual(Eigen::Index k) const {
   return orthogonal_ * unit;
 }
 
-double share_of(const DecayBasis& basis, const Eigen::MatrixXd& values, const ModalRecord& record,
-                const Eigenvalues& about) {
+PowerAbout power_about(const DecayBasis& basis, const Eigen::MatrixXd& values, const ModalRecord& record,
+                       const Eigenvalues& about) {
   const DecayBasis line(record, values, {});
-  double all = 0, left = 0;
+  PowerAbout power;
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
     const Eigen::VectorXd motion = line.residuals().col(c);
     const double scale = motion.squaredNorm();
     if (!(scale > 0)) continue;
-    all += power_near(motion, record, about) / scale;
-    left += power_near(basis.residuals().col(c), record, about) / scale;
+    const PowerNear left = power_near(basis.residuals().col(c), record, about);
+    power.all += power_near(motion, record, about).all / scale;
+    power.left += left.all / scale;
+    power.noise += left.noise / scale;
   }
-  return all > 0 ? 1 - left / all : 0;
+  return power;
 }
 
 std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eigen::MatrixXd& values,

@@ -51,9 +51,20 @@ class DecayBasis {
   Eigen::MatrixXd columns_, orthogonal_, triangle_, residuals_, amplitudes_;
 };
 
-/// The share of the channels' power about these eigenvalues that the basis accounts for.
-double share_of(const DecayBasis& basis, const Eigen::MatrixXd& values, const ModalRecord& record,
-                const Eigenvalues& about);
+/// The channels' power about some eigenvalues, each channel's over its whole; what the basis leaves of it;
+/// and what noise leaves there that is as strong as at the middle one of the other frequencies.
+struct PowerAbout {
+  double all = 0, left = 0, noise = 0;
+
+  /// What the basis accounts for, of all.
+  double share() const { return all > 0 ? 1 - left / all : 0; }
+  /// What neither the basis nor noise accounts for, of all; below 0 where less is left than noise would
+  /// leave.
+  double unexplained() const { return all > 0 ? (left - 1.5 * noise) / all : 1; }
+};
+
+PowerAbout power_about(const DecayBasis& basis, const Eigen::MatrixXd& values, const ModalRecord& record,
+                       const Eigenvalues& about);
 
 /// The eigenvalues of least squares over all channels, from these; empty where the iteration fails. At most
 /// ten. The amplitudes are solved for at each step (G. H. Golub & V. Pereyra, SIAM J. Numer. Anal. 10, 413

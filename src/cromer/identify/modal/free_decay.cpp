@@ -173,7 +173,9 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
       eigenvalues = *fitted;
       const DecayBasis basis(record, values, eigenvalues);
       weight = basis.residuals().colwise().norm().transpose().cwiseMax(1e-12 * sizes).cwiseInverse();
-      result.share = share_of(basis, values, record, changing_of(record, eigenvalues));
+      const PowerAbout power = power_about(basis, values, record, changing_of(record, eigenvalues));
+      result.share = power.share();
+      result.unexplained = power.unexplained();
     }
     if (!result.converged) {
       // The one that moves least is most likely none.

@@ -16,6 +16,7 @@ struct FreeDecay {
   bool converged = false;
   double share = 0;  ///< of the power about the modes (without steady ones where others are not): what the
                      ///< fit accounts for
+  double unexplained = 0;  ///< of that power: what neither the fit nor noise accounts for
 };
 
 /// Least squares over all channels at once (fit_eigenvalues), each weighted by what is left of it, from these

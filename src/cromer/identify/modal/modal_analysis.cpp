@@ -52,7 +52,7 @@ void choose_signs(const ModalRecord& record, Eigenvalues& eigenvalues) {
 
 double decaying_share(const ModalRecord& record, const Eigenvalues& eigenvalues) {
   const Eigen::MatrixXd values = values_of(record);
-  return share_of(DecayBasis(record, values, eigenvalues), values, record, eigenvalues);
+  return power_about(DecayBasis(record, values, eigenvalues), values, record, eigenvalues).share();
 }
 
 // Where steady oscillations may be [rad/s]: poles that hardly decay over the record, and peaks that stand out
@@ -90,6 +90,16 @@ ModalRecord with_channels(const ModalRecord& record, const std::vector<std::vect
   return result;
 }
 
+// Forces that act at random make a motion within a few lifetimes that a free one follows nearly.
+bool follows(const FreeDecay& decay) {
+  constexpr double most = 0.9, few_lifetimes = 3, hardly_anything = 0.012;
+  if (decay.modes.empty() || decay.share < most) return false;
+  const bool dies_away = std::all_of(decay.modes.begin(), decay.modes.end(), [](const MeasuredMode& mode) {
+    return std::abs(mode.lifetimes) > few_lifetimes;
+  });
+  return dies_away || decay.unexplained < hardly_anything;
+}
+
 ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& settings) {
   ModalAnalysis result;
   const auto straightened = without_oscillations(record, {});
@@ -120,8 +130,7 @@ ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& se
     if (eigenvalues.size() > most_decaying_modes) eigenvalues.resize(most_decaying_modes);
     FreeDecay decay = fit_free_decay(record, eigenvalues);
     result.decaying_share = decay.share;
-    constexpr double follows = 0.9;
-    if (!decay.converged || decay.share < follows || decay.modes.empty()) return false;
+    if (!decay.converged || !follows(decay)) return false;
     result.motion = ModalMotion::free_decay;
     result.modes = std::move(decay.modes);
     // Averages are for random forces: one long segment tells more modes apart.

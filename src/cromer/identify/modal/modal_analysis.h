@@ -26,8 +26,9 @@ struct ModalAnalysis {
   double lag_step = 0;  // [s]
 };
 
-/// A free decay (or growth) is what nine tenths of the power about the modes follow; all else is ambient
-/// vibration. Its modes are sought in what steady oscillations leave. No channel may be constant.
+/// A free decay (or growth) is what nine tenths of the power about the modes follow, and, where a mode lasts
+/// for more than a third of the record, all but 1.2 % of what is no noise; all else is ambient vibration. Its
+/// modes are sought in what steady oscillations leave. No channel may be constant.
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings = {});
 
 }  // namespace cromer::core

@@ -29,7 +29,8 @@ Eigenvalues steady_lines(const ModalRecord& record, const std::vector<double>& c
     const auto fitted = fit_eigenvalues(record, values, {{0, highest * spectrum.step}});
     if (!fitted || !is_steady(record, fitted->front())) continue;
     constexpr double most_of_it = 0.85;
-    if (share_of(DecayBasis(record, values, *fitted), values, record, *fitted) < most_of_it) continue;
+    if (power_about(DecayBasis(record, values, *fitted), values, record, *fitted).share() < most_of_it)
+      continue;
     const bool known = std::any_of(lines.begin(), lines.end(), [&](const std::complex<double>& line) {
       return std::abs(line.imag() - fitted->front().imag()) < reach;
     });
