@@ -51,11 +51,12 @@ enum {
  * drive_frequency.
  *
  * Arrays out. read: each column by its title. fit: of run 1 "1.t", "1.measured", "1.residual", "1.x", "1.v".
- * simulate: of the first run "1.t", "1.x", "1.v", "1.energy", and "1.sensor" if there is one. Of a network's
- * mass left "1.left.x" and "1.left.v", and if it is fitted "1.left.measured" and "1.left.residual". compare:
- * of the first curve of run 1 "1.1.t", "1.1.x", "1.1.v". spectrum: "period", "displacement" (of the first
- * component), of two components "rotd50" and "rotd100"; with several damping ratios "1.displacement" and so
- * on. sweep: each column of its rows by its title, "amplitude (m)". NULL only if memory has run out. */
+ * simulate: of the first run "1.t", "1.x", "1.v", "1.energy", and "1.sensor" if there is one; a run for each
+ * "method". Of a network's mass left "1.left.x" and "1.left.v", and if it is fitted "1.left.measured" and
+ * "1.left.residual". compare: of the first curve of run 1 "1.1.t", "1.1.x", "1.1.v". spectrum: "period",
+ * "displacement" (of the first component), of two components "rotd50" and "rotd100"; with several damping
+ * ratios "1.displacement" and so on. sweep: each column of its rows by its title, "amplitude (m)". NULL only
+ * if memory has run out. */
 CROMER_API cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays,
                                       size_t count, cromer_progress progress, void* user);
 

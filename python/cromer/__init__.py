@@ -10,11 +10,11 @@ compare, methods, modes, spectrum and sweep.
 from ._core import InputError
 from ._core import version as __version__
 from ._estimate import Estimate
-from ._networks import FittedLink, NetworkFit, NetworkRun
+from ._networks import FittedLink, NetworkFit, NetworkRun, NetworkRuns
 from ._results import (Comparison, CromerWarning, Curve, Fits, FitWarning, LawFit, Methods, Mode, Modes, NoSuccess, Notice,
                        Recognition, Recording, Residual, Run, Runs, Spectrum, Sweep, Trajectory)
 from ._verbs import compare, fit, fit_all, methods, modes, read, simulate, spectrum, sweep
 
 __all__ = ["Comparison", "CromerWarning", "Curve", "Estimate", "FitWarning", "Fits", "FittedLink", "InputError", "LawFit", "Methods",
-           "Mode", "Modes", "NetworkFit", "NetworkRun", "NoSuccess", "Notice", "Recognition", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
+           "Mode", "Modes", "NetworkFit", "NetworkRun", "NetworkRuns", "NoSuccess", "Notice", "Recognition", "Recording", "Residual", "Run", "Runs", "Spectrum", "Sweep", "Trajectory",
            "__version__", "compare", "fit", "fit_all", "methods", "modes", "read", "simulate", "spectrum", "sweep"]

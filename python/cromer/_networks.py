@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
 from ._arguments import in_unit, plain
 from ._core import Answer, InputError, Numbers
 from ._estimate import Estimate
-from ._results import Result, Trajectory, _estimate, _frame, _number, _unknown
+from ._results import Notice, Result, Several, Trajectory, _estimate, _frame, _number, _unknown
 
 #: A network's file, or what it holds: {"mass": [{"name": "left", "mass": 2}, ...], "link": [{"to": "left", "stiffness": 8}, ...]}
 Network = Union[str, "os.PathLike[str]", Mapping[str, Any]]
@@ -46,11 +47,17 @@ class NetworkRun(Result):
     and links. One mass by its name: run["left"].x. Further `method`, `step` [s] and `status` ("reached_end" where it
     succeeded); `to_dict()` has the rest."""
 
-    def __init__(self, answer: Answer) -> None:
-        super().__init__(answer)
+    def __init__(self, answer: Answer, number: int = 1, document: Optional[Dict[str, Any]] = None) -> None:
+        super().__init__(answer, document)
+        self._of_run = f"{number}."
         self.method: str = self._document["method"]
         self.status: str = self._document["status"].replace("stopped_by_event", "interrupted")  # networks have no events
         self.step = _number(self._document.get("step"))
+
+    @property
+    def label(self) -> str:
+        """What tells it from other runs: its method."""
+        return self.method
 
     @property
     def names(self) -> List[str]:
@@ -60,31 +67,32 @@ class NetworkRun(Result):
     @property
     def t(self) -> Numbers:
         """Times [s]."""
-        return self._answer.arrays["1.t"]
+        return self._answer.arrays[self._of_run + "t"]
 
     @property
     def x(self) -> Numbers:
         """Positions [m], of angles [rad], of shape (masses, times)."""
-        return _rows(self._answer, self.names, "x")
+        return _rows(self._answer, self.names, "x", self._of_run)
 
     @property
     def v(self) -> Numbers:
         """Velocities [m/s], of angles [rad/s], of shape (masses, times)."""
-        return _rows(self._answer, self.names, "v")
+        return _rows(self._answer, self.names, "v", self._of_run)
 
     @property
     def energy(self) -> Numbers:
         """Kinetic and potential energy of all masses and links [J]."""
-        return self._answer.arrays["1.energy"]
+        return self._answer.arrays[self._of_run + "energy"]
 
     def __getitem__(self, name: str) -> Trajectory:
         if name not in self.names:
             raise KeyError(_unknown(name, self.names, "this network"))
-        return Trajectory(self.t, self._answer.arrays[f"1.{name}.x"], self._answer.arrays[f"1.{name}.v"])
+        arrays = self._answer.arrays
+        return Trajectory(self.t, arrays[f"{self._of_run}{name}.x"], arrays[f"{self._of_run}{name}.v"])
 
     def to_pandas(self) -> Any:
         """The states: t as the index, x and v of each mass, energy."""
-        columns = {f"{name} {of}": self._answer.arrays[f"1.{name}.{of}"] for name in self.names for of in ("x", "v")}
+        columns = {f"{name} {of}": self._answer.arrays[f"{self._of_run}{name}.{of}"] for name in self.names for of in ("x", "v")}
         return _frame({"t": self.t, **columns, "energy": self.energy}, "t")
 
     def plot(self, of: str = "position", ax: Any = None) -> Any:
@@ -94,6 +102,25 @@ class NetworkRun(Result):
 
     def __repr__(self) -> str:
         return f"NetworkRun: {', '.join(self.names)} by {self.method}, {self.status}, {self.t.size} states"
+
+
+class NetworkRuns(Several[NetworkRun]):
+    """Several runs of the same network: by number, or by the name of the method."""
+
+    def __init__(self, answer: Answer) -> None:
+        document = json.loads(answer.text)
+        each = document.get("runs", [document])
+        super().__init__(answer, [NetworkRun(answer, i + 1, run) for i, run in enumerate(each)])
+
+    @property
+    def notices(self) -> List[Notice]:
+        """What there is to know about each run."""
+        return [notice for run in self for notice in run.notices]
+
+    def plot(self, of: str = "position", mass: Optional[str] = None, ax: Any = None) -> Any:
+        """One mass (the first, or that of this name) by all methods; `of` as of NetworkRun.plot. Returns the axes."""
+        from . import _plot
+        return _plot.network_runs(list(self), of, mass, ax)
 
 
 @dataclass(frozen=True)
@@ -154,7 +181,7 @@ class NetworkFit(Result):
         return "\n".join(lines)
 
 
-def _rows(answer: Answer, names: List[str], of: str) -> Numbers:
-    rows = np.array([answer.arrays[f"1.{name}.{of}"] for name in names])
+def _rows(answer: Answer, names: List[str], of: str, of_run: str = "1.") -> Numbers:
+    rows = np.array([answer.arrays[f"{of_run}{name}.{of}"] for name in names])
     rows.flags.writeable = False
     return rows

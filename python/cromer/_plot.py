@@ -176,10 +176,24 @@ def runs(each_run: Sequence["Run"], of: str, ax: Any = None) -> Any:
     return ax
 
 
+OF_NETWORKS = {"position": ("x", "position x (m or rad)"), "velocity": ("v", "velocity v (m/s or rad/s)"),
+               "energy": ("energy", "energy E (J)")}
+
+
+def network_runs(runs: "List[NetworkRun]", of: str, mass: Optional[str], ax: Any = None) -> Any:
+    up, name = _chosen(of, OF_NETWORKS)
+    own = ax is None
+    ax = _axes(ax)
+    mass = runs[0].names[0] if mass is None else mass
+    for run, look in zip(runs, _looks([each.method for each in runs])):
+        ax.plot(run.t, run.energy if up == "energy" else getattr(run[mass], up), label=run.label, **look)
+    _styled(ax, "time t (s)", name if up == "energy" else f"{mass}: {name}")
+    _name(ax, own)
+    return ax
+
+
 def network(run: "NetworkRun", of: str, ax: Any = None) -> Any:
-    axes = {"position": ("x", "position x (m or rad)"), "velocity": ("v", "velocity v (m/s or rad/s)"),
-            "energy": ("energy", "energy E (J)")}
-    up, name = _chosen(of, axes)
+    up, name = _chosen(of, OF_NETWORKS)
     own = ax is None
     ax = _axes(ax)
     rows = np.atleast_2d(getattr(run, up))

@@ -8,7 +8,7 @@ import json
 import shlex
 import warnings
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Protocol, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 
@@ -454,23 +454,32 @@ class Run(_Motion):
         return f"Run: {self.label}, {self.status}, {self.t.size} states\n  {self.in_words}".rstrip()
 
 
-class Runs(Result, Sequence[Run]):
-    """Several runs of the same law: by number, or by the name of the method."""
+class _Named(Protocol):
+    label: str
+    method: str
 
-    def __init__(self, answer: Answer) -> None:
+    def to_pandas(self) -> Any: ...
+
+
+One = TypeVar("One", bound=_Named)
+
+
+class Several(Result, Sequence[One]):
+    """Several runs: by number, or by the name of the method."""
+
+    def __init__(self, answer: Answer, each: List[One]) -> None:
         super().__init__(answer)
-        said = self._document.get("notices", [])
-        self._each = [Run(answer, i + 1, each, said) for i, each in enumerate(self._document["runs"])]
+        self._each = each
 
     def keys(self) -> List[str]:
         """Their names."""
         return [each.label for each in self._each]
 
     @overload
-    def __getitem__(self, index: Union[int, str]) -> Run: ...
+    def __getitem__(self, index: Union[int, str]) -> One: ...
     @overload
-    def __getitem__(self, index: slice) -> List[Run]: ...
-    def __getitem__(self, index: Union[int, str, slice]) -> Union[Run, List[Run]]:
+    def __getitem__(self, index: slice) -> List[One]: ...
+    def __getitem__(self, index: Union[int, str, slice]) -> Union[One, List[One]]:
         if isinstance(index, str):
             for each in self._each:
                 if index in (each.label, each.method):
@@ -488,6 +497,15 @@ class Runs(Result, Sequence[Run]):
         """All states, one below the other, with the run's label."""
         import pandas
         return pandas.concat([each.to_pandas().assign(run=each.label) for each in self._each])
+
+
+class Runs(Several[Run]):
+    """Several runs of the same law: by number, or by the name of the method."""
+
+    def __init__(self, answer: Answer) -> None:
+        document = json.loads(answer.text)
+        said = document.get("notices", [])
+        super().__init__(answer, [Run(answer, i + 1, each, said) for i, each in enumerate(document["runs"])])
 
     def plot(self, of: str = "position", ax: Any = None) -> Any:
         """All runs in one picture, as Run.plot draws one."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from ._arguments import arrays_of, request_of, unit_of_observed
 from ._core import Answer, InputError, Progress, call
-from ._networks import Network, NetworkFit, NetworkRun, arrays_of_channels, request_of_network
+from ._networks import Network, NetworkFit, NetworkRun, NetworkRuns, arrays_of_channels, request_of_network
 from ._options import (ARGUMENTS, CompareOptions, FitOptions, MethodsOptions, ModesOptions, ReadOptions,
                        SimulateOptions, SpectrumOptions, SweepOptions)
 from ._results import Comparison, Fits, FitWarning, LawFit, Methods, Modes, Recognition, Recording, Run, Runs, Spectrum, Sweep, told
@@ -216,14 +216,18 @@ def simulate(law: None = None, *, network: Network, method: Optional[str] = ...,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> NetworkRun: ...
 @overload
+def simulate(law: None = None, *, network: Network, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
+             language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
+             **options: "Unpack[SimulateOptions]") -> NetworkRuns: ...
+@overload
 def simulate(law: Optional[LawFit] = None, *, method: Union[List[str], Tuple[str, ...]], force: Any = None, acceleration: Any = None, spacing: Optional[float] = None,
              language: Optional[str] = None, strict: bool = False, progress: Union[None, bool, Progress] = None,
              **options: "Unpack[SimulateOptions]") -> Runs: ...
 @_documented
 def simulate(law: Optional[LawFit] = None, *, network: Optional[Network] = None, method: Union[None, str, List[str], Tuple[str, ...]] = None,
              force: Any = None, acceleration: Any = None, spacing: Optional[float] = None, language: Optional[str] = None, strict: bool = False,
-             progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs, NetworkRun]:
-    """The motion of an oscillator by one method or several, or of a network of masses by one.
+             progress: Union[None, bool, Progress] = None, **options: "Unpack[SimulateOptions]") -> Union[Run, Runs, NetworkRun, NetworkRuns]:
+    """The motion of an oscillator, or of a network of masses, by one method or several.
 
     Parameters
     ----------
@@ -244,7 +248,7 @@ def simulate(law: Optional[LawFit] = None, *, network: Optional[Network] = None,
 
     Returns
     -------
-    Run of one method, Runs of a list of methods; NetworkRun of a network
+    Run of one method, Runs of a list of methods; of a network NetworkRun, and NetworkRuns of a list
     """
     if law is not None and not isinstance(law, LawFit):
         raise InputError(f"law must be a fit, what cromer.fit(...) gives, not {type(law).__name__}; the terms of a law have "
@@ -263,12 +267,13 @@ def simulate(law: Optional[LawFit] = None, *, network: Optional[Network] = None,
     with _shown(progress, "simulate") as shown:
         answer = call("simulate", request, arrays, shown)
     if network is not None:
-        run = NetworkRun(answer)
-        told(run, answer, strict, f"{run.method}: {run.status}")
-        return run
-    runs = Runs(answer)
-    states = ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
-    told(runs, answer, strict, states)
+        return _of_methods(NetworkRuns(answer), answer, strict, method)
+    return _of_methods(Runs(answer), answer, strict, method)
+
+
+def _of_methods(runs: Any, answer: Answer, strict: bool, method: Union[None, str, List[str]]) -> Any:
+    """All runs where a list of methods was asked for, else the only one."""
+    told(runs, answer, strict, ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end"))
     return runs if isinstance(method, (list, tuple)) else runs[0]
 
 

@@ -35,6 +35,26 @@ def test_a_run_is_the_sum_of_its_modes(tmp_path):
     assert np.array_equal(cromer.modes(path).frequency, cromer.modes(carts()).frequency)
 
 
+def test_several_methods_are_several_runs():
+    runs = run(method=["exact", "rk4"], until=5)
+    assert runs.keys() == ["exact", "rk4"] and len(runs) == 2 and [each.method for each in runs] == runs.keys()
+    for each in runs:
+        alone = run(method=each.method, until=5)
+        assert np.array_equal(each.x, alone.x) and np.array_equal(each["right"].v, alone["right"].v)
+        assert np.array_equal(each.energy, alone.energy) and each.to_dict() == alone.to_dict()
+    assert runs["rk4"] is runs[1] and np.abs(runs["rk4"].x - runs["exact"].x).max() < 1e-5
+    assert runs.to_csv().splitlines()[0].startswith("run,t (s),left x (m)") and "rk4" in repr(runs)
+    assert len(run(method=["exact"], until=5)) == 1
+    with pytest.raises(KeyError, match="did you mean 'rk4'"):
+        runs["rk5"]
+
+
+def test_several_methods_warn_and_fail_by_name():
+    with pytest.warns(cromer.FitWarning, match="forward-euler: ran_away"):
+        runs = cromer.simulate(network=carts(), method=["exact", "forward-euler"], step=0.5, until=3000)
+    assert runs["exact"].status == "reached_end"
+
+
 def test_the_method_is_the_programs(program, tmp_path):
     path = tmp_path / "run.csv"
     program("simulate", "--network", str(ROOT / "data/networks/pendulums.toml"), "--method", "newmark", "--step", "0.02", "--until", "5",

@@ -224,6 +224,24 @@ TEST(CallC, RunsANetwork) {
     EXPECT_EQ(cromer_status(Answer(cromer_written_as(answer.get(), form)).get()), CROMER_DONE) << form;
 }
 
+TEST(CallC, RunsANetworkByEachMethod) {
+  const Answer answer =
+      call("simulate",
+           {{"network", carts_in_json}, {"method", {"exact", "verlet"}}, {"step", 0.05}, {"until", "20 s"}});
+  ASSERT_EQ(cromer_status(answer.get()), CROMER_DONE) << cromer_document(answer.get());
+  int number = 0;
+  for (const char* method : {"exact", "verlet"}) {
+    const auto run = cromer::simulate(carts(), {.method = method, .step = 0.05, .until = 20});
+    const std::string of_run = std::to_string(++number) + ".";
+    EXPECT_EQ(array(answer, of_run + "t"), run->t) << method;
+    EXPECT_EQ(array(answer, of_run + "left.x"), run->x[0]) << method;
+    EXPECT_EQ(array(answer, of_run + "energy"), run->energy) << method;
+  }
+  EXPECT_EQ(json::parse(cromer_document(answer.get()))["runs"][1]["method"], "verlet");
+  for (const char* form : {"text", "csv", "svg"})
+    EXPECT_EQ(cromer_status(Answer(cromer_written_as(answer.get(), form)).get()), CROMER_DONE) << form;
+}
+
 TEST(CallC, FitsANetwork) {
   const auto run = cromer::simulate(carts(), {.method = "exact", .step = 0.05, .until = 30});
   json open = carts_in_json;

@@ -406,19 +406,23 @@ Result<void> simulate_network_verb(Call& call, const AskedNetwork& asked, cromer
   if (auto good = call.refuse_unless(is_option_of_networks, "option_not_of_networks"); !good) return good;
   if (auto good = call.check_arrays(); !good) return good;
   options.memory = memory_for_states;
-  auto found = run_network(*network, asked.name, options, call.watch());
+  auto found = run_network_by_each(*network, asked.name, options, call.watch());
   if (!found) return of_network(found.error());
-  put_in_arguments(*found);
-  const NetworkRun& run = result.found.emplace<NetworkRun>(*std::move(found));
-  if (!run.ok()) result.status = CROMER_NO_SUCCESS;
-  result.show("1.t", run.states.t);
-  for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
-    const std::string of_mass = "1." + run.network.masses[i].name + ".";
-    result.show(of_mass + "x", run.states.x[i]);
-    result.show(of_mass + "v", run.states.v[i]);
+  for (NetworkRun& run : *found) put_in_arguments(run);
+  const auto& runs = result.found.emplace<std::vector<NetworkRun>>(*std::move(found));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const NetworkRun& run = runs[k];
+    if (!run.ok()) result.status = CROMER_NO_SUCCESS;
+    const std::string of_run = std::to_string(k + 1) + ".";
+    result.show(of_run + "t", run.states.t);
+    for (std::size_t i = 0; i < run.network.masses.size(); ++i) {
+      const std::string of_mass = of_run + run.network.masses[i].name + ".";
+      result.show(of_mass + "x", run.states.x[i]);
+      result.show(of_mass + "v", run.states.v[i]);
+    }
+    result.show(of_run + "energy", run.states.energy);
   }
-  result.show("1.energy", run.states.energy);
-  result.document = to_json(std::span(&run, 1), false, call.voice());
+  result.document = to_json(runs, false, call.voice());
   return {};
 }
 

@@ -55,10 +55,10 @@ struct Writer {
     return drawn(modes_figure(result));
   }
 
-  Result<std::string> operator()(const NetworkRun& run) const {
-    if (form == "text") return network_text({&run, 1});
-    if (form == "csv") return network_csv({&run, 1}, no_command);
-    return drawn(network_figure({&run, 1}));
+  Result<std::string> operator()(const std::vector<NetworkRun>& runs) const {
+    if (form == "text") return network_text(runs);
+    if (form == "csv") return network_csv(runs, no_command);
+    return drawn(network_figure(runs));
   }
 
   Result<std::string> operator()(const FittedNetwork& fitted) const {

@@ -35,7 +35,7 @@ struct ReadFile {
 /// monostate: nothing yet, or a refusal.
 using Found = std::variant<std::monostate, ReadFile, std::vector<FittedRecording>, SimulateResult,
                            std::vector<CompareResult>, ListedMethods, RecogniseResult, ModesResult,
-                           NetworkRun, FittedNetwork, SpectrumResult, SweepResult>;
+                           std::vector<NetworkRun>, FittedNetwork, SpectrumResult, SweepResult>;
 
 inline constexpr const char* no_command = "";  ///< nothing to say of where the numbers come from
 
