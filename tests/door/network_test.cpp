@@ -254,6 +254,9 @@ TEST(CallC, FitsANetwork) {
   EXPECT_NEAR(document(answer)["links"][2]["parameters"]["stiffness"]["value"].get<double>(), 3, 1e-8);
   EXPECT_EQ(array(answer, "1.right.measured"), run->x[1]);
   EXPECT_EQ(array(answer, "1.right.residual").size(), run->t.size());
+  const Answer words(cromer_written_as(answer.get(), "text"));
+  EXPECT_THAT(cromer_document(words.get()),
+              testing::StartsWith("the record: converged, 601 times, 0 to 30 s\n\nlink"));
   EXPECT_EQ(document(call("fit", {{"network", open}, {"mass", 2}}, arrays))["argument"], "mass");
   EXPECT_EQ(document(call("fit", {{"network", open}, {"rate", 2}}, arrays))["code"], "said_of_a_file");
 }

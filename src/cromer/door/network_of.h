@@ -9,8 +9,6 @@
 
 namespace cromer::core {
 
-inline constexpr const char* given_network = "network";  ///< what messages call one that is in no file
-
 Result<NetworkFile> network_of(const cromer::Network& network);
 
 /// An object as the network's file would be, {"mass": [...], "link": [...]}, or the path of a file.

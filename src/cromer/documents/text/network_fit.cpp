@@ -10,8 +10,9 @@ std::string network_fit_text(const FittedNetwork& fitted) {
   const std::string head = fmt::format("{}: {}", fitted.file, cromer::name(fitted.fit.status));
   if (fitted.fit.values.empty()) return head + ", " + in_words(fitted.message) + "\n";
   const std::vector<double>& t = fitted.channels.t;
-  std::string text = fmt::format("{}, {} times, {:.10g} to {:.10g} s, network {}\n\n", head, t.size(),
-                                 t.front(), t.back(), fitted.network_file);
+  std::string text = fmt::format("{}, {} times, {:.10g} to {:.10g} s", head, t.size(), t.front(), t.back());
+  if (fitted.network_file != given_network) text += ", network " + fitted.network_file;
+  text += "\n\n";
   const Network& network = fitted.asked.network;
   std::vector<std::vector<std::string>> rows{{"link", "", "value", "95 %"}};
   for (std::size_t l = 0; l < network.links.size(); ++l)
