@@ -92,7 +92,7 @@ ModalRecord with_channels(const ModalRecord& record, const std::vector<std::vect
 
 // Forces that act at random make a motion within a few lifetimes that a free one follows nearly.
 bool follows(const FreeDecay& decay) {
-  constexpr double most = 0.9, few_lifetimes = 3, hardly_anything = 0.012;
+  constexpr double most = 0.9, few_lifetimes = 3, hardly_anything = 0.015;
   if (decay.modes.empty() || decay.share < most) return false;
   const bool dies_away = std::all_of(decay.modes.begin(), decay.modes.end(), [](const MeasuredMode& mode) {
     return std::abs(mode.lifetimes) > few_lifetimes;

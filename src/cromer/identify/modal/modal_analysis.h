@@ -27,7 +27,7 @@ struct ModalAnalysis {
 };
 
 /// A free decay (or growth) is what nine tenths of the power about the modes follow, and, where a mode lasts
-/// for more than a third of the record, all but 1.2 % of what is no noise; all else is ambient vibration. Its
+/// for more than a third of the record, all but 1.5 % of what is no noise; all else is ambient vibration. Its
 /// modes are sought in what steady oscillations leave. No channel may be constant.
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings = {});
 
