@@ -8,47 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/methods/rk4.h"
 #include "cromer/model/linear_network.h"
-#include "cromer/model/network_system.h"
 #include "cromer/model/sensor.h"
-#include "cromer/run/solve.h"
+#include "tests/identify/network_truth.h"
 
 namespace cromer::core {
 namespace {
-
-using Columns = std::vector<std::vector<double>>;
-
-struct Made {
-  std::vector<double> t;
-  Columns y;
-
-  NetworkRecord record() const {
-    NetworkRecord record{t, {}};
-    for (const auto& column : y) record.y.emplace_back(column);
-    return record;
-  }
-};
-
-/// Free swings of the network by a fine Runge-Kutta, seen by sensors with an offset and noise.
-Made made(const Network& network, std::size_t samples, double step, double noise, std::uint64_t seed) {
-  Made record;
-  record.y.resize(network.masses.size());
-  const NetworkSystem<> system(network);
-  const Rk4 method;
-  NoMemory none;
-  NormalDeviates normal(seed);
-  State<MassVector> y = start_of(network);
-  constexpr int parts = 40;
-  for (std::size_t n = 0; n < samples; ++n) {
-    const double t = static_cast<double>(n) * step;
-    record.t.push_back(t);
-    for (std::size_t i = 0; i < record.y.size(); ++i)
-      record.y[i].push_back(y.x.first[i] + 0.01 * static_cast<double>(i + 1) + noise * normal.next());
-    for (int k = 0; k < parts; ++k) y = method.step(system, t + k * step / parts, step / parts, y, none).y;
-  }
-  return record;
-}
 
 Network pendulums(double cubic = 0) {
   Network network{.angles = true};
@@ -76,7 +41,7 @@ Network without(Network network, const std::vector<SoughtValue>& sought) {
 
 TEST(FitNetwork, FindsSpringsAndDampersOfCoupledPendulums) {
   const Network truth = pendulums();
-  const Made data = made(truth, 3000, 0.02, 5e-4, 4);
+  const NetworkSwings data = swings_of(truth, 3000, 0.02, 5e-4, 4);
   const NetworkFit fit = fit_network(without(truth, springs_and_dampers), springs_and_dampers, data.record());
   EXPECT_EQ(fit.status, FitStatus::converged);
   ASSERT_EQ(fit.values.size(), springs_and_dampers.size());
@@ -94,7 +59,7 @@ TEST(FitNetwork, IntervalsHoldTheTruthAsOftenAsTheySay) {
   const Network truth = pendulums();
   int inside = 0, all = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const Made data = made(truth, 800, 0.05, 2e-3, seed);
+    const NetworkSwings data = swings_of(truth, 800, 0.05, 2e-3, seed);
     const NetworkFit fit =
         fit_network(without(truth, springs_and_dampers), springs_and_dampers, data.record());
     ASSERT_EQ(fit.status, FitStatus::converged) << seed;
@@ -107,7 +72,7 @@ TEST(FitNetwork, IntervalsHoldTheTruthAsOftenAsTheySay) {
 
 TEST(FitNetwork, SamplesMayBeMissing) {
   const Network truth = pendulums();
-  Made data = made(truth, 2000, 0.02, 5e-4, 6);
+  NetworkSwings data = swings_of(truth, 2000, 0.02, 5e-4, 6);
   for (std::size_t n = 0; n < 2000; n += 41) data.y[1][n] = std::nan("");
   for (auto* values : {&data.t, &data.y[0], &data.y[1]})
     values->erase(values->begin() + 700, values->begin() + 760);
@@ -121,7 +86,7 @@ TEST(FitNetwork, FindsABentSpring) {
   const Network truth = pendulums(-9);
   std::vector<SoughtValue> sought = springs_and_dampers;
   sought.push_back({0, &Oscillator<double>::cubic, false});
-  const Made data = made(truth, 2000, 0.02, 5e-4, 9);
+  const NetworkSwings data = swings_of(truth, 2000, 0.02, 5e-4, 9);
   const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
   EXPECT_EQ(fit.status, FitStatus::converged);
   for (std::size_t j = 0; j < fit.values.size(); ++j)
@@ -136,7 +101,7 @@ TEST(FitNetwork, SaysWhatTheRecordDoesNotTell) {
   const std::vector<SoughtValue> sought{{0, &Oscillator<double>::stiffness, false},
                                         {2, &Oscillator<double>::stiffness, false},
                                         {3, &Oscillator<double>::stiffness, false}};
-  const Made data = made(truth, 1500, 0.02, 5e-4, 2);
+  const NetworkSwings data = swings_of(truth, 1500, 0.02, 5e-4, 2);
   const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
   EXPECT_EQ(fit.status, FitStatus::undetermined);
   EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{1, 2}));
@@ -154,7 +119,7 @@ TEST(FitNetwork, OfTwoPairsSideBySideNeitherIsTold) {
                                         {2, &Oscillator<double>::stiffness, false},
                                         {3, &Oscillator<double>::stiffness, false},
                                         {4, &Oscillator<double>::stiffness, false}};
-  const Made data = made(truth, 800, 0.02, 5e-4, 2);
+  const NetworkSwings data = swings_of(truth, 800, 0.02, 5e-4, 2);
   const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
   EXPECT_EQ(fit.status, FitStatus::undetermined);
   EXPECT_EQ(fit.undetermined, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
@@ -163,7 +128,7 @@ TEST(FitNetwork, OfTwoPairsSideBySideNeitherIsTold) {
 }
 
 TEST(FitNetwork, LinksMayEndAtTheGround) {
-  const Made data = made(pendulums(), 500, 0.02, 5e-4, 3);
+  const NetworkSwings data = swings_of(pendulums(), 500, 0.02, 5e-4, 3);
   const Network open = without(pendulums(), springs_and_dampers);
   const NetworkFit fit = fit_network(open, springs_and_dampers, data.record());
   Network turned = open;
@@ -179,7 +144,7 @@ TEST(FitNetwork, LinksMayEndAtTheGround) {
 // The beginning, the end and a whole swing of one of the columns.
 TEST(FitNetwork, LongGapsAreNotFilled) {
   const Network truth = pendulums();
-  Made data = made(truth, 1500, 0.02, 5e-4, 6);
+  NetworkSwings data = swings_of(truth, 1500, 0.02, 5e-4, 6);
   for (std::size_t n = 0; n < 1500; ++n)
     if (n < 40 || n > 1400 || (n > 700 && n < 800)) data.y[1][n] = std::nan("");
   const NetworkFit fit = fit_network(without(truth, springs_and_dampers), springs_and_dampers, data.record());
@@ -194,7 +159,7 @@ TEST(FitNetwork, LongGapsAreNotFilled) {
 TEST(FitNetwork, NeedsThreeSamplesForEachParameter) {
   const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 4);
   const auto fitted = [&](std::size_t samples) {
-    const Made data = made(pendulums(), samples, 0.2, 5e-4, 2);
+    const NetworkSwings data = swings_of(pendulums(), samples, 0.2, 5e-4, 2);
     return fit_network(without(pendulums(), sought), sought, data.record());
   };
   // Ten parameters, and two columns.
@@ -204,7 +169,7 @@ TEST(FitNetwork, NeedsThreeSamplesForEachParameter) {
 
 TEST(FitNetwork, NeedsSevenSamplesInASwing) {
   const auto fitted = [&](double step) {
-    const Made data = made(pendulums(), 300, step, 5e-4, 2);
+    const NetworkSwings data = swings_of(pendulums(), 300, step, 5e-4, 2);
     return fit_network(without(pendulums(), springs_and_dampers), springs_and_dampers, data.record());
   };
   EXPECT_EQ(fitted(0.2).status, FitStatus::converged);
@@ -215,7 +180,7 @@ TEST(FitNetwork, NeedsSevenSamplesInASwing) {
 
 TEST(FitNetwork, SaysWhereAColumnIsMostlyNoise) {
   const std::vector<SoughtValue> sought(springs_and_dampers.begin(), springs_and_dampers.begin() + 1);
-  Made data = made(pendulums(), 800, 0.02, 5e-4, 2);
+  NetworkSwings data = swings_of(pendulums(), 800, 0.02, 5e-4, 2);
   NormalDeviates normal(7);
   for (double& each : data.y[1]) each += 0.1 * normal.next();
   const NetworkFit fit = fit_network(without(pendulums(), sought), sought, data.record());
@@ -229,7 +194,7 @@ TEST(FitNetwork, SaysWhereAColumnIsMostlyNoise) {
 // The links that are given let it run away.
 TEST(FitNetwork, DoesNotConvergeWhereNoMotionStays) {
   Network network = pendulums();
-  const Made data = made(network, 1000, 0.02, 5e-4, 2);
+  const NetworkSwings data = swings_of(network, 1000, 0.02, 5e-4, 2);
   network.links[0].law.cubic = -1e7;
   const NetworkFit fit = fit_network(network, springs_and_dampers, data.record());
   EXPECT_EQ(fit.status, FitStatus::iteration_limit);
@@ -239,7 +204,7 @@ TEST(FitNetwork, DoesNotConvergeWhereNoMotionStays) {
 }
 
 TEST(FitNetwork, TellsHowFarItIsAndStops) {
-  const Made data = made(pendulums(), 1000, 0.02, 5e-4, 2);
+  const NetworkSwings data = swings_of(pendulums(), 1000, 0.02, 5e-4, 2);
   const Network open = without(pendulums(), springs_and_dampers);
   std::atomic<bool> stop{false};
   std::size_t last = 0;
@@ -277,9 +242,9 @@ TEST(FitNetwork, LeavesRoomForTheStartOfEachMass) {
 
 TEST(FitNetwork, RefusesAShortAndADeadRecord) {
   const Network truth = pendulums();
-  const Made data = made(truth, 60, 0.02, 5e-4, 2);
+  const NetworkSwings data = swings_of(truth, 60, 0.02, 5e-4, 2);
   EXPECT_EQ(fit_network(truth, springs_and_dampers, data.record()).status, FitStatus::too_short);
-  Made dead = made(truth, 1000, 0.02, 5e-4, 2);
+  NetworkSwings dead = swings_of(truth, 1000, 0.02, 5e-4, 2);
   dead.y[1].assign(1000, 0.5);
   EXPECT_EQ(fit_network(truth, springs_and_dampers, dead.record()).status, FitStatus::no_oscillation);
 }

@@ -15,8 +15,10 @@
 #include <sstream>
 
 #include "cromer/tasks/modes/modes.h"
+#include "cromer/tasks/network_fit/network_fit.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/modal_records.h"
+#include "tests/identify/network_truth.h"
 #include "tests/identify/synthetic.h"
 #include "tests/support/bytes_of.h"
 #include "tests/tasks/of_bytes.h"
@@ -63,6 +65,7 @@ Motion with(const char* law, double value, Motion motion = swing(1, 0.03)) {
   if (motion.law.has<Quadratic>()) motion.per_mass.quadratic = value;
   if (motion.law.has<OddQuadratic>()) motion.per_mass.odd_quadratic = value;
   if (motion.law.has<Quintic>()) motion.per_mass.quintic = value;
+  if (motion.law.has<VanDerPol>()) motion.per_mass.van_der_pol = value;
   return motion;
 }
 
@@ -97,6 +100,16 @@ std::string forced_swing(const ForcedTruth& truth, bool hold = false) {
   return file_of(record.t, {record.y, record.force}, "Time (s),Position (m),Force (N)");
 }
 
+/// A short one: a derivative of the motion, changed rows.
+std::string short_forced_swing(const ForcedTruth& truth, int derivative = 0,
+                               const std::function<void(ForcedSynthetic&)>& change = {}) {
+  ForcedSynthetic record = forced_synthetic(truth, multisine(14, 6), 400, 0.025, 1e-3, 4, derivative);
+  if (change) change(record);
+  const char* columns[] = {"Position (m)", "Velocity (m/s)", "Acceleration (m/s^2)"};
+  return file_of(record.t, {record.y, record.force},
+                 fmt::format("Time (s),{},Force (N)", columns[derivative]));
+}
+
 std::vector<double> some_of(const std::vector<double>& t, const std::function<bool(std::size_t)>& is_kept) {
   std::vector<double> kept;
   for (std::size_t i = 0; i < t.size(); ++i)
@@ -120,6 +133,14 @@ std::vector<Case> free_cases() {
   Motion pendulum = swing(0.7, 0.02, 1.1);
   pendulum.law = law_of("viscous+pendulum");
   pendulum.set_angular_frequency(4.4);
+  Motion high = swing(0.7, 0.05, 2.8);
+  high.law = law_of("viscous+pendulum");
+  high.set_angular_frequency(4.4);
+  Motion hysteretic = swing(1, 0.02);
+  hysteretic.law = law_of("viscous+hysteresis");
+  hysteretic.per_mass.hysteresis_stiffness = 12;
+  hysteretic.per_mass.hysteresis_beta = 30;
+  hysteretic.per_mass.hysteresis_gamma = 10;
   FitOptions lab;
   lab.mass = {{0.2176, 0.0003}};
   lab.spring_mass = Quantity{0.01, 0.001};
@@ -192,6 +213,53 @@ std::vector<Case> free_cases() {
       {"noise alone",
        changed_swing([](double, double x) { return x; }, swing(1, 0.03, 0), even_times(400, 0.02))},
       {"a straight line", changed_swing([](double t, double x) { return 0.3 * t + 1e-3 * x; })},
+      {"friction, three half swings",
+       free_swing(with("friction", 0.5, swing(1, 0)), 2e-4, even_times(200, 0.02)), of_law("auto")},
+      {"viscous and friction, four half swings",
+       free_swing(with("viscous+friction", 0.3, swing(1, 0.1)), 2e-4, even_times(200, 0.02)),
+       of_law("viscous+friction")},
+      {"friction, seen by its velocity",
+       free_swing(with("friction", 0.2, swing(1, 0)), 1e-3, even_times(300, 0.02), "Time (s),Velocity (m/s)",
+                  1),
+       of_law("friction")},
+      {"hysteresis", free_swing(hysteretic, 2e-4, even_times(400, 0.02)), of_law("viscous+hysteresis")},
+      {"drag, and a cubic term that is not there",
+       free_swing(with("viscous+drag", 1, with("viscous+drag+cubic", 500)), 2e-4, even_times(300, 0.03)),
+       of_law("viscous+drag+cubic")},
+      {"pendulum, nearly upside down", free_swing(high, 2e-3, even_times(500, 0.02), "Time (s),Angle (rad)")},
+      {"in centimetres, to whole numbers",
+       [] {
+         std::string rows = "Time (s),Position (cm)\n";
+         for (int i = 0; i < 400; ++i)
+           rows += fmt::format("{:.3f},{:.0f}\n", 0.025 * i, 40 * std::exp(-0.001 * i) * std::cos(0.17 * i));
+         return rows;
+       }()},
+      {"uneven times, drag",
+       free_swing(with("viscous+drag", 1.5), 2e-4,
+                  some_of(even_times(600, 0.02), [](std::size_t i) { return i * i % 11 < 5; }))},
+      {"let go late, noisy",
+       [] {
+         std::mt19937_64 engine(3);
+         std::normal_distribution<double> normal(0, 3e-3);
+         return changed_swing([&](double t, double x) { return t < 4.1 ? 0.1 + normal(engine) : x; },
+                              swing(1, 0.05), even_times(700, 0.02));
+       }()},
+      {"loud at one time",
+       [] {
+         std::mt19937_64 engine(3);
+         std::normal_distribution<double> normal(0, 1);
+         return changed_swing(
+             [&](double t, double x) { return x + (t > 3 && t < 5 ? 0.01 : 2e-4) * normal(engine); },
+             swing(1, 0.05), even_times(500, 0.02));
+       }()},
+      {"a part missing beside outliers",
+       changed_swing([](double t, double x) { return std::fmod(t, 1.7) < 0.019 ? x - 0.3 : x; },
+                     swing(1, 0.05),
+                     some_of(even_times(600, 0.02), [](std::size_t i) { return i < 200 || i > 290; }))},
+      {"two modes, near",
+       changed_swing([&](double t, double x) { return x + 0.05 * decayed(0.03, t) * std::cos(6.6 * t); },
+                     swing(1, 0.03), even_times(600, 0.04))},
+      {"twelve samples", free_swing(plain, 2e-4, even_times(12, 0.13))},
       {"two runs", "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n" +
                        [] {
                          std::string rows;
@@ -215,6 +283,24 @@ std::vector<Case> driven_cases() {
   no_spring.no_spring = true;
   FitOptions held = under_force("viscous");
   held.between_samples = "hold";
+  FitOptions held_out = under_force("viscous+drag");
+  held_out.hold_out = 0.4;
+  held_out.mass = {{0.4, 0.001}};
+  FitOptions part = under_force("viscous");
+  part.from = 2.51;
+  part.to = 8.2;
+  part.between_samples = "band-limited";
+  FitOptions weighed = at_known;
+  weighed.mass = {{0.5, 0.002}};
+  weighed.disc_diameter = Quantity{0.1, 0.001};
+  weighed.law = "viscous";
+  Motion pushed = swing(1, 0.1);
+  pushed.cosine = 3;
+  pushed.drive_frequency = 2 * std::numbers::pi * 1.3;
+  const std::vector<double> shortly = even_times(400, 0.02);
+  const std::string driven_velocities =
+      file_of(shortly, {noisy(observed_motion(pushed, Drive::harmonic(), shortly, 1, 0.002), 2e-3)},
+              "Time (s),Velocity (m/s)");
   return {
       {"driven near resonance", driven_swing(swing(1, 0.2), 0.6, 1.08)},
       {"driven, its frequency known", driven_swing(swing(1, 0.1), 3, 1.3), at_known},
@@ -229,6 +315,32 @@ std::vector<Case> driven_cases() {
       {"under a recorded force, drag", forced_swing({.drag = 2}), under_force()},
       {"under a held force", forced_swing({}, true), held},
       {"under a force without a spring", forced_swing({.w0 = 0.001, .g = 0.4}), no_spring},
+      {"under a force, velocities", short_forced_swing({}, 1), under_force("viscous")},
+      {"under a force, accelerations", short_forced_swing({}, 2), under_force("viscous")},
+      {"under a force, the last part held out", short_forced_swing({.drag = 2}), held_out},
+      {"under a force, a part of it", short_forced_swing({}), part},
+      {"under a force, rows missing",
+       short_forced_swing({}, 0,
+                          [](ForcedSynthetic& record) {
+                            for (std::size_t i = 0; i < 400; ++i)
+                              if (i % 90 > 84) record.y[i] = std::nan("");
+                          }),
+       under_force("viscous")},
+      {"under a force, strongly damped", short_forced_swing({.w0 = 6, .g = 7}), under_force("viscous")},
+      {"under a force that says little",
+       short_forced_swing({}, 0,
+                          [](ForcedSynthetic& record) {
+                            std::mt19937_64 engine(7);
+                            std::normal_distribution<double> normal;
+                            for (double& y : record.y) y += 0.05 * normal(engine);
+                          }),
+       under_force()},
+      {"under a force, its zero far off", short_forced_swing({.offset = 3, .equilibrium = 0.5}),
+       under_force("viscous")},
+      {"under a force, quadratic", short_forced_swing({.quadratic = 90}), under_force()},
+      {"driven, velocities", driven_velocities, at_known},
+      {"driven, shortly", driven_swing(swing(1, 0.1), 3, 1.3, even_times(150, 0.02)), at_known},
+      {"driven, with the body's mass", driven_swing(swing(1, 0.1), 3, 1.3, even_times(400, 0.02)), weighed},
   };
 }
 
@@ -356,6 +468,96 @@ std::string entry_of(const ModesCase& each) {
   return text + codes_of(found->notices);
 }
 
+struct NetworkCase {
+  std::string name, network, missing{};  ///< of the network's values those behind "?" are sought
+  std::size_t samples = 600;
+  double step = 0.05, noise = 5e-4;
+  std::size_t still = 0;
+  double from = 0;
+};
+
+const std::string two_pendulums = R"([[mass]]
+name = "left"
+inertia = "0.05 kg m²"
+position = "0.12 rad"
+[[mass]]
+name = "right"
+inertia = "0.05 kg m²"
+[[link]]
+to = "left"
+stiffness = "?0.981 N m"
+damping = "?0.0006 N m s"
+[[link]]
+to = "right"
+stiffness = "?0.992 N m"
+damping = "?0.0008 N m s"
+[[link]]
+from = "left"
+to = "right"
+stiffness = "?0.031 N m"
+)";
+
+std::vector<NetworkCase> network_cases() {
+  std::string beside = two_pendulums;
+  beside += "[[link]]\nfrom = \"left\"\nto = \"right\"\nstiffness = \"?0.01 N m\"\n";
+  return {
+      {"two pendulums", two_pendulums},
+      {"two pendulums, noisy", two_pendulums, "", 400, 0.05, 0.01},
+      {"two pendulums, coarse", two_pendulums, "", 150, 0.19, 1e-3},
+      {"two pendulums, samples missing", two_pendulums, "some"},
+      {"two pendulums, a part missing", two_pendulums, "part"},
+      {"two pendulums let go late", two_pendulums, "", 500, 0.05, 0, 80},
+      {"two pendulums, the end", two_pendulums, "", 600, 0.05, 5e-4, 0, 14},
+      {"two pendulums, shortly", two_pendulums, "", 45, 0.04, 1e-4},
+      {"two pendulums, two springs side by side", beside},
+  };
+}
+
+std::string entry_of(const NetworkCase& each) {
+  std::string known = each.network, open;
+  for (std::size_t at; (at = known.find('?')) != std::string::npos;) known.erase(at, 1);
+  for (std::size_t i = 0; i < each.network.size(); ++i) {
+    open += each.network[i];
+    if (each.network[i] == '?') i = each.network.find('"', i) - 1;
+  }
+  const auto truth = read_network(known, "n.toml");
+  const auto asked = read_network_file(open, "n.toml");
+  if (!truth.ok() || !asked.ok()) return "no network\n";
+  NetworkSwings swings = swings_of(*truth, each.samples, each.step, each.noise, 4);
+  for (std::size_t n = 0; n < each.samples; ++n) {
+    if (each.missing == "some" && n % 37 > 32) swings.y[n % 2][n] = std::nan("");
+    if (each.missing == "part" && n % 300 > 200) swings.y[1][n] = std::nan("");
+  }
+  for (std::size_t n = 0; n < each.still; ++n) {
+    for (auto& column : swings.y) column.insert(column.begin(), column.front());
+    swings.t.push_back(swings.t.back() + each.step);
+  }
+  std::string header = "Time (s)";
+  const char* column = asked->network.angles ? "Angle {} (rad)" : "Position {} (m)";
+  for (std::size_t i = 1; i <= swings.y.size(); ++i) header += "," + fmt::format(fmt::runtime(column), i);
+  FitOptions options;
+  if (each.from > 0) options.from = each.from;
+  std::atomic<int> looks = 0;
+  Watch watch;
+  watch.pulse = [&looks] { ++looks; };
+  const auto recording = read_recording(file_of(swings.t, swings.y, header), "file.csv", {});
+  const auto found =
+      recording ? fit_network(*recording, *asked, "n.toml", options, watch) : recording.error();
+  std::string text = each.name + "\n";
+  if (!found) return text + codes_of(std::vector<Notice>{found.error().notice});
+  if (!found->succeeded()) text += codes_of(std::vector<Notice>{found->message});
+  text += fmt::format("  {} iterations, {:.5g} independent samples\n", found->fit.iterations,
+                      found->fit.independent_samples);
+  for (std::size_t link = 0; link < asked->network.links.size(); ++link)
+    for (const Parameter& value : found->found_of(link))
+      text += line_of("found", fmt::format("{} {}", link, value.name), value.estimate);
+  for (const FittedColumn& of : found->fit.columns)
+    text += line_of("column", "position", of.position) + line_of("column", "velocity", of.velocity) +
+            line_of("column", "offset", of.offset) +
+            fmt::format("  column rms {:.6g} explained {:.7g}\n", of.rms, of.explained);
+  return text + codes_of(found->notices) + fmt::format("  looks {}\n", looks.load());
+}
+
 /// A value to a five hundredth of its standard error, which stands behind it after "~"; other numbers, and
 /// these errors, to one in five thousand.
 bool same_entry(const std::string& one, const std::string& other) {
@@ -397,6 +599,13 @@ bool same_entry(const std::string& one, const std::string& other) {
 const std::string title =
     "What comes of recordings, and the work that it takes: tests/tasks/ledger_test.cpp makes this file.\n";
 
+/// Cases, made once.
+template <auto make>
+const auto& each_of() {
+  static const auto cases = make();
+  return cases;
+}
+
 /// What the file says of one case, up to the next empty line.
 std::string said_before(const std::string& name) {
   static const std::string all = bytes_of(ledger_file);
@@ -407,7 +616,7 @@ std::string said_before(const std::string& name) {
 
 void expect_as_before(const std::string& name, const std::string& entry) {
   if (std::getenv("CROMER_WRITE_LEDGER")) {
-    const bool is_first = name == free_cases().front().name;
+    const bool is_first = name == each_of<free_cases>().front().name;
     std::ofstream(ledger_file, is_first ? std::ios::trunc : std::ios::app) << (is_first ? title : "") << "\n"
                                                                            << entry;
     return;
@@ -424,25 +633,34 @@ void expect_as_before(const std::string& name, const std::string& entry) {
 class LedgerOf : public testing::TestWithParam<std::size_t> {};
 class LedgerOfDriven : public LedgerOf {};
 class LedgerOfModes : public LedgerOf {};
+class LedgerOfNetworks : public LedgerOf {};
 
 TEST_P(LedgerOf, FreeSwings) {
-  const Case each = free_cases()[GetParam()];
+  const Case each = each_of<free_cases>()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfDriven, Swings) {
-  const Case each = driven_cases()[GetParam()];
+  const Case each = each_of<driven_cases>()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfModes, Recordings) {
-  const ModesCase each = modes_cases()[GetParam()];
+  const ModesCase each = each_of<modes_cases>()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOf, testing::Range<std::size_t>(0, free_cases().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfDriven, testing::Range<std::size_t>(0, driven_cases().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfModes, testing::Range<std::size_t>(0, modes_cases().size()));
+TEST_P(LedgerOfNetworks, Swings) {
+  const NetworkCase each = each_of<network_cases>()[GetParam()];
+  expect_as_before(each.name, entry_of(each));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOf, testing::Range<std::size_t>(0, each_of<free_cases>().size()));
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfDriven,
+                         testing::Range<std::size_t>(0, each_of<driven_cases>().size()));
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfModes, testing::Range<std::size_t>(0, each_of<modes_cases>().size()));
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfNetworks,
+                         testing::Range<std::size_t>(0, each_of<network_cases>().size()));
 
 }  // namespace
 }  // namespace cromer::core

@@ -6,11 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <string>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/open_recording.h"
+#include "tests/identify/network_truth.h"
 #include "tests/support/shared_data.h"
 
 namespace cromer::core {
@@ -104,6 +106,54 @@ TEST(NetworkFit, ABeginningWithoutMotionIsLeftOut) {
   const auto chosen = fitted(late, file_of(pendulums()), {.from = 5});
   EXPECT_EQ(chosen->channels.t.front(), 5);
   EXPECT_THAT(in_words(chosen->notices), testing::Not(testing::Contains(HasSubstr("nothing moves"))));
+}
+
+// Its beginning is quieter than what follows, as that of one at rest.
+TEST(NetworkFit, AMotionThatGrowsUnderItsDriveIsTakenFromItsFirstSample) {
+  const std::string network = R"([[mass]]
+name = "a"
+mass = "1 kg"
+velocity = "0.4 m/s"
+drive_amplitude = "0.5 N"
+drive_frequency = "1.1 rad/s"
+drive_phase = "0.4 rad"
+[[mass]]
+name = "b"
+mass = "2 kg"
+position = "-0.1 m"
+[[mass]]
+name = "c"
+mass = "1.5 kg"
+velocity = "-0.2 m/s"
+[[link]]
+to = "a"
+stiffness = "9 N/m"
+damping = "0.05 kg/s"
+[[link]]
+from = "a"
+to = "b"
+stiffness = "5 N/m"
+drag = "0.3 kg/m"
+[[link]]
+from = "b"
+to = "c"
+stiffness = "7 N/m"
+cubic = "20 N/m³"
+)";
+  std::string open = network;
+  open.replace(open.find("9 N/m"), 5, "?");
+  const NetworkSwings swings = swings_of(file_of(network).network, 500, 0.06, 2e-4, 4);
+  std::string bytes = "Time (s),Position 1 (m),Position 2 (m),Position 3 (m)\n";
+  for (std::size_t n = 0; n < swings.t.size(); ++n)
+    bytes += fmt::format("{:.2f},{:.5f},{:.5f},{:.5f}\n", swings.t[n], swings.y[0][n], swings.y[1][n],
+                         swings.y[2][n]);
+  const auto recording = read_recording(bytes, "swing.csv", {});
+  ASSERT_TRUE(recording.ok());
+  const std::atomic<bool> stop{true};  // before the fit itself
+  const auto result = fit_network(*recording, file_of(open), "n.toml", {}, {&stop});
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  EXPECT_EQ(result->channels.t.front(), 0);
+  EXPECT_TRUE(result->notices.empty());
 }
 
 TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {

@@ -15,8 +15,12 @@ constexpr std::array fit_options{"run",         "from",      "to",      "rate",
                                  "time-column", "delimiter", "decimal", "skip-bad-rows"};
 
 /// Where nothing moves at first, and no beginning was chosen, the samples from the motion's own beginning on.
+/// Under a drive a motion may grow that was there before.
 Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& options) {
-  if (options.from) return {};
+  const std::vector<NetworkMass>& masses = result.asked.network.masses;
+  const bool is_driven = std::any_of(masses.begin(), masses.end(),
+                                     [](const NetworkMass& mass) { return mass.drive.amplitude > 0; });
+  if (options.from || is_driven) return {};
   Channels complete = result.channels;
   leave_out_incomplete(complete);
   if (complete.t.size() < fewest_modal_samples) return {};
