@@ -44,6 +44,29 @@ TEST(Channels, SamplesThatStickOutAreMissing) {
   EXPECT_EQ(channels->each[1].missing, 0u);
 }
 
+TEST(Channels, AColumnWithoutNumbersIsMissingAndTheNextAreNot) {
+  const auto channels = take_channels(
+      read("Time (s),Position (m),Position 2 (m),Position 3 (m)\n0,,1,5\n0.1,,2,4\n0.2,,3,2\n"), 1, {});
+  ASSERT_TRUE(channels.ok()) << in_words(channels.error());
+  ASSERT_EQ(channels->each.size(), 3u);
+  EXPECT_EQ(channels->each[0].column, "Position (m)");
+  EXPECT_THAT(channels->each[0].y, ElementsAre(IsNan(), IsNan(), IsNan()));
+  EXPECT_EQ(channels->each[0].missing, 3u);
+  EXPECT_THAT(channels->each[1].y, ElementsAre(1, 2, 3));
+  EXPECT_THAT(channels->each[2].y, ElementsAre(5, 4, 2));
+  EXPECT_EQ(channels->unit, "m");
+  EXPECT_DOUBLE_EQ(channels->rate, 10);
+}
+
+TEST(Channels, AColumnThatNoNameCallsAMotionIsTheOnlyOne) {
+  const auto channels = take_channels(read("Time (s),Reading\n0,1\n0.1,2\n0.2,4\n"), 1, {});
+  ASSERT_TRUE(channels.ok()) << in_words(channels.error());
+  ASSERT_EQ(channels->each.size(), 1u);
+  EXPECT_EQ(channels->each[0].column, "Reading");
+  EXPECT_THAT(channels->each[0].y, ElementsAre(1, 2, 4));
+  EXPECT_EQ(channels->each[0].missing, 0u);
+}
+
 TEST(Channels, AreRefusedWhereNothingMoves) {
   EXPECT_FALSE(take_channels(read("Time (s),Position (m)\n0,1\n1,2\n"), 2, {}).ok());
 }
