@@ -98,6 +98,8 @@ TEST(ParseQuantity, SamplesPerSecond) {
   expect("100 Hz", "Hz", 100);
   expect("0.1 kHz", "Hz", 100);
   expect("100 1/s", "Hz", 100);
+  expect("120 1/min", "Hz", 2);
+  expect("0.1 1/ms", "Hz", 100);
 }
 
 TEST(ParseQuantity, TemperaturesAndGravity) {

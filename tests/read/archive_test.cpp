@@ -58,6 +58,24 @@ TEST(Zip, AThousandFilesAreRead) {
   EXPECT_EQ(names_of(archive_of(files)), "the ZIP archive holds more than 1000 files: unpack it");
 }
 
+// Versions, times, attributes and the flags that say nothing of its packing.
+TEST(Zip, WhatIsNotLookedAtMayBeAnything) {
+  for (const bool pack : {false, true}) {
+    std::string bytes = archive_of({{"a.csv", "0,1\n1,2\n"}}, pack);
+    const std::string plain = content_of(bytes);
+    const std::size_t directory = directory_of(bytes), end = bytes.size() - 22;
+    for (const std::size_t at :
+         {4u, 5u, 6u, 7u, 9u, 12u, 13u, 14u, 15u, 34u, 35u, 36u, 37u, 38u, 39u, 40u, 41u})
+      bytes[directory + at] = '\xFF';
+    bytes[directory + 8] = '\xFE';
+    for (std::size_t at = 4; at < 26; ++at) bytes[at] = '\xFF';
+    for (const std::size_t at : {4u, 5u, 6u, 7u, 8u, 9u, 12u, 13u, 14u, 15u}) bytes[end + at] = '\xFF';
+    EXPECT_EQ(names_of(bytes), "a.csv;");
+    EXPECT_EQ(content_of(bytes), plain);
+    EXPECT_EQ(plain, "0,1\n1,2\n");
+  }
+}
+
 TEST(Zip, ACommentMayEndIt) {
   EXPECT_EQ(names_of(abc), "a.csv;b.csv;c.csv;");
   EXPECT_EQ(names_of(abc + std::string(65535, ' ')), "a.csv;b.csv;c.csv;");

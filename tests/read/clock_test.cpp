@@ -133,6 +133,34 @@ TEST(Clock, TwelveLengthsOfStepsAreRounding) {
   }
 }
 
+TEST(Pace, IsThatOfSixteenStepsWhereThereAreSixtyFourTimes) {
+  const auto gaps = [](int samples) {
+    std::vector<double> t{0};
+    for (int i = 1; i < samples; ++i) t.push_back(t.back() + (i % 3 == 2 ? 1 : 0.6));
+    return describe_steps(t).gaps.size();
+  };
+  // A second is 1.67 of the usual steps, and 1.36 of their mean.
+  EXPECT_GT(gaps(63), 15u);
+  EXPECT_EQ(gaps(64), 0u);
+  EXPECT_EQ(gaps(65), 0u);
+}
+
+TEST(Pace, OfTenTimesBehindAGapHalfAreLate) {
+  std::vector<double> t(40);
+  std::iota(t.begin(), t.end(), 0);
+  for (std::size_t i = 20; i < 25; ++i) t[i] += 1.2;
+  t[25] += 0.3;
+  const auto gaps = describe_steps(t).gaps;
+  ASSERT_EQ(gaps.size(), 1u);
+  EXPECT_EQ(gaps[0].t, 19);
+}
+
+TEST(Pace, OfTimesFarFromZeroIsTheirMean) {
+  std::vector<double> t;
+  for (int i = 0; i < 3000; ++i) t.push_back(1e9 + 0.0012345678 * i);
+  EXPECT_NEAR(describe_steps(t).rate * 0.0012345678, 1, 1e-7);
+}
+
 TEST(Clock, ARoundStepOrRateIsItsOwnWhereItIsNotThereByChance) {
   const auto of = [](double step, double rounding, int samples) {
     return *describe_steps(rounded_times({step, rounding, 0, samples})).clock;

@@ -47,6 +47,23 @@ TEST_P(Utf16, IsReadAsUtf8Is) {
   EXPECT_THAT(r->lines, ElementsAre(3, 4, 5));
 }
 
+TEST(Cp1252, HasOneByteForEachLetter) {
+  // Its first and last sign between 0x80 and 0x9F, and their neighbours: € and Ÿ, a blank that keeps a line
+  // together, ¡ and ÿ; the first hole.
+  const auto name_of = [](const std::string& bytes) {
+    const Recording r = read("t,x" + bytes + "y\n0,1\n1,2\n");
+    EXPECT_EQ(r.dialect.encoding, "cp1252");
+    return r.table.columns.at(1).name;
+  };
+  EXPECT_EQ(name_of("\x80"), "x€y");
+  EXPECT_EQ(name_of("\x9F"), "xŸy");
+  EXPECT_EQ(name_of("\xA0"), "x\u00A0y");
+  EXPECT_EQ(name_of("\xA1"), "x¡y");
+  EXPECT_EQ(name_of("\xFF"), "xÿy");
+  EXPECT_EQ(name_of("\x7F\xFF"), "x\x7Fÿy");
+  EXPECT_EQ(name_of("\x81"), "x\uFFFDy");
+}
+
 TEST_P(Utf16, DamageIsToldWithItsPlace) {
   std::u16string start = u"t,x\n";  // beyond what is looked at to tell the form
   for (int i = 0; i < 100; ++i) start += u"0,1\n";

@@ -114,6 +114,33 @@ TEST(Layout, QuotedDecimalsAreFoundAnywhereInALine) {
   EXPECT_EQ(columns_of("\"1\",\"2,5\"\n\"2\",\"3,5\"\n"), 2u);
 }
 
+TEST(TextColumnsOfLayout, HaveNoNumberBesideEnoughThatHave) {
+  const auto text_of = [](const std::string& text, std::size_t columns, double rate = 0,
+                          const std::vector<bool>& named_time = {}) {
+    ReadOptions options;
+    options.rate = rate;
+    std::string found;
+    for (const bool is_text :
+         text_columns(split_lines(text), 0, Layout{';', '.', columns}, options, named_time))
+      found += is_text ? 'T' : 'n';
+    return found;
+  };
+  EXPECT_EQ(text_of("1;up\n2;down\n", 2), "");
+  EXPECT_EQ(text_of("1;up\n2;down\n", 2, 10), "nT");
+  EXPECT_EQ(text_of("up;1;2\n", 3), "Tnn");
+  EXPECT_EQ(text_of("up;1;2;left\n", 4), "TnnT");
+  EXPECT_EQ(text_of("up;1;2;left;far\n", 5), "");
+  EXPECT_EQ(text_of("1;2;3\n", 3), "");
+  // A number in any row, or one badly written; comments, blank lines and cells too many say nothing.
+  EXPECT_EQ(text_of("up;1;2\n7;1;2\n", 3), "");
+  EXPECT_EQ(text_of("up;1;2\n7x;1;2\n", 3), "");
+  EXPECT_EQ(text_of("# 7;1;2\n\n;1;2\nup;3;4;5\n;nan;\n", 3), "Tnn");
+  // Dates are text only beside a time.
+  EXPECT_EQ(text_of("2024-05-06;1;2\n", 3), "");
+  EXPECT_EQ(text_of("2024-05-06;1;2\n", 3, 0, {false, true}), "Tnn");
+  EXPECT_EQ(text_of("2024-05-06;1;2\n", 3, 0, {true, false}), "");
+}
+
 TEST(FindData, ARowWithABadCellIsTheFirst) {
   const auto first = [](const std::string& text, std::size_t columns) {
     return find_data(split_lines(text), Layout{';', '.', columns});
@@ -162,6 +189,7 @@ TEST(Commas, TheNamesAboveSettleThem) {
   EXPECT_EQ(two.separator, ',');
   EXPECT_TRUE(two.paired);
   EXPECT_EQ(settled("# Time\tPosition\n1,2,3,4\n", 4).columns, 2u);
+  EXPECT_EQ(settled("#t\tx\n1,2,3,4\n", 4).columns, 2u);
   EXPECT_EQ(settled("t,x\n1,2\n", 2).columns, 2u);
   EXPECT_EQ(settled("Time;Position;a;b\n1,2,3,4\n", 4).columns, 4u);
   // Names that say nothing, commas between half as many, and lines further above.

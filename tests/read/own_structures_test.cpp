@@ -126,6 +126,19 @@ TEST(Peer, VelocitiesAndDisplacements) {
   EXPECT_EQ(si("no words", "x.dt2"), "position 0.01");
 }
 
+TEST(Peer, AllIsOfOneRun) {
+  const auto both = [](std::string_view words, std::string_view file) {
+    return titles(read(concat({"NRC\n", words, "\nNPTS= 2, DT= 0.1 SEC\n1 2\n"}), file));
+  };
+  EXPECT_THAT(both("no words", "x.txt"), ElementsAre("1 Time (s)", "1 column 2"));
+  EXPECT_THAT(both("no words", ""), ElementsAre("1 Time (s)", "1 column 2"));
+  EXPECT_THAT(both("no words", "a.vt2"), ElementsAre("1 Time (s)", "1 Velocity (cm/s)"));
+  EXPECT_THAT(both("ACCELERATION", "a.vt2"), ElementsAre("1 Time (s)", "1 Acceleration (g)"));
+  EXPECT_THAT(both("ACCELERATION IN UNITS OF   CM/SEC/SEC, FILTERED", "x"),
+              ElementsAre("1 Time (s)", "1 Acceleration (cm/s^2)"));
+  EXPECT_THAT(both("VELOCITY IN UNITS OF M/SEC", "x"), ElementsAre("1 Time (s)", "1 Velocity (m/s)"));
+}
+
 TEST(Peer, WhatIsMissingIsSaid) {
   EXPECT_THAT(in_words(read("a\nb\nc\nNPTS= 9, DT= 0.1 SEC\n1 2\n").notices),
               Contains("NPTS says 9 values, the file holds 2"));

@@ -288,6 +288,19 @@ TEST(Tops, AreCutOffWhereTheyAreFlatAgainAndAgain) {
   EXPECT_FALSE(tops_cut_off(Values(100, 1), 0.01, 0));
 }
 
+// Of a sine, all within a resolution of the top look alike: 2 acos(1 - r / A) of its 2 pi.
+TEST(Tops, AreCutOffWhereTheyLastHalfAsLongAgainAsRoundingMakesThem) {
+  const double pi = 3.14159265358979323846;
+  // Ten tops of 41 samples each, 200 samples a period; lowest at -1, highest at cos(20 * 2 pi / 200).
+  const double top = std::cos(pi / 5 * 1.001), amplitude = 0.5 * (top + 1);
+  const Values y = made(2000, [&](int i) { return std::min(std::cos(2 * pi * (i + 100) / 200), top); });
+  const double half_period = 2000.0 / 20;  // between crossings, of which there are 20
+  const double dwell = (41 - 3) / 1.5;
+  const double resolution = amplitude * (1 - std::cos(pi * dwell / half_period / 2));
+  EXPECT_TRUE(tops_cut_off(y, 0.01, 0.98 * resolution));
+  EXPECT_FALSE(tops_cut_off(y, 0.01, 1.02 * resolution));
+}
+
 TEST(Tops, OfARectangleAreNotCutOff) {
   const auto rectangle = [](int high) {
     return tops_cut_off(made(1000, [=](int i) { return i % 100 < high ? 1.0 : -0.01 * (i % 7); }), 0.01, 0);

@@ -118,7 +118,6 @@ Candidate judge_with_text(const std::vector<std::string_view>& chosen, Layout la
     if (cells.size() > 1 && cells.size() <= most_columns) of_width[cells.size()].push_back(cells);
   }
   for (const auto& [width, lines] : of_width) {
-    if (lines.size() < fewest_with_text || 2 * lines.size() <= chosen.size()) continue;
     std::vector<Seen> columns(width);
     for (const auto& line : lines)
       for (std::size_t j = 0; j < width; ++j) columns[j].look_at(line[j], layout.decimal);
