@@ -112,13 +112,26 @@ TEST(Clock, OfTimesThatJitterIsTheLineOfLeastSquares) {
 }
 
 TEST(Clock, StepsOfOneAndTwoRoundingsAreOneIfATenthIsOfTwo) {
-  const auto is_one = [](int samples, double step) {
-    return describe_steps(rounded_times({step, 1, 0.7, samples})).clock.has_value();
-  };
-  // From 1 to 110, in 99 steps, 100 and from 0 to 109.
-  EXPECT_TRUE(is_one(100, 1.1));
-  EXPECT_FALSE(is_one(101, 1.1));
-  EXPECT_FALSE(is_one(100, 1.09));
+  for (const double rounding : {0.01, 1.0, 100.0}) {
+    const auto is_one = [&](int samples, double step) {
+      const Logged logged{step * rounding, rounding, 0.73 * rounding, samples};
+      return describe_steps(rounded_times(logged)).clock.has_value();
+    };
+    // From 1 to 110, in 99 steps, 100 and from 0 to 109.
+    EXPECT_TRUE(is_one(100, 1.1)) << rounding;
+    EXPECT_FALSE(is_one(101, 1.1)) << rounding;
+    EXPECT_FALSE(is_one(100, 1.09)) << rounding;
+  }
+}
+
+TEST(Clock, TimesMayBeOffByAMillionthOfAStep) {
+  std::vector<double> t = rounded_times({1 / 70.0, 0.005, 0, 200});
+  for (std::size_t i = 0; i < t.size(); ++i) t[i] += i % 2 == 0 ? 2e-9 : -2e-9;
+  const auto clock = describe_steps(t).clock;
+  ASSERT_TRUE(clock);
+  EXPECT_EQ(clock->rounding, 0.005);
+  for (std::size_t i = 0; i < t.size(); ++i) t[i] += i % 2 == 0 ? 2e-7 : -2e-7;
+  EXPECT_FALSE(describe_steps(t).clock);
 }
 
 TEST(Clock, TwelveLengthsOfStepsAreRounding) {
@@ -145,14 +158,21 @@ TEST(Pace, IsThatOfSixteenStepsWhereThereAreSixtyFourTimes) {
   EXPECT_EQ(gaps(65), 0u);
 }
 
-TEST(Pace, OfTenTimesBehindAGapHalfAreLate) {
+/// 0, 1, ..., 39, but that five from `from` on are off, and one beside them.
+std::size_t gaps_where_five(std::size_t from, double off, std::size_t beside = 0, double by = 0) {
   std::vector<double> t(40);
   std::iota(t.begin(), t.end(), 0);
-  for (std::size_t i = 20; i < 25; ++i) t[i] += 1.2;
-  t[25] += 0.3;
-  const auto gaps = describe_steps(t).gaps;
-  ASSERT_EQ(gaps.size(), 1u);
-  EXPECT_EQ(gaps[0].t, 19);
+  for (std::size_t i = from; i < from + 5; ++i) t[i] += off;
+  t[beside] += by;
+  return describe_steps(t).gaps.size();
+}
+
+// The medians of ten on either side of it are half a step apart: here 0.45, and 0.75.
+TEST(Pace, AGapIsSeenOfTenTimesOnEitherSide) {
+  EXPECT_EQ(gaps_where_five(20, 0.9), 0u);
+  EXPECT_EQ(gaps_where_five(20, 1.2, 25, 0.3), 1u);
+  EXPECT_EQ(gaps_where_five(15, -0.9), 0u);
+  EXPECT_EQ(gaps_where_five(15, -1.2, 14, -0.3), 1u);
 }
 
 TEST(Pace, OfTimesFarFromZeroIsTheirMean) {

@@ -402,10 +402,9 @@ Steps describe_steps(std::span<const double> t) {
   double mean = 0, squares = 0;
   for (const double h : kept) mean += h / static_cast<double>(kept.size());
   for (const double h : kept) squares += (h - mean) * (h - mean);
-  result.rate = clock          ? round_within(1 / clock->spacing, rounding)
-                : kept.empty() ? round_within(1 / step, rounding)
-                               : round_within(1 / mean, rounding / static_cast<double>(kept.size()));
-  const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
+  result.rate = clock ? round_within(1 / clock->spacing, rounding)
+                      : round_within(1 / mean, rounding / static_cast<double>(kept.size()));
+  const double jitter = std::sqrt(squares / static_cast<double>(kept.size())) / step;
   result.jitter = jitter > rounding ? jitter : 0;
   result.clock = clock;
   return result;
