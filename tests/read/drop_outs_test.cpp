@@ -191,6 +191,19 @@ TEST(DropOuts, FlatOnesMayBeLong) {
   EXPECT_EQ(flat(0, 3), Found{});
 }
 
+TEST(DropOuts, FlatOnesMayEndWhereTheMotionHasGone) {
+  const auto moving = [](std::size_t length) {
+    std::vector<double> y = zigzag(400, 0, {});
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += 2 * static_cast<double>(i);
+    for (std::size_t i = 40; i < 40 + length; ++i) y[i] = 1;
+    return found_in(y);
+  };
+  EXPECT_EQ(moving(3), (Found{{40, 43}}));
+  EXPECT_EQ(moving(20), (Found{{40, 60}}));
+  // From 79 to 160, above 1: farther than half the jump.
+  EXPECT_EQ(moving(40), (Found{{40, 80}}));
+}
+
 TEST(DropOuts, NextToEachOtherAreFoundBoth) {
   std::vector<double> y = zigzag(200, 100, {90, 90});
   y[104] += 90, y[105] += 90;

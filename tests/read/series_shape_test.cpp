@@ -166,6 +166,23 @@ TEST(Spikes, NeedFortySamples) {
   EXPECT_THAT(spikes_of(ramp(39, 20, 1)), IsEmpty());
 }
 
+TEST(Spikes, StandAmongFiveTimesThatAreEven) {
+  const auto found = [](std::size_t behind, double interval) {
+    Values t;
+    for (std::size_t i = 0; i < 100; ++i)
+      t.push_back(i == 0 ? 0 : t.back() + (i == behind + 1 ? interval : 1));
+    return spikes(t, ramp(100, 50, 1), 1, 0).size();
+  };
+  for (const std::size_t behind : {48u, 49u, 50u, 51u}) {
+    EXPECT_EQ(found(behind, 0.55), 1u) << behind;
+    EXPECT_EQ(found(behind, 1.45), 1u) << behind;
+    EXPECT_EQ(found(behind, 0.45), 0u) << behind;
+    EXPECT_EQ(found(behind, 1.55), 0u) << behind;
+  }
+  EXPECT_EQ(found(47, 1.55), 1u);
+  EXPECT_EQ(found(52, 1.55), 1u);
+}
+
 TEST(Spikes, AreSixSmallChangesOrRoundingSteps) {
   EXPECT_THAT(spikes_of(ramp(100, 50, 0.0061)), ElementsAre(50));
   EXPECT_THAT(spikes_of(ramp(100, 50, -0.0061)), ElementsAre(50));
