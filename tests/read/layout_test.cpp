@@ -42,6 +42,20 @@ TEST(Layout, TheWidestOfEquallyFrequentRowsIsTaken) {
   EXPECT_EQ(columns_of("1;2\n1;2\n1;2;3\n1;2;3;4\n1;2;3;4\n1;2;3;4\n"), 4u);
 }
 
+TEST(Layout, RowsOfNumbersAloneGoBeforeMoreRowsWithText) {
+  const auto columns = [](int numbers, int with_text) {
+    std::string text;
+    for (int i = 0; i < numbers; ++i) text += "1;2\n";
+    for (int i = 0; i < with_text; ++i) text += "a;1;2\n";
+    return columns_of(text);
+  };
+  EXPECT_EQ(columns(3, 4), 2u);
+  EXPECT_EQ(columns(2, 4), 3u);  // fewer may be a title's numbers
+  EXPECT_EQ(columns(2, 3), 3u);
+  EXPECT_EQ(columns(1, 2), 2u);
+  EXPECT_EQ(columns(2, 2), 2u);
+}
+
 TEST(Layout, ARowHasANumber) {
   EXPECT_EQ(layout_of("nan;nan\nnan;nan\n1 2\n")->separator, ' ');
   EXPECT_FALSE(layout_of("nan;\n;\n").ok());

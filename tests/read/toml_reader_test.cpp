@@ -60,8 +60,7 @@ rows = [["a", 1], [], [2.5, true]]
     EXPECT_THAT(toml.values("none"), IsEmpty());
     EXPECT_THAT(toml.wholes("counts"), ElementsAre(0, 7, 1000));
     EXPECT_THAT(toml.wholes("none"), IsEmpty());
-    EXPECT_THAT(toml.rows("rows"),
-                ElementsAre(ElementsAre("a", "1"), IsEmpty(), ElementsAre("2.5", "true")));
+    EXPECT_THAT(toml.rows("rows"), ElementsAre(ElementsAre("a", "1"), IsEmpty(), ElementsAre("2.5", "true")));
     EXPECT_THAT(toml.rows("none"), IsEmpty());
     EXPECT_FALSE(toml.knows_all());
     EXPECT_EQ(toml.tables("parts").size(), 2u);
@@ -77,7 +76,10 @@ rows = [["a", 1], [], [2.5, true]]
 TEST(TomlReader, TheFirstErrorHasItsPlaceAndWhatIsSoundIsTaken) {
   EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_EQ(toml.text("a", "b"), "b"); }),
             "lab.toml:1:5: \"a\" takes a text in quotes");
-  EXPECT_EQ(why("\na = \"c\"", [](TomlReader& toml) { EXPECT_EQ(toml.choice("a", {"x", "y"}), "x"); }),
+  EXPECT_EQ(why("\na = \"c\"",
+                [](TomlReader& toml) {
+                  EXPECT_EQ(toml.choice("a", {"x", "y"}), "x");
+                }),
             "lab.toml:2:5: \"a\" is one of x, y");
   EXPECT_EQ(why("a = \"1\"", [](TomlReader& toml) { EXPECT_EQ(toml.number("a", 7), 7); }),
             "lab.toml:1:5: \"a\" takes a number");
@@ -90,22 +92,31 @@ TEST(TomlReader, TheFirstErrorHasItsPlaceAndWhatIsSoundIsTaken) {
   EXPECT_EQ(why("a = [1, [], 2, {}]",
                 [](TomlReader& toml) { EXPECT_THAT(toml.values("a"), ElementsAre("1", "2")); }),
             "lab.toml:1:9: \"a\" takes numbers or texts");
-  EXPECT_EQ(why("a = {}", [](TomlReader& toml) { EXPECT_THAT(toml.values("a"), IsEmpty()); }), "lab.toml:1:5: \"a\" takes a number, a text or a list of them");
+  EXPECT_EQ(why("a = {}", [](TomlReader& toml) { EXPECT_THAT(toml.values("a"), IsEmpty()); }),
+            "lab.toml:1:5: \"a\" takes a number, a text or a list of them");
   for (const char* value : {"-1", "1001", "1.0"})
     EXPECT_EQ(why(std::string("a = [2, ") + value + ", 3]",
                   [](TomlReader& toml) { EXPECT_THAT(toml.wholes("a"), ElementsAre(2, 3)); }),
               "lab.toml:1:9: \"a\" takes a list of whole numbers from 0")
         << value;
-  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_THAT(toml.wholes("a"), IsEmpty()); }), "lab.toml:1:5: \"a\" takes a list of whole numbers");
-  EXPECT_EQ(why("a = [1, {}, 2, {}]", [](TomlReader& toml) { EXPECT_EQ(toml.tables("a").size(), 2u); }), "lab.toml:1:6: \"a\" is a list of tables");
-  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_EQ(toml.tables("a").size(), 0u); }), "lab.toml:1:5: \"a\" is a list of tables: write [[a]]");
+  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_THAT(toml.wholes("a"), IsEmpty()); }),
+            "lab.toml:1:5: \"a\" takes a list of whole numbers");
+  EXPECT_EQ(why("a = [1, {}, 2, {}]", [](TomlReader& toml) { EXPECT_EQ(toml.tables("a").size(), 2u); }),
+            "lab.toml:1:6: \"a\" is a list of tables");
+  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_EQ(toml.tables("a").size(), 0u); }),
+            "lab.toml:1:5: \"a\" is a list of tables: write [[a]]");
   EXPECT_EQ(why("a = [1, [2], [{}, 3]]",
-                [](TomlReader& toml) { EXPECT_THAT(toml.rows("a"), ElementsAre(ElementsAre("2"), ElementsAre("3"))); }),
+                [](TomlReader& toml) {
+                  EXPECT_THAT(toml.rows("a"), ElementsAre(ElementsAre("2"), ElementsAre("3")));
+                }),
             "lab.toml:1:6: a row is a list of texts");
-  EXPECT_EQ(why("a = [[{}, 3]]", [](TomlReader& toml) { EXPECT_THAT(toml.rows("a"), ElementsAre(ElementsAre("3"))); }),
+  EXPECT_EQ(why("a = [[{}, 3]]",
+                [](TomlReader& toml) { EXPECT_THAT(toml.rows("a"), ElementsAre(ElementsAre("3"))); }),
             "lab.toml:1:7: a cell is a text or a number");
-  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_THAT(toml.rows("a"), IsEmpty()); }), "lab.toml:1:5: \"a\" takes a list of rows");
-  EXPECT_EQ(why("a = 1\nb = true", [](TomlReader& toml) { toml.number("b", 1), toml.text("a"); }), "lab.toml:2:5: \"b\" takes a number");
+  EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_THAT(toml.rows("a"), IsEmpty()); }),
+            "lab.toml:1:5: \"a\" takes a list of rows");
+  EXPECT_EQ(why("a = 1\nb = true", [](TomlReader& toml) { toml.number("b", 1), toml.text("a"); }),
+            "lab.toml:2:5: \"b\" takes a number");
 }
 
 TEST(TomlReader, KeysThatNobodyAskedForAreErrors) {
