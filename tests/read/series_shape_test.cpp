@@ -167,11 +167,11 @@ TEST(Spikes, NeedFortySamples) {
 }
 
 TEST(Spikes, StandAmongFiveTimesThatAreEven) {
-  const auto found = [](std::size_t behind, double interval) {
+  const auto found = [](std::size_t behind, double interval, std::size_t spike = 50) {
     Values t;
     for (std::size_t i = 0; i < 100; ++i)
       t.push_back(i == 0 ? 0 : t.back() + (i == behind + 1 ? interval : 1));
-    return spikes(t, ramp(100, 50, 1), 1, 0).size();
+    return spikes(t, ramp(100, spike, 1), 1, 0).size();
   };
   for (const std::size_t behind : {48u, 49u, 50u, 51u}) {
     EXPECT_EQ(found(behind, 0.55), 1u) << behind;
@@ -181,6 +181,11 @@ TEST(Spikes, StandAmongFiveTimesThatAreEven) {
   }
   EXPECT_EQ(found(47, 1.55), 1u);
   EXPECT_EQ(found(52, 1.55), 1u);
+  for (const std::size_t spike : {2u, 97u}) {
+    EXPECT_EQ(found(50, 1.55, spike), 1u) << spike;
+    EXPECT_EQ(found(spike - 2, 1.55, spike), 0u) << spike;
+    EXPECT_EQ(found(spike + 1, 1.55, spike), 0u) << spike;
+  }
 }
 
 TEST(Spikes, AreSixSmallChangesOrRoundingSteps) {
