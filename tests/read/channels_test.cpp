@@ -34,13 +34,14 @@ TEST(Channels, AreAllColumnsOfTheMotion) {
 TEST(Channels, SamplesThatStickOutAreMissing) {
   std::string text = "Time (s),Position (m),Position 2 (m)\n";
   for (int i = 0; i < 200; ++i)
-    text += std::to_string(0.01 * i) + "," + std::to_string(i == 50 ? 30 : 0.1 * std::sin(0.06 * i)) + "," +
+    text += std::to_string(0.01 * i) + "," +
+            std::to_string(i == 50 || i == 120 || i == 160 ? 30 : 0.1 * std::sin(0.06 * i)) + "," +
             std::to_string(0.1 * std::cos(0.06 * i)) + "\n";
   const auto channels = take_channels(read(text), 1, {});
   ASSERT_TRUE(channels.ok()) << in_words(channels.error());
   ASSERT_EQ(channels->t.size(), 200u);
-  EXPECT_THAT(channels->each[0].y[50], IsNan());
-  EXPECT_EQ(channels->each[0].missing, 1u);
+  for (const std::size_t i : {50u, 120u, 160u}) EXPECT_THAT(channels->each[0].y[i], IsNan()) << i;
+  EXPECT_EQ(channels->each[0].missing, 3u);
   EXPECT_EQ(channels->each[1].missing, 0u);
 }
 

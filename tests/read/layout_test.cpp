@@ -54,6 +54,7 @@ TEST(Layout, RowsOfNumbersAloneGoBeforeMoreRowsWithText) {
   EXPECT_EQ(columns(2, 3), 3u);
   EXPECT_EQ(columns(1, 2), 2u);
   EXPECT_EQ(columns(2, 2), 2u);
+  EXPECT_EQ(columns_of("x;y\na;1;2\nb;3;4\nc;5;6\n"), 3u);
 }
 
 TEST(Layout, ARowHasANumber) {
