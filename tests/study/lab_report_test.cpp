@@ -14,6 +14,7 @@
 #include "cromer/study/write_report.h"
 #include "tests/study/collected.h"
 #include "tests/support/bytes_of.h"
+#include "tests/support/written_down.h"
 
 namespace cromer::core {
 namespace {
@@ -126,6 +127,72 @@ TEST(LabReport, IsTheWholeSecondLab) {
   EXPECT_THAT(text, HasSubstr("its kinematic viscosity *ν* is then 1.51"));
   EXPECT_THAT(text, HasSubstr("Your disc's diameter has no ±"));
   EXPECT_THAT(text, Not(HasSubstr("could not be told")));
+}
+
+/// The study file and the texts of its page, as they are written down in the tree.
+void expect_report_as_written_down(const Made& lab, const std::string& name) {
+  test::expect_as_written_down(lab.toml + "\n====\n" + lab.text(),
+                               CROMER_SOURCE_DIR "/tests/study/lab_reports/" + name + ".txt");
+}
+
+TEST(LabReportWrittenDown, OfASwingWithMassAndDisc) {
+  expect_report_as_written_down(
+      report({{"lab.csv", bytes_of(lab_two)}},
+             {{"mass", "217.6 ± 0.3 g"}, {"disc-diameter", "12 cm"}, {"segment", "30 s"}}),
+      "mass_and_disc");
+}
+
+TEST(LabReportWrittenDown, OfASwingOfWhichNothingElseIsKnown) {
+  expect_report_as_written_down(report({{"lab.csv", recorded(decaying(0.1), 30)}}), "nothing_else");
+}
+
+TEST(LabReportWrittenDown, OfASwingThatGrows) {
+  expect_report_as_written_down(
+      report({{"lab.csv", recorded(decaying(-0.05), 25)}}, {{"mass", "0.2 kg"}, {"law", "viscous"}}),
+      "grows");
+}
+
+TEST(LabReportWrittenDown, OfAnAngle) {
+  std::string bytes = recorded(decaying(0.08), 25);
+  bytes.replace(bytes.find("Position (m)"), 12, "Angle (rad)");
+  expect_report_as_written_down(report({{"lab.csv", bytes}}, {{"law", "viscous+drag"}}), "angle");
+}
+
+TEST(LabReportWrittenDown, OfAVelocity) {
+  std::string bytes = recorded(decaying(0.08), 25);
+  bytes.replace(bytes.find("Position (m)"), 12, "Velocity (m/s)");
+  expect_report_as_written_down(report({{"lab.csv", bytes}}, {{"mass", "0.2 ± 0.01 kg"}}), "velocity");
+}
+
+TEST(LabReportWrittenDown, OfAnAcceleration) {
+  std::string bytes = recorded(decaying(0.08), 25);
+  bytes.replace(bytes.find("Position (m)"), 12, "Acceleration (m/s^2)");
+  expect_report_as_written_down(report({{"lab.csv", bytes}}), "acceleration");
+}
+
+TEST(LabReportWrittenDown, OfAMotionDrivenAtAKnownFrequency) {
+  const auto x = [](double t) {
+    return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t);
+  };
+  expect_report_as_written_down(
+      report({{"lab.csv", recorded(x, 60)}}, {{"drive-frequency", "7 rad/s"}, {"mass", "0.2 kg"}}), "driven");
+}
+
+TEST(LabReportWrittenDown, OfSeveralOfWhichOneFails) {
+  ReportFront front;
+  front.language = Language::german;
+  front.title = "Zwei Federn";
+  front.author = "A. Muster";
+  front.course = "Praktikum";
+  front.text = "Mein *eigener* Text.";
+  front.aim = "Die Federkonstante.";
+  front.apparatus = "Eine Feder.";
+  front.conclusion = "Sie passt.";
+  expect_report_as_written_down(report({{"one.csv", recorded(decaying(0.1), 30)},
+                                        {"two.csv", recorded([](double t) { return 0.01 * t; }, 10)},
+                                        {"three.csv", recorded(decaying(0.3, 9), 15)}},
+                                       {{"mass", "200 g"}}, front),
+                                "several");
 }
 
 TEST(LabReport, FollowsAnOptionThatIsChanged) {

@@ -62,7 +62,10 @@ class Part : public LabTold {
     const auto add = [&](std::string_view code, std::vector<NoticeValue> values) {
       lines.push_back(words(code, std::move(values)));
     };
-    const bool depends = !fitted_.driven && named(fitted_.derived, "at_amplitude");
+    // Also where a velocity or an acceleration was measured this is a displacement.
+    const Parameter* at = named(fitted_.derived, "at_amplitude");
+    const bool depends = !fitted_.driven && at;
+    const std::string unit = at ? readable_unit(at->unit, of_position() ? spread_ : at->estimate.value) : "";
     const bool harmonic = fitted_.find("drive_frequency") != nullptr;
     add(harmonic                 ? "report_driven_by"
         : fitted_.driven         ? "report_driven_at"
@@ -72,7 +75,7 @@ class Part : public LabTold {
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
-         {"amplitude", in_braces(shown().empty() ? "at_amplitude, 3" : "at_amplitude, " + shown() + ", 3")}});
+         {"amplitude", in_braces(unit.empty() ? "at_amplitude, 3" : "at_amplitude, " + unit + ", 3")}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     for (const Notice& notice : fitted_.notices)
