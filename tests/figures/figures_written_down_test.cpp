@@ -1,0 +1,195 @@
+// All that figures of small inputs hold, as it is written down in the tree.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/figures/figures.h"
+#include "cromer/tasks/network/network_file.h"
+#include "tests/support/written_down.h"
+#include "tests/tasks/of_bytes.h"
+
+namespace cromer::core {
+namespace {
+
+/// Four digits before the point: compared to 0.02, that is a few millionths.
+std::string as_written(double value) {
+  if (!std::isfinite(value) || std::abs(value) < 1e-9) return fmt::format("{:.0f}", std::abs(value));
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 3;
+  return fmt::format("{:.4f}e{}", value / std::pow(10.0, exponent), exponent);
+}
+
+std::string as_written(const std::vector<double>& values) {
+  std::string text = fmt::format("{}:", values.size());
+  if (values.size() <= 12) {
+    for (const double each : values) text += ' ' + as_written(each);
+    return text;
+  }
+  double sum = 0, squares = 0;
+  for (const double each : values)
+    if (std::isfinite(each)) sum += each, squares += each * each;
+  return fmt::format("{} {} to {}, {}", text, as_written(values.front()), as_written(values.back()),
+                     as_written(std::sqrt(squares / static_cast<double>(values.size()))));
+}
+
+void write(std::string& text, const Axis& axis) {
+  text += fmt::format("  axis {}, {} to {} by {}{}\n", axis.name, as_written(axis.low), as_written(axis.high),
+                      as_written(axis.step), axis.logarithmic ? ", logarithmic" : "");
+}
+
+void write(std::string& text, const Curve& curve) {
+  text += fmt::format("  {} \"{}\" \"{}\" \"{}\" {}{}{}{}{}\n", curve.role, curve.name, curve.remark,
+                      curve.remark_outside, static_cast<int>(curve.mark), curve.dashed ? " dashed" : "",
+                      curve.with_dots ? " dots" : "", curve.road ? " road" : "",
+                      curve.sets_axes ? "" : " beside");
+  for (const auto& place : {curve.label_x, curve.label_y, curve.text_x, curve.text_y})
+    if (place) text += "    at " + as_written(*place) + '\n';
+  text += "    x " + as_written(curve.x) + "\n    y " + as_written(curve.y) + '\n';
+}
+
+std::string as_written(const Figure& figure) {
+  std::string text =
+      fmt::format("{}\n{}\n{}\n{}\nsize {}, {} in a row{}\n", figure.id, figure.title, figure.caption,
+                  figure.note, static_cast<int>(figure.size), figure.columns, figure.shared_x ? ", x" : "");
+  for (const Panel& panel : figure.panels) {
+    text += fmt::format("panel {}: span {}{}{}{}{}\n", panel.title, panel.span,
+                        panel.phase_portrait ? " portrait" : "", panel.names_inside ? " inside" : "",
+                        panel.names_listed ? " listed" : "", panel.bare ? " bare" : "");
+    write(text, panel.x);
+    write(text, panel.y);
+    for (const Curve& each : panel.curves) write(text, each);
+    for (const Note& each : panel.notes)
+      text += fmt::format("  note {} at {} {}, {} {}{}{}{}\n", each.text, as_written(each.x),
+                          as_written(each.y), as_written(each.text_x), as_written(each.text_y),
+                          each.circle ? " circle" : "", each.leader ? "" : " alone", each.dot ? " dot" : "");
+    for (const Marker& each : panel.markers)
+      text += fmt::format("  {} {} at {}\n", each.role, each.text, as_written(each.x));
+    if (panel.map) {
+      text += fmt::format("  map {}{}\n    x {}\n    y {}\n    z {}\n    reach {}\n", panel.map->name,
+                          panel.map->decades ? ", decades" : "", as_written(panel.map->x),
+                          as_written(panel.map->y), as_written(panel.map->z), as_written(panel.map->reach));
+    }
+  }
+  for (const Curve& each : figure.key) write(text, each);
+  return text + '\n';
+}
+
+void expect_figures_as_written_down(const std::string& text, const std::string& name) {
+  test::expect_as_written_down(text, CROMER_SOURCE_DIR "/tests/figures/written_down/" + name + ".txt");
+}
+
+TEST(FiguresWrittenDown, OfSweeps) {
+  std::string text;
+  const auto add = [&](const std::map<std::string_view, std::string>& values, const std::vector<std::string>& measure,
+                       const std::string& direction = "") {
+    SweepOptions options;
+    options.values = values;
+    options.measure = measure;
+    if (!direction.empty()) options.direction = direction;
+    const auto result = sweep(options);
+    ASSERT_TRUE(result.ok());
+    const auto figure = sweep_figure(*result);
+    ASSERT_TRUE(figure);
+    text += as_written(*figure);
+  };
+  add({{"damping-ratio", "0.02,0.1"}, {"drive-amplitude", "1"}, {"drive-frequency", "0.5:2:9"}},
+      {"amplitude", "phase"});
+  add({{"damping-ratio", "0.01:1:7:log"}, {"drive-amplitude", "1"}, {"drive-frequency", "0.5:2:4"}},
+      {"amplitude", "phase"});
+  add({{"damping", "0.1"}, {"drive-amplitude", "1"}, {"drive-frequency", "0.1:10:3:log"}}, {"amplitude"});
+  add({{"damping", "0.1"}, {"drive-amplitude", "1"}, {"drive-frequency", "1,10"}}, {"peak", "rms"});
+  add({{"stiffness", "9"}, {"position", "3,2,1"}, {"until", "5"}}, {"final"});
+  add({{"cubic", "0.05"}, {"damping", "0.1"}, {"drive-amplitude", "0.3"}, {"drive-frequency", "0.8:1.4:4"}},
+      {"amplitude"}, "both");
+  add({{"cubic", "0.01:0.1:6"},
+       {"damping", "0.2"},
+       {"drive-amplitude", "0.3"},
+       {"drive-frequency", "0.8:1.4:3"}},
+      {"amplitude"}, "both");
+  expect_figures_as_written_down(text, "sweeps");
+}
+
+TEST(FiguresWrittenDown, OfSpectra) {
+  std::string bytes = "t (s),east (m/s^2),north (m/s^2)\n", pulse = "t (s),a (m/s^2)\n";
+  for (int i = 0; i <= 400; ++i) {
+    bytes += fmt::format("{:.2f},{:.5f},{:.5f}\n", 0.01 * i, std::sin(0.06 * i) * std::exp(-0.005 * i),
+                         0.7 * std::sin(0.1 * i + 1) * std::exp(-0.01 * i));
+    pulse += fmt::format("{:.4f},{:.5f}\n", 1e-4 * i,
+                         i <= 110 ? 500 * std::sin(std::numbers::pi * i / 110.0) : 0.0);
+  }
+  std::string text;
+  const auto add = [&](const std::string& file, const std::vector<std::string>& columns, bool shock) {
+    SpectrumOptions options;
+    options.column = columns;
+    options.damping_ratio = {"2 %", "5 %"};
+    options.shock = shock;
+    if (!shock) options.periods = "0.1:2:5:log";
+    else options.frequencies = "5:500:5:log Hz";
+    const SpectrumFile read{"motion.csv", file};
+    const auto result = response_spectrum({&read, 1}, options);
+    ASSERT_TRUE(result.ok());
+    text += as_written(spectrum_figure(*result)) + as_written(tripartite_figure(*result));
+  };
+  add(bytes, {"east"}, false);
+  add(bytes, {"east", "north"}, false);
+  add(pulse, {}, true);
+  expect_figures_as_written_down(text, "spectra");
+}
+
+/// Masses hung on in turn: 10 N/m, with a scatter of some millimetres.
+TEST(FiguresWrittenDown, OfASpringAtRest) {
+  std::vector<Hold> holds;
+  const double off[] = {0.002, -0.001, -0.003, 0.001, 0.001};
+  for (int i = 0; i < 5; ++i) {
+    Hold hold;
+    hold.file = "hold.csv";
+    hold.run = i + 1;
+    hold.samples = 50;
+    hold.position = 0.2 + 0.1 * i + off[i];
+    hold.scatter = 0.001 * (i + 1);
+    hold.standard_error = 0.0005 * (i + 1);
+    hold.mass = {0.1 * i, 0.0002};
+    holds.push_back(hold);
+  }
+  const auto found = static_stiffness(holds, {10, 0});
+  ASSERT_TRUE(found);
+  expect_figures_as_written_down(as_written(static_figure(*found)), "spring");
+}
+
+/// A chain of carts, each on a spring and every other one with friction in its link, some of them told apart.
+std::string chain(int masses) {
+  std::string toml;
+  for (int i = 1; i <= masses; ++i)
+    toml += fmt::format("[[mass]]\nname = \"m{}\"\nmass = \"{} kg\"\n{}", i, i,
+                        i == 1 ? "position = \"1 cm\"\n" : "");
+  for (int i = 1; i <= masses; ++i)
+    toml += fmt::format("[[link]]\n{}to = \"m{}\"\nstiffness = \"{} N/m\"\n{}",
+                        i == 1 ? "" : fmt::format("from = \"m{}\"\n", i - 1), i, 30 + i,
+                        i % 2 == 0 ? "damping = \"0.1 kg/s\"\n" : "");
+  return toml;
+}
+
+TEST(FiguresWrittenDown, OfChainsOfCarts) {
+  std::string text;
+  for (const int masses : {1, 2, 5, 8, 9}) {
+    const auto network = read_network(chain(masses), "/a/folder/carts.toml");
+    ASSERT_TRUE(network) << in_words(network.error());
+    SimulateOptions options;
+    options.method = {"exact"};
+    options.until = 2;
+    const auto run = run_network(*network, "/a/folder/carts.toml", options);
+    ASSERT_TRUE(run) << in_words(run.error());
+    const auto modes = network_modes(*network, "/a/folder/carts.toml", {});
+    ASSERT_TRUE(modes) << in_words(modes.error());
+    text += as_written(network_figure({&*run, 1})) + as_written(modes_figure(*modes));
+  }
+  expect_figures_as_written_down(text, "chains");
+}
+
+}  // namespace
+}  // namespace cromer::core
