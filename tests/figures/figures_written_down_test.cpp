@@ -85,8 +85,8 @@ void expect_figures_as_written_down(const std::string& text, const std::string& 
 
 TEST(FiguresWrittenDown, OfSweeps) {
   std::string text;
-  const auto add = [&](const std::map<std::string_view, std::string>& values, const std::vector<std::string>& measure,
-                       const std::string& direction = "") {
+  const auto add = [&](const std::map<std::string_view, std::string>& values,
+                       const std::vector<std::string>& measure, const std::string& direction = "") {
     SweepOptions options;
     options.values = values;
     options.measure = measure;
@@ -128,8 +128,10 @@ TEST(FiguresWrittenDown, OfSpectra) {
     options.column = columns;
     options.damping_ratio = {"2 %", "5 %"};
     options.shock = shock;
-    if (!shock) options.periods = "0.1:2:5:log";
-    else options.frequencies = "5:500:5:log Hz";
+    if (!shock)
+      options.periods = "0.1:2:5:log";
+    else
+      options.frequencies = "5:500:5:log Hz";
     const SpectrumFile read{"motion.csv", file};
     const auto result = response_spectrum({&read, 1}, options);
     ASSERT_TRUE(result.ok());
