@@ -94,6 +94,18 @@ TEST(FitNetwork, FindsABentSpring) {
   EXPECT_LT(fit.values.back().standard_error, 0.2);
 }
 
+// Half of a smooth motion is explained by many wrong laws.
+TEST(FitNetwork, AcceptsNoLawThatLeavesAMotion) {
+  for (const auto& [cubic, status] :
+       {std::pair{-30.0, FitStatus::too_noisy}, std::pair{-9.0, FitStatus::converged}}) {
+    const NetworkSwings data = swings_of(pendulums(cubic), 2000, 0.02, 5e-4, 9);
+    const NetworkFit fit =
+        fit_network(without(pendulums(), springs_and_dampers), springs_and_dampers, data.record());
+    EXPECT_EQ(fit.status, status) << cubic;
+    EXPECT_GT(fit.columns[0].explained, 0.7) << cubic;
+  }
+}
+
 TEST(FitNetwork, SaysWhatTheRecordDoesNotTell) {
   // Two links side by side: their sum alone is known.
   Network truth = pendulums();

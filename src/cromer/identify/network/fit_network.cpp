@@ -354,6 +354,18 @@ void put_residuals(NetworkFit& fit, const NetworkMotions& motions, const Paramet
   }
 }
 
+/// Whether neighbours are alike, as those of a motion are and those of noise are not.
+bool is_smooth(std::span<const double> residual) {
+  double products = 0, squares = 0;
+  for (std::size_t n = 1; n < residual.size(); ++n) {
+    const double product = residual[n] * residual[n - 1];
+    if (std::isnan(product)) continue;
+    products += product;
+    squares += residual[n] * residual[n];
+  }
+  return products > 0.5 * squares;
+}
+
 /// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
 /// all columns and modes.
 double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
@@ -502,9 +514,10 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
 
   fit.undetermined = undetermined_of(found.equations, sought.size());
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
-  constexpr double enough = 0.5;
-  const bool explained = std::all_of(fit.columns.begin(), fit.columns.end(),
-                                     [](const FittedColumn& column) { return column.explained > enough; });
+  const bool explained = std::all_of(fit.columns.begin(), fit.columns.end(), [](const FittedColumn& column) {
+    constexpr double beside_noise = 0.5, beside_motion = 0.9;
+    return column.explained > (is_smooth(column.residual) ? beside_motion : beside_noise);
+  });
   fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
                : explained               ? FitStatus::converged
                                          : FitStatus::too_noisy;

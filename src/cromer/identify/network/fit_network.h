@@ -52,7 +52,8 @@ std::size_t most_sought(std::size_t masses);
 /// with where each mass starts, how fast, and what its column reads at rest. Start values are not needed: the
 /// equations of motion are solved for the coefficients first, in windows that take the derivatives off the
 /// record (M. Shinbrot, Trans. ASME 79, 547 (1957)). Then trajectories are fitted, over the beginning first.
-/// Laws of smooth terms only; at least one value is sought, at most most_sought().
+/// A fit is accepted that explains half of each column, or nine tenths where what it leaves is no noise. Laws
+/// of smooth terms only; at least one value is sought, at most most_sought().
 NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& sought,
                        const NetworkRecord& record, const Watch& watch = {});
 
