@@ -13,7 +13,7 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t most_even_samples = 2048;
-constexpr double slowest = 0.1;      // decay over the record
+constexpr double slowest = 0.12;     // decay over the record
 constexpr double dial_error = 0.01;  // of a drive's frequency, as its user gives it
 
 struct EvenSamples {
