@@ -455,8 +455,10 @@ class Run(_Motion):
 
 
 class _Named(Protocol):
-    label: str
     method: str
+
+    @property
+    def label(self) -> str: ...
 
     def to_pandas(self) -> Any: ...
 

@@ -267,14 +267,17 @@ def simulate(law: Optional[LawFit] = None, *, network: Optional[Network] = None,
     with _shown(progress, "simulate") as shown:
         answer = call("simulate", request, arrays, shown)
     if network is not None:
-        return _of_methods(NetworkRuns(answer), answer, strict, method)
-    return _of_methods(Runs(answer), answer, strict, method)
-
-
-def _of_methods(runs: Any, answer: Answer, strict: bool, method: Union[None, str, List[str]]) -> Any:
-    """All runs where a list of methods was asked for, else the only one."""
-    told(runs, answer, strict, ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end"))
+        networks = NetworkRuns(answer)
+        told(networks, answer, strict, _unfinished(networks))
+        return networks if isinstance(method, (list, tuple)) else networks[0]
+    runs = Runs(answer)
+    told(runs, answer, strict, _unfinished(runs))
     return runs if isinstance(method, (list, tuple)) else runs[0]
+
+
+def _unfinished(runs: "Union[Runs, NetworkRuns]") -> str:
+    """Names the runs that did not reach their end, with what ended each."""
+    return ", ".join(f"{each.label}: {each.status}" for each in runs if each.status != "reached_end")
 
 
 @_documented

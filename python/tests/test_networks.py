@@ -50,7 +50,7 @@ def test_several_methods_are_several_runs():
 
 
 def test_several_methods_warn_and_fail_by_name():
-    with pytest.warns(cromer.FitWarning, match="forward-euler: ran_away"):
+    with pytest.warns(cromer.FitWarning, match="forward-euler: not_finite"):
         runs = cromer.simulate(network=carts(), method=["exact", "forward-euler"], step=0.5, until=3000)
     assert runs["exact"].status == "reached_end"
 
