@@ -110,7 +110,7 @@ TEST(Written, ModesAndNetworkFitsHaveEveryForm) {
   Arrays motion = swing(2);
   const Answer fitted = call("fit", {{"network", carts}}, motion);
   ASSERT_NE(status(fitted), CROMER_BAD_INPUT) << cromer_document(fitted.get());
-  expect_forms(fitted, "the record: converged, 800 times, 0 to 15.98 s, ",
+  expect_forms(fitted, "the record: converged, 800 times, 0 to 15.98 s\n",
                "from,to,parameter,value,standard error,95 % low,95 % high,unit\nground,cart,stiffness,",
                true);
 }
