@@ -194,8 +194,8 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   };
   Best found = search(drives);
   const double at_drive = n / 2 * (found.fit.x[3] * found.fit.x[3] + found.fit.x[4] * found.fit.x[4]);
-  const bool nothing_there = at_drive < 0.1 * found.fit.rest;
-  if (const Best other = search(beside); nothing_there && other.fit.rest < found.fit.rest) found = other;
+  if (!beside.empty() && at_drive < 0.1 * found.fit.rest)  // nothing is there
+    if (const Best other = search(beside); other.fit.rest < found.fit.rest) found = other;
   const auto& [best, w_best, g_best, drive_best] = found;
   if (!std::isfinite(best.rest)) return std::nullopt;
 
