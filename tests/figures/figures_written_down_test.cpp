@@ -30,9 +30,9 @@ std::string as_written(const std::vector<double>& values) {
     for (const double each : values) text += ' ' + as_written(each);
     return text;
   }
-  double sum = 0, squares = 0;
+  double squares = 0;
   for (const double each : values)
-    if (std::isfinite(each)) sum += each, squares += each * each;
+    if (std::isfinite(each)) squares += each * each;
   return fmt::format("{} {} to {}, {}", text, as_written(values.front()), as_written(values.back()),
                      as_written(std::sqrt(squares / static_cast<double>(values.size()))));
 }
