@@ -47,6 +47,15 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "0.10\u00a0% too small"));
 }
 
+TEST(Explanation, NeedsTheLawBesideTheOneRate) {
+  CompareResult both = compared();
+  const std::string whole = in_words(explanation(both));
+  both.curves.resize(2);
+  EXPECT_EQ(in_words(explanation(both)), whole);
+  both.curves.resize(1);
+  EXPECT_TRUE(explanation(both).empty());
+}
+
 TEST(Explanation, SaysWhereOneRateIsEnough) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
