@@ -1,8 +1,8 @@
-// What comes of fifty recordings, and how much work it takes, in tests/tasks/ledger.txt: each number that is
-// found, with its standard error, each notice's code, and how often the work looked whether to stop. What
+// What comes of a hundred recordings, and how much work it takes, in tests/tasks/ledger.txt: each number that
+// is found, with its standard error, each notice's code, and how often the work looked whether to stop. What
 // the numbers should be is asked elsewhere; here they stay what they are, so that nothing in between changes
-// unseen. Run with CROMER_WRITE_LEDGER=1, the test writes what comes out now: read the difference before you
-// commit it.
+// unseen. Run whole (--gtest_filter='*Ledger*') with CROMER_WRITE_TRANSCRIPTS=1, the test writes what comes
+// out now: read the difference before you commit it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -615,7 +615,7 @@ std::string said_before(const std::string& name) {
 }
 
 void expect_as_before(const std::string& name, const std::string& entry) {
-  if (std::getenv("CROMER_WRITE_LEDGER")) {
+  if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
     const bool is_first = name == each_of<free_cases>().front().name;
     std::ofstream(ledger_file, is_first ? std::ios::trunc : std::ios::app) << (is_first ? title : "") << "\n"
                                                                            << entry;
