@@ -230,6 +230,7 @@ TEST(Descriptions, AreThePagesTypes) {
   types.add<DescribedRun>();
   types.add<MethodRow>();
   types.add<page::MethodResonance>();
+  types.add<ModesResult>();
   expect_in("apps/web/src/core/documents.ts",
             "// What the core's documents consist of: written by tests/documents/description_test.cpp from\n"
             "// src/cromer/documents/described, with CROMER_WRITE_DESCRIPTIONS=1. SI units.\n"

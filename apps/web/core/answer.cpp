@@ -16,6 +16,7 @@
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
 #include "cromer/documents/described/methods.h"
+#include "cromer/documents/described/modes.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/json/described.h"
 #include "cromer/model/linear_quantities.h"
@@ -304,6 +305,18 @@ Answer compare_task(const Request& request, std::string_view file) {
   return found(to_text(document), ok);
 }
 
+/// What several columns of one kind do together.
+Answer modes_task(const Request& request, std::string_view file) {
+  ModesOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  if (options.step || !options.method.empty() || !options.of_method.empty())
+    return bad_input(Error{"program_only", {{"option", options.step ? "step" : "method"}}});
+  const auto recording = read_recording(file, request.file_name, options.read);
+  if (!recording) return bad_input(recording.error());
+  const auto modes = found_modes(*recording, options);
+  return modes ? found(to_text(json_of(*modes, {})), modes->ok()) : bad_input(modes.error());
+}
+
 /// A simulated motion as a logger would write it: a recording whose law is known.
 Answer synthetic_task(const Request& request, std::string_view) {
   auto options = simulate_options(request);
@@ -349,10 +362,11 @@ struct Task {
   Answer (*run)(const Request& request, std::string_view file);
 };
 
-constexpr Task tasks[] = {
-    {"simulate", simulate_task},   {"motion", motion_task},       {"effective", methods_task},
-    {"resonance", resonance_task}, {"inspect", inspect_task},     {"fit", fit_task},
-    {"compare", compare_task},     {"synthetic", synthetic_task}, {"quantity", quantity_task}};
+constexpr Task tasks[] = {{"simulate", simulate_task},   {"motion", motion_task},
+                          {"effective", methods_task},   {"resonance", resonance_task},
+                          {"inspect", inspect_task},     {"fit", fit_task},
+                          {"compare", compare_task},     {"modes", modes_task},
+                          {"synthetic", synthetic_task}, {"quantity", quantity_task}};
 
 }  // namespace
 

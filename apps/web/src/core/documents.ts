@@ -832,3 +832,108 @@ export interface ResonanceCurve {
   /** [m] steady amplitude at the drive's own frequency; null if there is none */
   at_drive: Maybe
 }
+
+export interface ModeOfNetwork {
+  /** from 1, by rising frequency */
+  mode: number
+  /** [Hz] the network's */
+  frequency: number
+  /** the network's */
+  damping_ratio: number
+  /** modal assurance criterion of the two shapes, 0.5 to 1: 1 for the same */
+  mac: number
+}
+
+export interface ModeByMethod {
+  /** name, as typed */
+  method: string
+  /** [s] its time step */
+  step: number
+  /** [Hz] |eigenvalue|/2 pi of what it simulates; null if nothing oscillates */
+  frequency: Maybe
+  /** likewise; negative if the mode grows */
+  damping_ratio: Maybe
+  /** whether the mode stays bounded */
+  stable: boolean
+  /** the same in words */
+  in_words: Said
+}
+
+export interface NaturalMode {
+  /** |eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest */
+  frequency: Estimate
+  /** minus the eigenvalue's real part over its size; null without a frequency */
+  damping_ratio: Estimate
+  /** of each of `names`, as [re, im]; the largest is 1 */
+  shape: [Maybe, Maybe][]
+  /** of the parts of `shape`, likewise; empty of a network */
+  shape_standard_error: [Maybe, Maybe][]
+  /** effective modal mass over the whole mass, for ground that shakes all the same; null for recordings */
+  participation: Maybe
+  /** the network's mode that matches this one; null without one */
+  of_network: ModeOfNetwork | null
+  /** what each method really simulates of it */
+  methods: ModeByMethod[]
+}
+
+export interface SpectralPeak {
+  /** [Hz] where it stands */
+  frequency: number
+  /** its height over the median around it */
+  prominence: number
+}
+
+export interface StabilityPole {
+  /** of the model */
+  order: number
+  /** [Hz] |eigenvalue|/2 pi */
+  frequency: number
+  /** of the pole */
+  damping_ratio: number
+  /** frequency within 1 %, damping ratio within a half and shape within a MAC of 0.95 of a pole of the order before */
+  stable: boolean
+}
+
+export interface ModalSource {
+  /** free_decay (it was let go, or grows by itself) or ambient (random forces keep it moving) */
+  motion: string
+  /** what the channels measure */
+  quantity: string
+  /** SI unit of the channels */
+  unit: string
+  /** that all channels have */
+  samples: number
+  /** [1/s] samples per second */
+  rate: number
+  /** [s] from the first sample to the last */
+  duration: number
+  /** how many */
+  gaps: number
+  /** of the models; 0 if the recording is too short for any */
+  highest_order: number
+  /** [Hz] steady oscillations among random forces: of machines, no modes */
+  lines: Numbers
+  /** of the largest singular value of the spectral matrix (frequency domain decomposition) */
+  peaks: SpectralPeak[]
+  /** the stabilisation diagram: the poles of all orders */
+  poles: StabilityPole[]
+  /** what kind of motion it is, and how its modes were found */
+  in_words: Said
+}
+
+export interface Modes {
+  /** the file */
+  file: string
+  /** the masses or channels, in the order of the components of shapes */
+  names: string[]
+  /** by rising frequency */
+  modes: NaturalMode[]
+  /** what the modes were found in; null of a network */
+  recording: ModalSource | null
+  /** why no mode was found */
+  message?: Said
+  /** what else there is to know, in sentences */
+  warnings: Said[]
+  /** the same with code, severity and values */
+  notices: NoticeObject[]
+}

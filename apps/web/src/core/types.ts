@@ -4,12 +4,12 @@
 // What they consist of is in documents.ts, which is written from the core's own descriptions; here is what the page
 // asks for, and what it draws of runs without a document.
 import type { Refusal, Said } from '../words/said'
-import type { Comparison, Fit, Inspection, Method, ResonanceCurve, Run, States } from './documents'
+import type { Comparison, Fit, Inspection, Method, Modes, ResonanceCurve, Run, States } from './documents'
 import type { Maybe } from './numbers'
 
 export type * from './documents'
 
-export type Task = 'simulate' | 'motion' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'synthetic' | 'quantity'
+export type Task = 'simulate' | 'motion' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'modes' | 'synthetic' | 'quantity'
 
 /// Options of the program's command without dashes, values as typed: ["step", "20 ms"]. One given several
 /// times is a list.
@@ -79,6 +79,7 @@ export interface Documents {
   inspect: Inspection
   fit: Fits
   compare: Comparisons
+  modes: Modes
   synthetic: { text: string }
   /// Of each option given, in SI units.
   quantity: Record<string, number>

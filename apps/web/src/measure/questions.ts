@@ -59,6 +59,10 @@ export function fitOptions(state: Settings, runs = 1, law = state.law): Options 
   ])
 }
 
+/// Modes are sought in all columns of one kind.
+export const modesOptions = ({ rate, skip, from, to }: Settings): Options =>
+  given([...readAs({ rate, skip, column: '' }), ['from', from], ['to', to]])
+
 /// What the law is simulated by beside the recording.
 const methods = ['forward-euler', 'euler-cromer'].map((method): [string, string] => ['method', method])
 
@@ -73,9 +77,10 @@ export function quoted(word: string): string {
   return /["$`\\!]/.test(word) ? `'${word.replaceAll("'", `'\\''`)}'` : `"${word}"`
 }
 
-export function commandLine(task: 'fit' | 'compare' | 'report', file: string, state: Settings, runs = 1): string {
+export function commandLine(task: 'fit' | 'compare' | 'report' | 'modes', file: string, state: Settings, runs = 1): string {
   const words = ['cromer', task, quoted(file.startsWith('-') ? `./${file}` : file)]
-  for (const [name, value] of [...fitOptions(state, runs), ...(task === 'compare' ? methods : [])]) {
+  const options = task === 'modes' ? modesOptions(state) : fitOptions(state, runs)
+  for (const [name, value] of [...options, ...(task === 'compare' ? methods : [])]) {
     if (name === 'temperature' && value === '20 °C') continue
     words.push(`--${name}`, ...(name === 'skip-bad-rows' ? [] : [quoted(value)]))
   }

@@ -16,6 +16,12 @@ export const namesOf = (file: Inspection): string[] => [...new Set(columnsOf(fil
 
 export const runsOf = (file: Inspection): number => Math.max(1, ...file.columns.map((column) => column.run))
 
+/// Whether columns of one kind were recorded together.
+export const moveTogether = (file: Inspection, run: number): boolean => {
+  const kinds = columnsOf(file).flatMap((column) => (column.run === run && column.quantity ? [column.quantity] : []))
+  return new Set(kinds).size < kinds.length
+}
+
 /// No column has times: the rate has to be given.
 export const isTimeless = (file: Inspection): boolean => file.columns.every((column) => column.time_column === null)
 

@@ -1,15 +1,15 @@
 // The recording that is open, and what the core found in it. None of it is in the address: files stay here.
 import { openCore } from '../core/ask'
-import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
+import type { Answer, Fit, Inspection, Modes, Options, Task } from '../core/types'
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
 import { isHidden } from '../teach/hidden'
-import { compareOptions, fieldOptions, fitOptions, inspectOptions, optionNames, type ReadAs } from './questions'
+import { compareOptions, fieldOptions, fitOptions, inspectOptions, modesOptions, optionNames, type ReadAs } from './questions'
 import { besideField, ofFile, type Refusal, type Said } from '../words/said'
 import { told, words } from '../words/words.svelte'
-import { namesOf, runsOf, seriesOf } from './series'
+import { moveTogether, namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
 export interface File {
@@ -46,6 +46,8 @@ class Session {
   fit: Fit | null = $state.raw(null)
   constant: Fit | null = $state.raw(null)
   simulated: Simulated[] = $state.raw([])
+  /// What several columns do together; of one column, and until they are found, null.
+  modes: Modes | null = $state.raw(null)
   /// What a constant rate makes of the last swing, as a part of it.
   constantAtEnd: number | null = $state(null)
   /// 'first': no fit of these settings yet; 'more': the laws are still being compared.
@@ -167,7 +169,8 @@ async function describe(mine: number, file: File, state: typeof measureDefaults)
 }
 
 function clear(): void {
-  Object.assign(session, { fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, why: nothing, frame: null })
+  modesAsked = ''
+  Object.assign(session, { modes: null, fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, why: nothing, frame: null })
 }
 
 /// A fit, or why the core refused its settings.
@@ -199,6 +202,7 @@ async function refit(): Promise<void> {
     if (answer.status === 2) return { refused: answer.document }
     return answer.document.fits[0]!
   }
+  void findModes(mine, file, state)
   const began = performance.now()
   const constantAsked = fitOf('viscous', 0)
   const bestAsked = state.law === 'viscous' ? constantAsked : fitOf(state.law || 'viscous+drag', 1)
@@ -228,6 +232,18 @@ async function refit(): Promise<void> {
   if (best && best.status !== 'converged') return settle(mine, quick ?? null, { ...nothing, message: best.message ?? best.status })
   settle(mine, best)
   if (best && state.overlay) await simulate(mine, best.law!)
+}
+
+/// The options that `session.modes` is of.
+let modesAsked = ''
+async function findModes(mine: number, file: File, state: typeof measureDefaults): Promise<void> {
+  const options = modesOptions(state)
+  const asked = JSON.stringify(options)
+  if (asked === modesAsked || !moveTogether(session.inspection!, state.run)) return
+  const answer = await ask(mine, 'modes', options, file, 1)
+  if (!answer) return
+  session.modes = answer.status === 2 || answer.document.names.length < 2 ? null : answer.document
+  modesAsked = asked
 }
 
 /// A setting that the core refuses stands beside its field; the fit before it stays.

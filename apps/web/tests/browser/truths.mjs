@@ -45,6 +45,27 @@ const go = async (page, hash) => {
     await fitted(page, 'rising.csv', recording(60, (t, i) => 0.2 + 0.01 * Math.exp(0.02 * t) * Math.cos(9 * t) + noise(i)))
     assert.doesNotMatch(await page.locator('body').innerText(), /quote the law|One decay rate is enough|The mass limits/)
   })
+  await check('two columns have their modes, with the truth in their intervals', async () => {
+    const mode = (t, frequency, decay) => 0.03 * Math.exp(-decay * t) * Math.cos(2 * Math.PI * frequency * t)
+    const carts = (t, i) => [mode(t, 0.8, 0.02) + mode(t, 1.3, 0.05) + noise(2 * i), 0.9 * mode(t, 0.8, 0.02) - mode(t, 1.3, 0.05) + noise(2 * i + 1)]
+    await fitted(page, 'carts.csv', recording(40, carts, 'Time (s),Left (m),Right (m)'))
+    const rows = page.locator('section', { hasText: 'The columns together: modes' }).locator('tbody tr')
+    await rows.first().waitFor({ timeout: 60000 })
+    const told = (await rows.allInnerTexts()).map((text) => text.replaceAll('\u202f', ''))
+    assert.equal(told.length, 2)
+    for (const [i, [frequency, decay, shape]] of [[0.8, 0.02, /1\.00 : 0\.90/], [1.3, 0.05, /(1\.00 : −|−1\.00 : |−0\.99 : |−0\.98 : )/]].entries()) {
+      const [f, damping] = [...told[i].matchAll(/([\d.]+)\u00a0to ([\d.]+)/g)].map(([, low, high]) => [Number(low), Number(high)])
+      const natural = Math.hypot(frequency, decay / (2 * Math.PI)) // what swings without damping
+      assert.ok(f[0] <= natural && natural <= f[1] && f[1] - f[0] < 0.002, told[i])
+      const ratio = (100 * decay) / (2 * Math.PI * natural)
+      assert.ok(damping[0] <= ratio && ratio <= damping[1], told[i])
+      assert.match(told[i], shape)
+    }
+    assert.match(await page.locator('section', { hasText: 'The columns together' }).locator('code').innerText(), /^cromer modes carts\.csv$/)
+    // one column alone has none
+    await fitted(page, 'alone.csv', recording(40, (t, i) => carts(t, i)[0]))
+    assert.equal(await rows.count(), 0)
+  })
   await check('one rate is said to be enough only where it hardly changes', async () => {
     // drag of 0.5 1/m and a rate of 0.01 1/s, 4 mm at 9 rad/s: from 0.0176 to 0.0147 1/s, which 30 s do not show
     const perAmplitude = (4 * 0.5 * 9) / (3 * Math.PI)

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { equationOf } from '../../src/measure/laws'
-import { commandLine, compareOptions, fitOptions, quoted } from '../../src/measure/questions'
+import { commandLine, compareOptions, fitOptions, modesOptions, quoted } from '../../src/measure/questions'
 import { measureDefaults } from '../../src/measure/state'
 
 const lab = { ...measureDefaults, mass: '217,6 ± 0,3 g', disc: '12 cm', from: '4', to: '124' }
@@ -24,6 +24,10 @@ describe('questions', () => {
     const names = compareOptions(lab, 1, 'viscous+drag').map(([name]) => name)
     expect(names).toEqual(['from', 'to', 'law', 'mass', 'method', 'method'])
   })
+  it('ask for the modes of all columns, whatever the law', () => {
+    const state = { ...lab, column: 'x', run: 2, rate: '50', skip: true, law: 'viscous', drive: 'auto' }
+    expect(modesOptions(state)).toEqual([['rate', '50'], ['skip-bad-rows', 'true'], ['from', '4'], ['to', '124']])
+  })
 })
 
 describe('the command line', () => {
@@ -31,6 +35,7 @@ describe('the command line', () => {
     expect(commandLine('fit', 'disc 12.csv', lab)).toBe(
       'cromer fit "disc 12.csv" --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"'
     )
+    expect(commandLine('modes', 'two carts.csv', { ...lab, column: 'x', skip: true })).toBe('cromer modes "two carts.csv" --skip-bad-rows --from 4 --to 124')
     expect(commandLine('fit', 'a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
     expect(commandLine('compare', 'a.csv', lab)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm" --method forward-euler --method euler-cromer')
   })

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { Inspection } from '../../src/core/types'
-import { isTimeless, measuredName, partsOf, seriesOf } from '../../src/measure/series'
+import { isTimeless, measuredName, moveTogether, partsOf, seriesOf } from '../../src/measure/series'
 import { scaleFor } from '../../src/measure/units'
 import { measure as en } from '../../src/words/en/measure'
 
@@ -25,6 +25,15 @@ describe('a file', () => {
   it('is timeless where no column has times', () => {
     expect(isTimeless(file({ columns: [column(null), column(null)] }))).toBe(true)
     expect(isTimeless(file({ columns: [column(null), column('t (s)')] }))).toBe(false)
+  })
+  it('has columns that move together where two of one run are of one kind', () => {
+    const columns = (...of: [run: number, quantity: string | null][]) =>
+      file({ columns: of.map(([run, quantity]) => ({ ...column(null), run, quantity })) } as Partial<Inspection>)
+    expect(moveTogether(columns([1, 'time'], [1, 'position'], [1, 'position']), 1)).toBe(true)
+    expect(moveTogether(columns([1, 'time'], [1, 'position'], [1, 'velocity']), 1)).toBe(false)
+    expect(moveTogether(columns([1, 'position'], [2, 'position']), 1)).toBe(false)
+    expect(moveTogether(columns([1, null], [1, null]), 1)).toBe(false)
+    expect(moveTogether(columns([1, 'time'], [1, 'time'], [1, 'position']), 1)).toBe(false)
   })
 })
 

@@ -93,6 +93,10 @@ struct ModesResult {
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options = {});
 
+/// The modes in a recording as it is, with the options that are of any recording: without `of_method` and
+/// `network`. An Error says what is wrong with the columns.
+Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& options = {});
+
 /// The modes in a recording: all columns of one kind are its channels, those that a fit would take. With
 /// `of_method` they are those of the law that was simulated, without the method's share, and `methods` has
 /// what the recording itself shows. With `network` they are set beside those of this network. An Error says

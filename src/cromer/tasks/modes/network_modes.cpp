@@ -165,16 +165,6 @@ int free_bodies(const Network& network) {
 
 }  // namespace
 
-std::optional<double> ModeByMethod::frequency() const {
-  const auto &b = effect.effective.decay_rate, &w = effect.effective.angular_frequency;
-  return b && w ? std::optional(std::hypot(*b, *w) / (2 * std::numbers::pi)) : std::nullopt;
-}
-
-std::optional<double> ModeByMethod::damping_ratio() const {
-  const auto &b = effect.effective.decay_rate, &w = effect.effective.angular_frequency;
-  return b && w ? std::optional(*b / std::hypot(*b, *w)) : std::nullopt;
-}
-
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options) {
   if (auto good = check_modes_options(options); !good) return good.error();

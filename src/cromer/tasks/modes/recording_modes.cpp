@@ -1,154 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <optional>
 
-#include "cromer/base/add_once.h"
-#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/least_squares/uncertainty.h"
-#include "cromer/identify/modal/still_beginning.h"
 #include "cromer/methods/all.h"
-#include "cromer/read/channels.h"
-#include "cromer/read/samples_between.h"
 #include "cromer/tasks/methods/law_before_method.h"
 #include "cromer/tasks/modes/beside_network.h"
 #include "cromer/tasks/modes/modes_options.h"
 
 namespace cromer::core {
 namespace {
-
-bool is_still(const Channel& channel) {
-  std::optional<double> level;
-  for (const double y : channel.y) {
-    if (std::isnan(y)) continue;
-    if (level && y != *level) return false;
-    level = y;
-  }
-  return true;
-}
-
-/// The columns that move, at the times that all of them have, and what there is to say of the others.
-Result<Channels> moving_channels(const Recording& recording, const ModesOptions& options,
-                                 std::vector<Notice>& notices) {
-  if (const auto all = runs(recording); all.size() > 1)
-    return Error{"modes_of_one_run", {{"file", recording.file}, {"runs", all.size()}}};
-  auto taken = take_channels(recording, 1, options.read);
-  if (!taken) return taken.error();
-  Channels channels = *std::move(taken);
-  if (auto good = crop(channels, options.from, options.to); !good) return good.error();
-  const auto leave_out = [&](const char* code, const auto& why) {
-    std::erase_if(channels.each, [&](const Channel& channel) {
-      if (!why(channel)) return false;
-      std::erase_if(channels.notices, [&](const Notice& each) {
-        return each == Notice{"column_never_changes", {{"column", channel.column}}};
-      });
-      notices.push_back(Notice{code, {{"column", channel.column}}});
-      return true;
-    });
-  };
-  leave_out("channel_left_out_empty",
-            [&](const Channel& channel) { return 2 * channel.missing > channels.t.size(); });
-  leave_out("channel_left_out_still", is_still);
-  for (const Notice& notice : channels.notices) add_once(notices, notice);
-  if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
-
-  if (const std::size_t left_out = leave_out_incomplete(channels); left_out > 0)
-    notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", left_out}}});
-  return channels;
-}
-
-/// How much longer the steps are in the last third than in the first, gaps apart; 0 unless it is seen
-/// clearly.
-double clock_drift(const ModalRecord& record) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < record.times.size(); ++i)
-    if (const double step = record.times[i] - record.times[i - 1]; step < 1.75 * record.step)
-      steps.push_back(step);
-  const std::size_t third = steps.size() / 3;
-  if (third < 20) return 0;
-  const auto mean_of = [&](std::size_t from) {
-    double sum = 0, square = 0;
-    for (std::size_t i = from; i < from + third; ++i) sum += steps[i], square += steps[i] * steps[i];
-    const double mean = sum / static_cast<double>(third);
-    return std::pair{mean, std::sqrt(std::max(0.0, square / static_cast<double>(third) - mean * mean) /
-                                     static_cast<double>(third))};
-  };
-  const auto [first, first_error] = mean_of(0);
-  const auto [last, last_error] = mean_of(steps.size() - third);
-  const double drift = last / first - 1;
-  constexpr double least = 5e-4;
-  return std::abs(drift) > std::max(least, 5 * std::hypot(first_error, last_error) / first) ? drift : 0;
-}
-
-/// Peaks that stand out as modes do, and are none.
-std::vector<double> peaks_without_mode(const ModalAnalysis& found) {
-  constexpr double stands_out = 20, near = 0.05;
-  std::vector<double> result;
-  for (const SpectralPeak& peak : found.peaks)
-    if (peak.prominence > stands_out &&
-        std::none_of(found.modes.begin(), found.modes.end(),
-                     [&](const MeasuredMode& mode) {
-                       return std::abs(mode.frequency.value - peak.frequency) < near * peak.frequency;
-                     }) &&
-        std::none_of(found.lines.begin(), found.lines.end(),
-                     [&](double line) { return std::abs(line - peak.frequency) < near * peak.frequency; }))
-      result.push_back(peak.frequency);
-  return result;
-}
-
-/// Over this many decay times rounding makes a motion without damping seem to change.
-constexpr double rounding_of_lifetimes = 1e-6;
-
-bool growing(const MeasuredMode& mode) {
-  return mode.damping_ratio.high < 0 && mode.lifetimes < -rounding_of_lifetimes;
-}
-
-bool decaying(const MeasuredMode& mode) {
-  return mode.damping_ratio.low > 0 && mode.lifetimes > rounding_of_lifetimes;
-}
-
-Notice motion_in_words(const ModalAnalysis& found) {
-  const bool dies_away = std::any_of(found.modes.begin(), found.modes.end(), decaying) &&
-                         std::none_of(found.modes.begin(), found.modes.end(), growing);
-  if (found.motion == ModalMotion::free_decay)
-    return Notice{dies_away ? "modes_of_free_decay" : "modes_of_free_motion",
-                  {{"percent", 100 * found.decaying_share}}};
-  return Notice{"modes_of_random_forces",
-                {{"order", found.highest_order}, {"reach", found.lags * found.lag_step}}};
-}
-
-void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool all,
-                       std::vector<Notice>& notices) {
-  for (const MeasuredMode& mode : found.modes)
-    if (growing(mode))
-      notices.push_back(Notice{"mode_grows", {{"frequency", mode.frequency.value}}});
-    else if (!decaying(mode))
-      notices.push_back(Notice{"mode_does_not_decay", {{"frequency", mode.frequency.value}}});
-  if (found.modes.size() > channels && channels > 1)
-    notices.push_back(
-        Notice{"more_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
-  if (all && found.modes.size() < channels)
-    notices.push_back(
-        Notice{"fewer_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});
-}
-
-bool seeks_all(const ModesOptions& options) {
-  return !options.from_frequency && !options.to_frequency && !options.modes;
-}
-
-void doubt_modes(const ModalAnalysis& found, std::size_t channels, bool all, std::vector<Notice>& notices) {
-  if (found.motion == ModalMotion::free_decay) return doubt_free_motion(found, channels, all, notices);
-  for (const double line : found.lines) notices.push_back(Notice{"steady_line", {{"frequency", line}}});
-  constexpr double enough = 15;
-  for (const MeasuredMode& mode : found.modes)
-    if (mode.lifetimes < enough)
-      notices.push_back(
-          Notice{"few_decay_times", {{"times", mode.lifetimes}, {"frequency", mode.frequency.value}}});
-  if (!all) return;
-  for (const double frequency : peaks_without_mode(found))
-    notices.push_back(Notice{"peak_without_mode", {{"frequency", frequency}}});
-}
 
 /// Student's t that an estimate's interval was made with.
 double student_of(const Estimate& estimate) {
@@ -209,50 +71,11 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   if (auto good = check_modes_options(checked); !good) return good.error();
   if (options.from_frequency && options.to_frequency && *options.from_frequency >= *options.to_frequency)
     return Error{"frequencies_reversed"};
-  if (auto good = check_from_before_to(options.from, options.to); !good) return good.error();
 
-  ModesResult result{.file = recording.file, .notices = recording.notices};
-  const auto channels = moving_channels(recording, options, result.notices);
-  if (!channels) return channels.error();
-  if (channels->t.size() < fewest_modal_samples)
-    return Error{
-        "too_few_samples_for_modes",
-        {{"file", recording.file}, {"samples", channels->t.size()}, {"fewest", fewest_modal_samples}}};
-  ModalRecord record;
-  for (const Channel& each : channels->each) record.channels.emplace_back(each.y);
-  set_times(record, channels->t);
-  if (auto good = check_step_of(options, record.step); !good) return good.error();
-  for (const Channel& each : channels->each) result.names.push_back(each.column);
-  if (record.channels.size() == 1)
-    result.notices.push_back(Notice{"one_channel", {{"column", result.names.front()}}});
-  if (const double drift = clock_drift(record); drift != 0)
-    result.notices.push_back(Notice{"clock_drifts", {{"percent", 100 * drift}}});
-
-  ModalSettings settings;
-  settings.from = options.from_frequency.value_or(0) / two_pi;
-  if (options.to_frequency) settings.to = *options.to_frequency / two_pi;
-  settings.modes = options.modes.value_or(0);
-  settings.from_first_sample = options.from.has_value();
-  result.recording = ModalSource{.quantity = channels->quantity,
-                                 .unit = channels->unit,
-                                 .rate = 1 / record.step,
-                                 .found = find_modes(record, settings)};
-  const ModalAnalysis& found = result.recording->found;
-  result.recording->gaps = from_sample(record, found.still).starts.size() - 1;
-  result.recording->samples = channels->t.size() - found.still;
-  result.recording->duration = channels->t.back() - channels->t[found.still];
-  if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still));
-  for (const MeasuredMode& mode : found.modes)
-    result.modes.push_back({.frequency = mode.frequency,
-                            .damping_ratio = mode.damping_ratio,
-                            .shape = mode.shape,
-                            .shape_error = mode.shape_error});
-  if (found.modes.empty()) {
-    result.message = found.highest_order > 0 ? Notice{"no_modes_found"} : Notice{"too_short_for_modes"};
-  } else {
-    result.recording->words = motion_in_words(found);
-    doubt_modes(found, result.names.size(), seeks_all(options), result.notices);
-  }
+  auto found = found_modes(recording, options);
+  if (!found) return found;
+  ModesResult result = *std::move(found);
+  if (auto good = check_step_of(options, 1 / result.recording->rate); !good) return good.error();
   if (couples_modes(options, result.modes))
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty())

@@ -29,6 +29,8 @@ export const glossary: Record<keyof typeof en, string> = {
   dialect: 'Welches Programm die Datei schrieb: jedes trennt Spalten und nennt Einheiten auf seine Art.',
   repaired: 'Ein Ausreißer ist ein Wert weit weg von seinen Nachbarn; er wird nicht angepasst. Eine Lücke ist eine Zeit ohne Messwerte. Die Datei selbst bleibt, wie sie ist.',
   phase: 'Wie weit eine Schwingung einer anderen voraus ist oder ihr nachläuft. Eine ganze ist 2π, also 6,28 rad.',
+  mode: 'Eine Bewegung, in der alle Teile mit einer Frequenz schwingen, in festen Verhältnissen. Jede freie Bewegung ist eine Summe von Eigenschwingungen.',
+  damping_ratio: 'Die Dämpfung im Verhältnis zu der, bei der nichts mehr schwingt: 1 % heißt, dass die Amplitude in jeder Schwingung um etwa 6 % fällt.',
   method: 'Ein Verfahren folgt der Bewegung in kleinen Schritten und macht in jedem einen Fehler.',
   free_part: 'Der Teil der Aufnahme, in dem nichts die Masse berührt oder antreibt: nur dort zeigt sie ihr eigenes Gesetz.',
 }

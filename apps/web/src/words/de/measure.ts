@@ -222,6 +222,13 @@ export const measure: typeof en = {
     core: 'Der Rechenkern meldet',
     more: (count) => `${count} weitere`
   },
+  modes: {
+    title: 'Die Spalten zusammen: Eigenschwingungen',
+    frequency: 'Frequenz',
+    damping: 'Dämpfungsgrad',
+    shape: 'Form',
+    bars: (columns) => `In einer Eigenschwingung schwingt alles mit einer Frequenz. Die Form sagt, wie weit und wohin: ${columns}.`
+  },
   overlay: {
     title: 'Das Gesetz, simuliert',
     caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme: die ersten Schwingungen, und die Energie von allen.',

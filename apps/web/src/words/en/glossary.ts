@@ -28,6 +28,8 @@ export const glossary = {
   dialect: 'Which program wrote the file: each separates columns and names units in its own way.',
   repaired: 'A spike is one value far from its neighbours; it is not fitted. A gap is a time without samples. The file itself stays as it is.',
   phase: 'How far a swing is ahead of another or behind it. A whole swing is 2π, or 6.28 rad.',
+  mode: 'A motion in which all parts swing at one frequency, in fixed proportions. Every free motion is a sum of modes.',
+  damping_ratio: 'The damping over that at which nothing swings any more: 1 % means that the amplitude falls by about 6 % in every swing.',
   method: 'A method of integration follows the motion in small steps, and makes an error in each.',
   free_part: 'The part of the recording where nothing touches or drives the mass: only there does it show its own law.',
 } satisfies Record<string, string>

@@ -221,6 +221,13 @@ export const measure = {
     core: 'The core says',
     more: (count: number) => `${count} more`
   },
+  modes: {
+    title: 'The columns together: modes',
+    frequency: 'Frequency',
+    damping: 'Damping ratio',
+    shape: 'Shape',
+    bars: (columns: string) => `In a mode all swing at one frequency. Its shape says how far and which way: ${columns}.`
+  },
   overlay: {
     title: 'The law, simulated',
     caption: 'The fitted law as two [method:methods] step it from the same start, beside the recording: its first swings, and the energy of all.',
