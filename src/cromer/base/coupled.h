@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <type_traits>
+#include <utility>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/magnitude.h"
@@ -22,7 +23,7 @@ struct Coupled {
   Real second{};
 
   constexpr Coupled() = default;
-  constexpr Coupled(const Real& a, const Real& b) : first(a), second(b) {}
+  constexpr Coupled(Real a, Real b) : first(std::move(a)), second(std::move(b)) {}
   /// The same number in both components, most often 0.
   template <class Number>
   requires std::is_arithmetic_v<Number>
@@ -41,33 +42,41 @@ struct Coupled {
   friend constexpr bool operator<(const Coupled& a, const Coupled& b) { return a.first < b.first; }
 };
 
+template <class Real>
+constexpr Coupled<Real> coupled(Real first, Real second) {
+  return {std::move(first), std::move(second)};
+}
+
 template <class Number>
 inline constexpr bool is_coupled = false;
 template <class Real>
 inline constexpr bool is_coupled<Coupled<Real>> = true;
 
-template <class A, class B>
-[[gnu::always_inline]] constexpr auto operator+(const Coupled<A>& a, const Coupled<B>& b) {
-  return Coupled<std::decay_t<decltype(a.first + b.first)>>{a.first + b.first, a.second + b.second};
+template <class T>
+concept IsCoupled = is_coupled<std::remove_cvref_t<T>>;
+
+// What is about to go hands its parts on: vectors then take no new memory.
+template <IsCoupled A, IsCoupled B>
+[[gnu::always_inline]] constexpr auto operator+(A&& a, B&& b) {
+  return coupled(std::forward<A>(a).first + std::forward<B>(b).first,
+                 std::forward<A>(a).second + std::forward<B>(b).second);
 }
-template <class A, class B>
-[[gnu::always_inline]] constexpr auto operator-(const Coupled<A>& a, const Coupled<B>& b) {
-  return Coupled<std::decay_t<decltype(a.first - b.first)>>{a.first - b.first, a.second - b.second};
+template <IsCoupled A, IsCoupled B>
+[[gnu::always_inline]] constexpr auto operator-(A&& a, B&& b) {
+  return coupled(std::forward<A>(a).first - std::forward<B>(b).first,
+                 std::forward<A>(a).second - std::forward<B>(b).second);
 }
-template <class Factor, class Real>
-requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Factor& c,
-                                                                              const Coupled<Real>& a) {
-  return Coupled<std::decay_t<decltype(c * a.first)>>{c * a.first, c * a.second};
+template <class Factor, IsCoupled A>
+requires(!IsCoupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Factor& c, A&& a) {
+  return coupled(c * std::forward<A>(a).first, c * std::forward<A>(a).second);
 }
-template <class Factor, class Real>
-requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Coupled<Real>& a,
-                                                                              const Factor& c) {
-  return Coupled<std::decay_t<decltype(a.first * c)>>{a.first * c, a.second * c};
+template <IsCoupled A, class Factor>
+requires(!IsCoupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(A&& a, const Factor& c) {
+  return coupled(std::forward<A>(a).first * c, std::forward<A>(a).second * c);
 }
-template <class Divisor, class Real>
-requires(!is_coupled<Divisor>) [[gnu::always_inline]] constexpr auto operator/(const Coupled<Real>& a,
-                                                                               const Divisor& c) {
-  return Coupled<std::decay_t<decltype(a.first / c)>>{a.first / c, a.second / c};
+template <IsCoupled A, class Divisor>
+requires(!IsCoupled<Divisor>) [[gnu::always_inline]] constexpr auto operator/(A&& a, const Divisor& c) {
+  return coupled(std::forward<A>(a).first / c, std::forward<A>(a).second / c);
 }
 
 template <class Real>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "cromer/base/coupled.h"
 #include "cromer/methods/method.h"
 
@@ -32,7 +34,8 @@ struct EulerCromer {
     Real v = y.v + h * system.acceleration(t, y.x, y.v);
     // An inner state moves with the new velocity too.
     if constexpr (is_coupled<Real>) v.second = y.v.second + h * system.rate(v.first, y.v.second);
-    return {.y = {y.x + h * v, v}};
+    Real x = y.x + h * v;
+    return {.y = {std::move(x), std::move(v)}};
   }
 };
 

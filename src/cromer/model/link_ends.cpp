@@ -3,6 +3,72 @@
 #include <algorithm>
 
 namespace cromer::core {
+namespace {
+
+// Of the masses from `from` to before `to`.
+void pull_apart(const LinkBand& band, std::size_t from, std::size_t to, double* acceleration,
+                const double* x) {
+  if (from >= to) return;
+  double* __restrict a = acceleration + from;
+  const double *own = x + from, *other = own + band.offset, *k = &band.stiffness[from - band.first];
+  for (std::size_t i = 0; i < to - from; ++i) a[i] = a[i] - k[i] * (own[i] - other[i]);
+}
+
+void pull_apart_by_both(const LinkBand& first, const LinkBand& second, std::size_t from, std::size_t to,
+                        double* acceleration, const double* x) {
+  if (from >= to) return;
+  double* __restrict a = acceleration + from;
+  const double *own = x + from, *here = own + first.offset, *there = own + second.offset;
+  const double *k = &first.stiffness[from - first.first], *l = &second.stiffness[from - second.first];
+  for (std::size_t i = 0; i < to - from; ++i)
+    a[i] = (a[i] - k[i] * (own[i] - here[i])) - l[i] * (own[i] - there[i]);
+}
+
+void pull(const LinkBand& band, double* acceleration, const double* x, const double* v) {
+  const std::size_t size = band.stiffness.size();
+  double* __restrict a = acceleration + band.first;
+  const double *own = x + band.first, *speed = v + band.first;
+  const double *k = band.stiffness.data(), *c = band.damping.empty() ? nullptr : band.damping.data();
+  if (band.grounded) {
+    if (c)
+      for (std::size_t i = 0; i < size; ++i) a[i] = (a[i] - c[i] * speed[i]) - k[i] * own[i];
+    else
+      for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * own[i];
+    return;
+  }
+  const double *other = own + band.offset, *other_speed = speed + band.offset;
+  if (c)
+    for (std::size_t i = 0; i < size; ++i)
+      a[i] = (a[i] - c[i] * (speed[i] - other_speed[i])) - k[i] * (own[i] - other[i]);
+  else
+    pull_apart(band, band.first, band.end(), acceleration, x);
+}
+
+// In place of a long stretch without links the band begins anew behind it.
+std::vector<LinkBand> without_gaps(const std::vector<LinkBand>& bands) {
+  constexpr std::size_t long_gap = 64;
+  std::vector<LinkBand> result;
+  for (const LinkBand& band : bands) {
+    const auto empty = [&](std::size_t i) {
+      return band.stiffness[i] == 0 && (band.damping.empty() || band.damping[i] == 0);
+    };
+    const std::size_t size = band.stiffness.size();
+    for (std::size_t from = 0, to = 0, next = 0; from < size; from = next) {
+      for (to = next = from; next < size && next - to < long_gap; ++next)
+        if (!empty(next)) to = next + 1;
+      while (next < size && empty(next)) ++next;
+      if (to == from) continue;
+      const auto part = [&](const std::vector<double>& all) {
+        return all.empty() ? all : std::vector(all.begin() + from, all.begin() + to);
+      };
+      result.push_back(
+          {band.grounded, band.offset, band.first + from, part(band.damping), part(band.stiffness)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
 
 LinkEnds::LinkEnds(const Network& network) {
   const std::size_t count = network.masses.size();
@@ -89,28 +155,25 @@ void LinkEnds::make_bands() {
   for (LinkBand& band : bands)
     if (std::all_of(band.damping.begin(), band.damping.end(), [](double c) { return c == 0; }))
       band.damping.clear();
-  bands_ = std::move(bands);
+  bands_ = without_gaps(bands);
 }
 
 void LinkEnds::pull_by_bands(double* acceleration, const double* x, const double* v) const {
-  for (const LinkBand& band : bands_) {
-    const std::size_t size = band.stiffness.size();
-    double* __restrict a = acceleration + band.first;
-    const double *own = x + band.first, *speed = v + band.first;
-    const double *k = band.stiffness.data(), *c = band.damping.empty() ? nullptr : band.damping.data();
-    if (band.grounded) {
-      if (c)
-        for (std::size_t i = 0; i < size; ++i) a[i] = (a[i] - c[i] * speed[i]) - k[i] * own[i];
-      else
-        for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * own[i];
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
+    const LinkBand& band = bands_[b];
+    // A chain's masses feel both neighbours: in one pass where both are there.
+    if (b + 1 < bands_.size() && band.pulls_only_apart() && bands_[b + 1].pulls_only_apart()) {
+      const LinkBand& next = bands_[++b];
+      const std::size_t from = std::max(band.first, next.first),
+                        to = std::max(from, std::min(band.end(), next.end()));
+      for (const LinkBand* each : {&band, &next}) {
+        pull_apart(*each, each->first, std::min(from, each->end()), acceleration, x);
+        pull_apart(*each, std::max(to, each->first), each->end(), acceleration, x);
+      }
+      pull_apart_by_both(band, next, from, to, acceleration, x);
       continue;
     }
-    const double *other = own + band.offset, *other_speed = speed + band.offset;
-    if (c)
-      for (std::size_t i = 0; i < size; ++i)
-        a[i] = (a[i] - c[i] * (speed[i] - other_speed[i])) - k[i] * (own[i] - other[i]);
-    else
-      for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * (own[i] - other[i]);
+    pull(band, acceleration, x, v);
   }
 }
 

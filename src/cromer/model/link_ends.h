@@ -44,6 +44,9 @@ struct LinkBand {
   std::ptrdiff_t offset = 0;
   std::size_t first = 0;
   std::vector<double> damping{}, stiffness{};  ///< damping is empty where there is none
+
+  std::size_t end() const { return first + stiffness.size(); }
+  bool pulls_only_apart() const { return !grounded && damping.empty(); }
 };
 
 /// The smooth terms of all links, and those with an inner state.
