@@ -24,7 +24,8 @@ Network chain_of(std::size_t masses, std::ptrdiff_t reach, bool damped, unsigned
   for (std::size_t i = 1; i < masses; ++i) {
     link(i - 1, i);
     if (i % 150 < 3) link(i, ground);
-    if (i % 100 < 20 && i + static_cast<std::size_t>(reach) < masses) link(i, i + static_cast<std::size_t>(reach));
+    if (i % 100 < 20 && i + static_cast<std::size_t>(reach) < masses)
+      link(i, i + static_cast<std::size_t>(reach));
   }
   link(masses - 1, ground);
   return network;

@@ -33,6 +33,13 @@ constexpr Entry entries[] = {
      "in den ersten {length:.3g} s bewegt sich nichts: das Ergebnis gilt für die Bewegung ab {from:.4g} s; "
      "{--from} "
      "wählt einen anderen Anfang"},
+    {"let_go_slowly", worth_knowing,
+     "for the first {length:.3g} s it is held or still being let go: the result is for the motion from "
+     "{from:.4g} s "
+     "on; {--from} takes another beginning",
+     "in den ersten {length:.3g} s wird es gehalten oder noch losgelassen: das Ergebnis gilt für die "
+     "Bewegung ab "
+     "{from:.4g} s; {--from} wählt einen anderen Anfang"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,

@@ -69,24 +69,11 @@ std::vector<std::vector<double>> without_oscillations(const ModalRecord& record,
 
 DecayBasis::DecayBasis(const ModalRecord& record, const Eigen::MatrixXd& values,
                        const Eigenvalues& eigenvalues)
-    : modes_(static_cast<Eigen::Index>(eigenvalues.size())),
-      times_(values.rows()),
-      columns_(values.rows(), 2 * modes_ + 2) {
+    : modes_(static_cast<Eigen::Index>(eigenvalues.size())), times_(values.rows()) {
   const double start = record.time(0);
   for (Eigen::Index i = 0; i < times_.size(); ++i)
     times_(i) = record.time(static_cast<std::size_t>(i)) - start;
-  const double duration = times_(times_.size() - 1);
-  for (Eigen::Index j = 0; j < modes_; ++j) {
-    const double w = eigenvalues[static_cast<std::size_t>(j)].imag(),
-                 rate = eigenvalues[static_cast<std::size_t>(j)].real();
-    for (Eigen::Index i = 0; i < times_.size(); ++i) {
-      const double size = std::exp(rate * times_(i)), angle = w * times_(i);
-      columns_(i, 2 * j) = size * std::cos(angle);
-      columns_(i, 2 * j + 1) = size * std::sin(angle);
-    }
-  }
-  columns_.col(2 * modes_).setOnes();
-  columns_.col(2 * modes_ + 1) = times_.array() / duration - 0.5;
+  columns_ = columns_at(times_, eigenvalues);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns_);
   const Eigen::Index n = columns_.cols();
   orthogonal_ = qr.householderQ() * Eigen::MatrixXd::Identity(columns_.rows(), n);
@@ -94,6 +81,27 @@ DecayBasis::DecayBasis(const ModalRecord& record, const Eigen::MatrixXd& values,
   const Eigen::MatrixXd projected = orthogonal_.transpose() * values;
   residuals_ = values - orthogonal_ * projected;
   amplitudes_ = triangle_.triangularView<Eigen::Upper>().solve(projected);
+}
+
+Eigen::MatrixXd DecayBasis::columns_at(const Eigen::VectorXd& times, const Eigenvalues& eigenvalues) const {
+  Eigen::MatrixXd columns(times.size(), 2 * modes_ + 2);
+  const double duration = times_(times_.size() - 1);
+  for (Eigen::Index j = 0; j < modes_; ++j) {
+    const double w = eigenvalues[static_cast<std::size_t>(j)].imag(),
+                 rate = eigenvalues[static_cast<std::size_t>(j)].real();
+    for (Eigen::Index i = 0; i < times.size(); ++i) {
+      const double size = std::exp(rate * times(i)), angle = w * times(i);
+      columns(i, 2 * j) = size * std::cos(angle);
+      columns(i, 2 * j + 1) = size * std::sin(angle);
+    }
+  }
+  columns.col(2 * modes_).setOnes();
+  columns.col(2 * modes_ + 1) = times.array() / duration - 0.5;
+  return columns;
+}
+
+Eigen::MatrixXd DecayBasis::before(const Eigen::VectorXd& seconds, const Eigenvalues& eigenvalues) const {
+  return columns_at(-seconds, eigenvalues) * amplitudes_;
 }
 
 Eigen::Index DecayBasis::weakest_mode() const {

@@ -32,6 +32,8 @@ class DecayBasis {
     return {amplitudes_(2 * mode, channel), -amplitudes_(2 * mode + 1, channel)};
   }
   Eigen::Index columns() const { return columns_.cols(); }
+  /// The sums so many seconds before the record's first sample: a row for each of them.
+  Eigen::MatrixXd before(const Eigen::VectorXd& seconds, const Eigenvalues& eigenvalues) const;
 
   /// The oscillation of least power.
   Eigen::Index weakest_mode() const;
@@ -46,6 +48,9 @@ class DecayBasis {
   Eigen::VectorXd dual(Eigen::Index k) const;
 
  private:
+  /// The columns at times from the first sample on [s].
+  Eigen::MatrixXd columns_at(const Eigen::VectorXd& times, const Eigenvalues& eigenvalues) const;
+
   Eigen::Index modes_;
   Eigen::VectorXd times_;
   Eigen::MatrixXd columns_, orthogonal_, triangle_, residuals_, amplitudes_;

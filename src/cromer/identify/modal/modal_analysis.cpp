@@ -160,6 +160,14 @@ ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& setting
     ModalAnalysis result = modes_of_motion(from_sample(record, still), settings);
     if (result.motion == ModalMotion::free_decay && is_still_before(record, still, result.modes)) {
       result.still = still;
+      if (const std::size_t released = samples_of_release(from_sample(record, still), result.modes)) {
+        ModalAnalysis after = modes_of_motion(from_sample(record, still + released), settings);
+        if (after.motion == ModalMotion::free_decay) {
+          after.still = still + released;
+          after.released = released;
+          return after;
+        }
+      }
       return result;
     }
   }

@@ -99,9 +99,51 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
   return false;
 }
 
-Notice still_before_motion(const ModalRecord& record, std::size_t still) {
+std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {
+  constexpr double far_more = 15, more = 4, periods = 1.5;
+  constexpr int most_windows = 4;
+  double slowest = HUGE_VAL;
+  Eigenvalues eigenvalues;
+  for (const MeasuredMode& mode : modes) {
+    slowest = std::min(slowest, mode.frequency.value);
+    eigenvalues.push_back(mode.eigenvalue);
+  }
+  const auto window = static_cast<std::size_t>(std::ceil(periods / (slowest * record.step)));
+  std::size_t released = 0;
+  for (int turn = 0; turn < most_windows && released + 4 * window + fewest_modal_samples < record.samples();
+       ++turn) {
+    const ModalRecord part = from_sample(record, released), later = from_sample(part, window);
+    const auto fitted = fit_eigenvalues(later, values_of(later), eigenvalues);
+    if (!fitted) return released;
+    eigenvalues = *fitted;
+    const DecayBasis basis(later, values_of(later), eigenvalues);
+    Eigen::VectorXd seconds(static_cast<Eigen::Index>(window));
+    for (std::size_t i = 0; i < window; ++i)
+      seconds(static_cast<Eigen::Index>(i)) = part.time(window) - part.time(i);
+    const Eigen::MatrixXd off =
+        (basis.before(seconds, eigenvalues) - values_of(part).topRows(seconds.size())).array().abs();
+    const auto noise = [&](Eigen::Index c) {
+      const auto left = basis.residuals().col(c);
+      return left.norm() / std::sqrt(static_cast<double>(left.size()));
+    };
+    double most = 0;
+    std::size_t end = 0;
+    for (Eigen::Index c = 0; c < off.cols(); ++c)
+      for (Eigen::Index i = 0; i < off.rows(); ++i) {
+        most = std::max(most, off(i, c) / noise(c));
+        if (off(i, c) > more * noise(c)) end = std::max(end, static_cast<std::size_t>(i) + 1);
+      }
+    if (most < far_more) return released;
+    released += end;
+    if (4 * end < 3 * window) return released;
+  }
+  return released;
+}
+
+Notice still_before_motion(const ModalRecord& record, std::size_t still, std::size_t released) {
   const double from = record.time(still);
-  return Notice{"still_before_motion", {{"length", from - record.time(0)}, {"from", from}}};
+  return Notice{released > 0 ? "let_go_slowly" : "still_before_motion",
+                {{"length", from - record.time(0)}, {"from", from}}};
 }
 
 ModalRecord from_sample(const ModalRecord& record, std::size_t first) {

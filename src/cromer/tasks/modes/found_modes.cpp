@@ -178,7 +178,7 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
   result.recording->gaps = from_sample(record, found.still).starts.size() - 1;
   result.recording->samples = channels->t.size() - found.still;
   result.recording->duration = channels->t.back() - channels->t[found.still];
-  if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still));
+  if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still, found.released));
   for (const MeasuredMode& mode : found.modes)
     result.modes.push_back({.frequency = mode.frequency,
                             .damping_ratio = mode.damping_ratio,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "cromer/base/quantity.h"
 #include "cromer/identify/least_squares/uncertainty.h"
@@ -41,8 +42,9 @@ void take_out(NaturalMode& mode, const ModesOptions& options, std::vector<Notice
 }
 
 /// Rows come a whole number of steps apart.
-Result<void> check_step_of(const ModesOptions& options, double spacing) {
-  if (options.of_method.empty()) return {};
+Result<void> check_step_of(const ModesOptions& options, const std::optional<ModalSource>& recording) {
+  if (options.of_method.empty() || !recording) return {};
+  const double spacing = 1 / recording->rate;
   const double steps = spacing / *options.step;
   constexpr double close = 1e-3;
   if (std::round(steps) >= 1 && std::abs(steps - std::round(steps)) <= close * steps) return {};
@@ -75,7 +77,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   auto found = found_modes(recording, options);
   if (!found) return found;
   ModesResult result = *std::move(found);
-  if (auto good = check_step_of(options, 1 / result.recording->rate); !good) return good.error();
+  if (auto good = check_step_of(options, result.recording); !good) return good.error();
   if (couples_modes(options, result.modes))
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty())
