@@ -205,6 +205,59 @@ TEST(ModalMotion, a_late_beginning_is_found_in_noise_and_beside_a_channel_that_h
   EXPECT_GE(held, 8);
 }
 
+// Held for 2 s, then let go over so many seconds, slowly at first and at last.
+MadeChannels let_go_over(double seconds, const std::vector<TrueMode>& modes, unsigned seed) {
+  constexpr std::size_t samples = 1500, held = 100, parts = 200;
+  constexpr double step = 0.02, h = step / parts;
+  MadeChannels channels{
+      std::vector<std::vector<double>>(modes.front().shape.size(), std::vector<double>(samples)), step};
+  for (const TrueMode& mode : modes) {
+    const std::complex<double> value = mode.eigenvalue();
+    const double w2 = std::norm(value), c = -2 * value.real();
+    const auto pull = [&](double t) {
+      const double s = std::clamp((t - held * step) / seconds, 0.0, 1.0);
+      return w2 * (1 - s * s * (3 - 2 * s));
+    };
+    double x = 1, v = 0;
+    for (std::size_t i = 0; i < samples; ++i) {
+      for (std::size_t k = 0; k < channels.values.size(); ++k)
+        channels.values[k][i] += mode.shape[k].real() * x;
+      for (std::size_t part = 0; part < parts; ++part) {
+        const double t = step * static_cast<double>(i) + h * static_cast<double>(part);
+        const double middle = v + h / 2 * (pull(t) - c * v - w2 * x);
+        x += h * middle;
+        v = (middle + h / 2 * (pull(t + h) - w2 * x)) / (1 + h / 2 * c);
+      }
+    }
+  }
+  std::mt19937 random(seed);
+  add_noise(channels, 0.003, random);
+  return channels;
+}
+
+TEST(ModalMotion, a_release_that_takes_its_time_is_no_part_of_the_free_motion) {
+  for (const double seconds : {0.1, 0.3, 0.5}) {
+    int held = 0, all = 0;
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      const ModalAnalysis found = find_modes(let_go_over(seconds, two_masses(), seed).record());
+      ASSERT_EQ(found.motion, ModalMotion::free_decay) << seconds;
+      EXPECT_GT(found.released, 0u) << seconds;
+      EXPECT_GE(found.still, 100 + found.released) << seconds;
+      EXPECT_LE(found.still, 150u) << seconds;
+      for (const MeasuredMode& mode : found.modes)
+        for (const TrueMode& truth : two_masses())
+          if (std::abs(mode.frequency.value - truth.frequency) < 0.1) {
+            held += holds(mode.frequency, truth.frequency) + holds(mode.damping_ratio, truth.damping_ratio);
+            all += 2;
+          }
+    }
+    EXPECT_EQ(all, 16) << seconds;
+    EXPECT_GE(held, 13) << seconds;
+  }
+  EXPECT_EQ(find_modes(beginning_late(two_masses(), 100, false, 1).record()).released, 0u);
+  EXPECT_EQ(find_modes(beginning_late(two_masses(), 100, true, 1).record()).released, 0u);
+}
+
 TEST(ModalMotion, few_samples_have_no_still_beginning) {
   MadeChannels channels = beginning_late(two_masses(), 30, true, 1);
   for (auto& channel : channels.values) channel.resize(48);

@@ -100,14 +100,16 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
 }
 
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {
-  constexpr double far_more = 15, more = 4, periods = 1.5;
+  constexpr double far_more = 15, more = 4, periods = 1.5, hardly_swings = 0.5;
   constexpr int most_windows = 4;
   double slowest = HUGE_VAL;
   Eigenvalues eigenvalues;
   for (const MeasuredMode& mode : modes) {
     slowest = std::min(slowest, mode.frequency.value);
-    eigenvalues.push_back(mode.eigenvalue);
+    // What hardly swings before it is gone may be the release itself.
+    if (mode.damping_ratio.value < hardly_swings) eigenvalues.push_back(mode.eigenvalue);
   }
+  if (eigenvalues.empty()) return 0;
   const auto window = static_cast<std::size_t>(std::ceil(periods / (slowest * record.step)));
   std::size_t released = 0;
   for (int turn = 0; turn < most_windows && released + 4 * window + fewest_modal_samples < record.samples();
