@@ -1,6 +1,7 @@
-// Numbers written down: rows of a name and what a function gives, compared with a file in the tree, each number
-// to a millionth of itself or a billionth of the largest in its row. Run with CROMER_WRITE_TRANSCRIPTS=1, the
-// tests write what comes out now into the file: read the difference before you commit it.
+// Numbers written down: rows of a name and what a function gives, compared with a file in the tree, each
+// number to a millionth of itself or a billionth of the largest in its row. Run with
+// CROMER_WRITE_TRANSCRIPTS=1, the tests write what comes out now into the file: read the difference before
+// you commit it.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ class NumberSheet {
  public:
   void row(const std::string& name, std::span<const double> numbers) {
     text_ += name + ":";
-    for (const double each : numbers) text_ += fmt::format(" {:.9g}", each + 0.0);
+    for (const double each : numbers)
+      text_ += std::isnan(each) ? std::string(" nan") : fmt::format(" {:.9g}", each + 0.0);
     text_ += "\n";
   }
   void row(const std::string& name, std::initializer_list<double> numbers) {
@@ -39,8 +41,7 @@ class NumberSheet {
       squares += numbers[i] * numbers[i];
       weighed += numbers[i] * (1 + std::cos(static_cast<double>(i)));
     }
-    row(name,
-        {static_cast<double>(numbers.size()), numbers.front(), numbers.back(), sum, squares, weighed});
+    row(name, {static_cast<double>(numbers.size()), numbers.front(), numbers.back(), sum, squares, weighed});
   }
 
   void expect_as_in(const std::filesystem::path& file) const {

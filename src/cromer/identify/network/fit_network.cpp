@@ -445,7 +445,8 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   for (const std::span<const double> y : record.y) {
     spreads.push_back(column_spread(y));
     samples += spreads.back().count;
-    if (!(spreads.back().deviation > 0)) {
+    constexpr double rounding = 1e-12;
+    if (!(spreads.back().deviation > rounding * std::abs(spreads.back().mean))) {
       fit.status = FitStatus::no_oscillation;
       return fit;
     }
