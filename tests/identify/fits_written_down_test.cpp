@@ -17,8 +17,7 @@
 namespace cromer::core {
 namespace {
 
-const std::filesystem::path fit_numbers =
-    std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/numbers";
+const std::filesystem::path fit_numbers = std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/numbers";
 
 struct Fitted {
   std::string name;
@@ -114,8 +113,9 @@ TEST(FitsWrittenDown, OfFreeMotions) {
                      derivative == 0 ? 2e-3 : 2e-2, even_times(240, 0.06), derivative));
   write(free_one("hysteresis", law_motion("viscous+hysteresis"), "viscous+hysteresis"));
   // Another law.
-  for (const char* law : {"viscous+drag", "friction", "viscous+friction", "viscous+cubic", "viscous+quadratic",
-                          "viscous+pendulum", "drag", "viscous+quadratic+cubic", "viscous+drag+friction"})
+  for (const char* law :
+       {"viscous+drag", "friction", "viscous+friction", "viscous+cubic", "viscous+quadratic",
+        "viscous+pendulum", "drag", "viscous+quadratic+cubic", "viscous+drag+friction"})
     write(free_one(std::string("viscous, by ") + law, law_motion("viscous"), law));
   write(free_one("drag, by friction", law_motion("viscous+drag"), "viscous+friction"));
   write(free_one("friction, by drag", law_motion("friction"), "viscous+drag"));
@@ -162,7 +162,8 @@ TEST(FitsWrittenDown, AsTheyAreAskedFor) {
   });
   changed("its clock is off", plain, "viscous", [](Fitted& one) { one.clock_error = 1e-3; });
   changed("its clock is off, drag", drag, "viscous+drag", [](Fitted& one) { one.clock_error = 1e-3; });
-  changed("at most two iterations", drag, "viscous+drag", [](Fitted& one) { one.options.iteration_limit = 2; });
+  changed("at most two iterations", drag, "viscous+drag",
+          [](Fitted& one) { one.options.iteration_limit = 2; });
   changed("at most one iteration", plain, "viscous", [](Fitted& one) { one.options.iteration_limit = 1; });
   for (const double tolerance : {1e-4, 1e-2})
     changed("to a tolerance", drag, "viscous+drag", [=](Fitted& one) { one.options.tolerance = tolerance; });
@@ -286,7 +287,8 @@ TEST(FitsWrittenDown, OfForcedMotions) {
   write("quadratic", {.quadratic = 60}, "viscous+quadratic", linear);
   write("zero far off", {.offset = 1, .equilibrium = 2}, "viscous", linear);
   write("zero far off", {.offset = 1, .equilibrium = 2}, "viscous+quadratic", linear);
-  write("cubic, zero far off", {.cubic = 300, .offset = 1, .equilibrium = 2}, "viscous+quadratic+cubic", linear);
+  write("cubic, zero far off", {.cubic = 300, .offset = 1, .equilibrium = 2}, "viscous+quadratic+cubic",
+        linear);
   write("velocities", {}, "viscous", linear, 1);
   write("accelerations", {}, "viscous", linear, 2, 0.05);
   write("no spring", {.w0 = 0.001, .g = 0.4}, "damping", linear);
@@ -335,11 +337,13 @@ TEST(FitsWrittenDown, KindsOfMotion) {
     write(fmt::format("a generator's line that falls by {}", f), t, two(5, 0.09, 0.6, f), 0.003);
   write("alone", t, two(5, 0.05, 0, 0), 0.01);
   write("alone and steady", t, two(5, 0, 0, 0), 0.01);
-  write("a cubic harmonic", t, [](double s) { return std::cos(2.6667 * s) + 0.05 * std::cos(8 * s); }, 0.01);
+  write(
+      "a cubic harmonic", t, [](double s) { return std::cos(2.6667 * s) + 0.05 * std::cos(8 * s); }, 0.01);
   write("shortly", even_times(31, 0.2), two(5, 0.05, 0.6, 0.02), 0.01);
   write("a little longer", even_times(33, 0.2), two(5, 0.05, 0.6, 0.02), 0.01);
   write("in steps", t, two(5, 0.05, 0.6, 0.02), 0.01, 0.1);
-  write("noise", t, [](double) { return 0.0; }, 1);
+  write(
+      "noise", t, [](double) { return 0.0; }, 1);
   sheet.expect_as_in(fit_numbers / "kinds_of_motion.txt");
 }
 
@@ -397,9 +401,9 @@ void write_network(test::NumberSheet& sheet, const std::string& name, const Netw
   Watch watch;
   watch.pulse = [&looks] { ++looks; };
   const NetworkFit fit = fit_network(asked, sought, swings.record(), watch);
-  sheet.row(name, {static_cast<double>(fit.status), static_cast<double>(fit.iterations),
-                   fit.independent_samples, static_cast<double>(fit.undetermined.size()),
-                   static_cast<double>(looks.load())});
+  sheet.row(name,
+            {static_cast<double>(fit.status), static_cast<double>(fit.iterations), fit.independent_samples,
+             static_cast<double>(fit.undetermined.size()), static_cast<double>(looks.load())});
   for (const Estimate& each : fit.values)
     sheet.row("  value", {each.value, each.standard_error, each.low, each.high});
   for (const FittedColumn& each : fit.columns) {
