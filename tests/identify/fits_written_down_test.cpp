@@ -298,6 +298,76 @@ TEST(FitsWrittenDown, OfForcedMotions) {
   sheet.expect_as_in(fit_numbers / "forced_fits.txt");
 }
 
+/// A choice: the chosen law, what was tried, and how it told of its progress.
+void write_choice(test::NumberSheet& sheet, const Fitted& each, const GivenLaw& given = {}) {
+  LawFitOptions options = each.options;
+  if (each.between) options.drive = Drive::recorded({each.force, 0, each.t[1] - each.t[0], *each.between});
+  std::atomic<int> looks = 0;
+  std::vector<double> shares;
+  Watch watch;
+  watch.pulse = [&looks] { ++looks; };
+  watch.progress = [&shares](double share) { shares.push_back(share); };
+  const LawChoice choice = choose_law(each.record(), options, watch, given);
+  write_fit(sheet, each.name + ": " + to_text(choice.chosen.law) + " " + choice.rivals.code, choice.chosen,
+            looks.load());
+  for (const LawFit& one : choice.candidates)
+    sheet.row("  " + to_text(one.law), {static_cast<double>(one.status), one.residual.rms, one.bic,
+                                        static_cast<double>(one.iterations)});
+  sheet.in_short("  progress", shares);
+}
+
+TEST(FitsWrittenDown, ChosenLaws) {
+  test::NumberSheet sheet;
+  const auto write = [&](const char* law, const std::function<void(Fitted&)>& change = {}) {
+    Fitted one = free_one(law, law_motion(law), "viscous", 2e-3, even_times(200, 0.06));
+    if (change) change(one);
+    write_choice(sheet, one);
+  };
+  for (const char* law : {"viscous", "viscous+drag", "friction", "viscous+cubic", "viscous+quadratic",
+                          "viscous+quintic", "viscous+van-der-pol", "viscous+drag+cubic"})
+    write(law);
+  write("viscous+pendulum", [](Fitted& one) { one.options.angle = true; });
+  write("viscous", [](Fitted& one) {
+    for (std::size_t i = 0; i < one.y.size(); ++i) one.y[i] += 0.05 * std::cos(0.55 * static_cast<double>(i));
+  });
+  write("viscous", [](Fitted& one) {
+    for (double& y : one.y) y = 0.1 * std::round(y / 0.1);
+    one.resolution = 0.1;
+  });
+  write("viscous", [](Fitted& one) { one.y = noisy(std::vector<double>(one.t.size(), 0.0), 1); });
+  write("viscous+drag", [](Fitted& one) { one.y[40] += 0.2, one.y[111] -= 0.3; });
+  for (const std::size_t n : {8, 10, 12, 16})
+    write_choice(sheet, free_one(fmt::format("{} samples", n), law_motion("viscous+drag"), "viscous", 2e-3,
+                                 even_times(n, 0.2)));
+  sheet.expect_as_in(fit_numbers / "chosen_laws.txt");
+}
+
+TEST(FitsWrittenDown, ChosenLawsUnderADrive) {
+  test::NumberSheet sheet;
+  const auto t = even_times(160, 0.07);
+  for (const char* law : {"viscous", "viscous+drag", "viscous+cubic"}) {
+    Motion motion = law_motion(law);
+    motion.cosine = 5;
+    motion.drive_frequency = 8;
+    Fitted one{std::string(law) + ", driven", t,
+               noisy(observed_motion(motion, Drive::harmonic(), t, 0, 0.005), 4e-3)};
+    one.options.drive = Drive::harmonic();
+    write_choice(sheet, one);
+  }
+  const auto acting = multisine(14, 6, 24);
+  const auto forced = [&](const char* name, const ForcedTruth& truth, const GivenLaw& given) {
+    const ForcedSynthetic record = forced_synthetic(truth, acting, 160, 0.06, 1e-3, 4);
+    Fitted one{name, record.t, record.y, record.force};
+    one.between = BetweenSamples::linear;
+    write_choice(sheet, one, given);
+  };
+  forced("forced", {}, {});
+  forced("forced, linear between samples", {.drag = 2}, {{}, BetweenSamples::linear});
+  forced("forced, cubic", {.cubic = 400}, {{}, BetweenSamples::band_limited});
+  forced("forced, its law given", {.quadratic = 60}, {law_of("viscous+quadratic"), {}});
+  sheet.expect_as_in(fit_numbers / "chosen_laws_under_a_drive.txt");
+}
+
 TEST(FitsWrittenDown, KindsOfMotion) {
   test::NumberSheet sheet;
   const auto write = [&](const std::string& name, const std::vector<double>& t,

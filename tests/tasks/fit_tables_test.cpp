@@ -63,8 +63,8 @@ Series recorded(const Motion& motion, const std::vector<double>& t, double noise
 
 void write_parameters(test::NumberSheet& sheet, const std::vector<Parameter>& all) {
   for (const Parameter& each : all)
-    sheet.row("  " + each.name + " [" + each.unit + "]", {each.estimate.value, each.estimate.standard_error,
-                                                          each.estimate.low, each.estimate.high});
+    sheet.row("  " + each.name + " [" + each.unit + "]",
+              {each.estimate.value, each.estimate.standard_error, each.estimate.low, each.estimate.high});
 }
 
 std::string codes_of_all(const std::vector<Notice>& notices) {
@@ -78,7 +78,8 @@ void write_all(test::NumberSheet& sheet, const std::string& name, const Series& 
   const auto result = fit_series(series, "lab.csv", options);
   if (!result) return sheet.row(name + ": " + in_words(result.error()), {});
   const FittedRecording& fitted = *result;
-  sheet.row(name + codes_of_all(fitted.notices) + (fitted.fit.message.empty() ? "" : " (" + fitted.fit.message.code + ")"),
+  sheet.row(name + codes_of_all(fitted.notices) +
+                (fitted.fit.message.empty() ? "" : " (" + fitted.fit.message.code + ")"),
             {static_cast<double>(fitted.used()), fitted.succeeded() ? 1.0 : 0.0});
   write_parameters(sheet, fitted.parameters);
   write_parameters(sheet, fitted.derived);
@@ -105,11 +106,11 @@ void write_all(test::NumberSheet& sheet, const std::string& name, const Series& 
                plan.duration, plan.best, plan.noise_ratio, plan.rate_ratio});
   }
   if (fitted.textbook && fitted.textbook->decrement)
-    sheet.row("  decrement", {fitted.textbook->decrement->value, fitted.textbook->decrement->standard_error, static_cast<double>(fitted.textbook->decrement->peaks)});
+    sheet.row("  decrement", {fitted.textbook->decrement->value, fitted.textbook->decrement->standard_error,
+                              static_cast<double>(fitted.textbook->decrement->peaks)});
   const FittedMotion motion = fitted_motion(fitted);
-  for (const auto& [of, values] :
-       {std::pair{"  residual", &motion.residual}, std::pair{"  x", &motion.x}, std::pair{"  v", &motion.v},
-        std::pair{"  energy", &motion.energy}})
+  for (const auto& [of, values] : {std::pair{"  residual", &motion.residual}, std::pair{"  x", &motion.x},
+                                   std::pair{"  v", &motion.v}, std::pair{"  energy", &motion.energy}})
     sheet.in_short(of, *values);
   std::vector<double> known;
   for (const double each : motion.local_velocity)
@@ -123,7 +124,8 @@ void write_all(test::NumberSheet& sheet, const std::string& name, const Series& 
     double number = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
     if (error == std::errc()) values.insert(values.end(), {number, static_cast<double>(value.size())});
-    settings += " " + option + (error == std::errc() ? std::string(end, value.data() + value.size()) : " " + value);
+    settings +=
+        " " + option + (error == std::errc() ? std::string(end, value.data() + value.size()) : " " + value);
   }
   sheet.row(settings, values);
 }
@@ -144,9 +146,9 @@ FitOptions lab_options(const char* law) {
 TEST(FitTables, OfEachLaw) {
   test::NumberSheet sheet;
   const auto t = even_times(400, 0.05);
-  for (const char* law : {"viscous", "viscous+drag", "friction", "viscous+friction", "viscous+cubic",
-                          "viscous+quadratic", "viscous+odd-quadratic", "viscous+quintic",
-                          "viscous+van-der-pol", "viscous+drag+friction"}) {
+  for (const char* law :
+       {"viscous", "viscous+drag", "friction", "viscous+friction", "viscous+cubic", "viscous+quadratic",
+        "viscous+odd-quadratic", "viscous+quintic", "viscous+van-der-pol", "viscous+drag+friction"}) {
     write_all(sheet, law, recorded(swing_of_law(law), t, 5e-4), lab_options(law));
     FitOptions bare;
     bare.law = law;
@@ -188,7 +190,8 @@ TEST(FitTables, OfManyKindsOfRecordings) {
   changed("nothing left", [](Series&, FitOptions& o) { o.from = 30; });
   changed("one in between", [](Series&, FitOptions& o) { o.from = 3, o.to = 3; });
   changed("a mass without error", [](Series&, FitOptions& o) { o.mass = {{0.2, 0}}, o.spring_mass.reset(); });
-  changed("no mass", [](Series&, FitOptions& o) { o.mass.clear(), o.spring_mass.reset(), o.monte_carlo.reset(); });
+  changed("no mass",
+          [](Series&, FitOptions& o) { o.mass.clear(), o.spring_mass.reset(), o.monte_carlo.reset(); });
   changed("no mass nor disc", [](Series&, FitOptions& o) {
     o.mass.clear(), o.spring_mass.reset(), o.monte_carlo.reset(), o.disc_diameter.reset();
   });
@@ -221,7 +224,8 @@ TEST(FitTables, OfManyKindsOfRecordings) {
   changed("its clock is rounded", [](Series& s, FitOptions&) { s.clock_error = 1e-3; });
   changed("no name for its quantity", [](Series& s, FitOptions&) { s.quantity.clear(), s.unit.clear(); });
   changed("times from a rate", [](Series& s, FitOptions&) { s.time_column.clear(); });
-  changed("another run, in centimetres", [](Series& s, FitOptions&) { s.run = 3, s.unit = "cm", s.to_si = 0.01; });
+  changed("another run, in centimetres",
+          [](Series& s, FitOptions&) { s.run = 3, s.unit = "cm", s.to_si = 0.01; });
   for (const double noise : {5e-3, 3e-2})
     write_all(sheet, fmt::format("noise {}", noise), recorded(plain, t, noise), lab_options("viscous"));
   for (const std::size_t n : {20, 24, 30, 60})
@@ -259,20 +263,44 @@ TEST(FitTables, Plans) {
               {plan.value, plan.goal, plan.now, plan.met ? 1.0 : 0.0, plan.possible ? 1.0 : 0.0,
                plan.duration, plan.best, plan.noise_ratio, plan.rate_ratio});
   };
-  for (const char* goal :
-       {"decay_rate 5 %", "decay_rate 2 %", "decay_rate 1 %", "decay_rate 0.3 %", "decay_rate 0.1 %",
-        "decay_rate 0.0001 1/s", "frequency 0.01 %", "frequency 0.0001 Hz", "frequency 1e-7 Hz",
-        "period 1 ms", "period 1 us", "quality_factor 1 %", "damping_ratio 0.0001", "equilibrium 1 mm",
-        "equilibrium 1e-5 m", "position 1 %", "position 1e-5 m", "velocity 1 mm/s",
-        "logarithmic_decrement 0.5 %", "limit_cycle_amplitude 1 %", "angular_frequency 300 %",
-        "decay_rate 200 %", "stiffness 1 %", "drag 1 %", "decay_rate 1 m", "decay_rate 0 %", "period -1 ms",
-        "period", "velocty 1 %", "angular frequency 1 %", "brightness 3 %", "decay_rate x %"})
+  for (const char* goal : {"decay_rate 5 %",
+                           "decay_rate 2 %",
+                           "decay_rate 1 %",
+                           "decay_rate 0.3 %",
+                           "decay_rate 0.1 %",
+                           "decay_rate 0.0001 1/s",
+                           "frequency 0.01 %",
+                           "frequency 0.0001 Hz",
+                           "frequency 1e-7 Hz",
+                           "period 1 ms",
+                           "period 1 us",
+                           "quality_factor 1 %",
+                           "damping_ratio 0.0001",
+                           "equilibrium 1 mm",
+                           "equilibrium 1e-5 m",
+                           "position 1 %",
+                           "position 1e-5 m",
+                           "velocity 1 mm/s",
+                           "logarithmic_decrement 0.5 %",
+                           "limit_cycle_amplitude 1 %",
+                           "angular_frequency 300 %",
+                           "decay_rate 200 %",
+                           "stiffness 1 %",
+                           "drag 1 %",
+                           "decay_rate 1 m",
+                           "decay_rate 0 %",
+                           "period -1 ms",
+                           "period",
+                           "velocty 1 %",
+                           "angular frequency 1 %",
+                           "brightness 3 %",
+                           "decay_rate x %"})
     write("viscous", goal);
   for (const char* goal : {"stiffness 1 %", "stiffness 0.2 %", "stiffness 0.1 %", "damping 1 %",
                            "damping 0.0001 kg/s", "drag_coefficient 1 %"})
     write("viscous", goal, true);
-  for (const char* goal : {"drag 3 %", "drag 0.5 %", "decay_rate 10 %", "frequency 0.01 %",
-                           "damping_ratio 1 %"})
+  for (const char* goal :
+       {"drag 3 %", "drag 0.5 %", "decay_rate 10 %", "frequency 0.01 %", "damping_ratio 1 %"})
     write("viscous+drag", goal);
   write("viscous+drag", "drag_coefficient 3 %", true);
   for (const char* goal : {"friction 1 %", "friction 0.1 %", "frequency 0.001 %", "equilibrium 1e-6 m"})
@@ -291,13 +319,13 @@ TEST(FitTables, HoldsAndLines) {
                        each.standard_error, each.moves ? 1.0 : 0.0, each.mass.value});
     const auto found = static_stiffness(*holds, gravity);
     if (!found) return sheet.row("  " + in_words(found.error()), {});
-    sheet.row("  stiffness" + codes_of_all(found->notices),
-              {found->stiffness.value, found->stiffness.standard_error, found->stiffness.low,
-               found->stiffness.high, found->line.slope, found->line.intercept, found->line.chi_squared,
-               found->line.extra_scatter});
+    sheet.row(
+        "  stiffness" + codes_of_all(found->notices),
+        {found->stiffness.value, found->stiffness.standard_error, found->stiffness.low, found->stiffness.high,
+         found->line.slope, found->line.intercept, found->line.chi_squared, found->line.extra_scatter});
   };
-  const auto held = [&](const std::vector<double>& levels, std::size_t each, double noise, double resolution = 0,
-                        double drift = 0, std::size_t between = 10) {
+  const auto held = [&](const std::vector<double>& levels, std::size_t each, double noise,
+                        double resolution = 0, double drift = 0, std::size_t between = 10) {
     Series series;
     series.column = "Position (m)";
     series.quantity = "position";
@@ -331,8 +359,9 @@ TEST(FitTables, HoldsAndLines) {
   write_static("disturbed", find_holds({disturbed}, "h.csv", three));
   write_static("in runs", find_holds({held({0.1}, 50, 1e-4), held({0.15}, 60, 1e-4), held({0.2}, 3, 1e-4)},
                                      "h.csv", three));
-  write_static("runs of one sample", find_holds({held({0.1}, 1, 1e-4), held({0.15}, 2, 1e-4), held({0.2}, 4, 1e-4)},
-                                                "h.csv", three));
+  write_static(
+      "runs of one sample",
+      find_holds({held({0.1}, 1, 1e-4), held({0.15}, 2, 1e-4), held({0.2}, 4, 1e-4)}, "h.csv", three));
   const auto write_line = [&](const std::string& name, const std::vector<double>& w,
                               const std::vector<Quantity>& masses, double error = 1e-3) {
     std::vector<FittedRecording> fits;
