@@ -336,7 +336,7 @@ TEST(FitsWrittenDown, ChosenLaws) {
   });
   write("viscous", [](Fitted& one) { one.y = noisy(std::vector<double>(one.t.size(), 0.0), 1); });
   write("viscous+drag", [](Fitted& one) { one.y[40] += 0.2, one.y[111] -= 0.3; });
-  for (const std::size_t n : {8, 10, 12, 16})
+  for (const std::size_t n : {8, 12, 16})
     write_choice(sheet, free_one(fmt::format("{} samples", n), law_motion("viscous+drag"), "viscous", 2e-3,
                                  even_times(n, 0.2)));
   sheet.expect_as_in(fit_numbers / "chosen_laws.txt");

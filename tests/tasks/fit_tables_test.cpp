@@ -309,6 +309,72 @@ TEST(FitTables, Plans) {
   sheet.expect_as_in(task_numbers / "plans.txt");
 }
 
+TEST(FitTables, StaticFits) {
+  test::NumberSheet sheet;
+  const auto rows_of = [](const std::vector<double>& levels, std::size_t each, bool timed) {
+    std::string rows = timed ? "Time (s),Position (m)\n" : "Position (m)\n";
+    std::size_t n = 0;
+    for (const double level : levels)
+      for (std::size_t i = 0; i < each; ++i, ++n) {
+        const double y = level + 1e-4 * std::sin(static_cast<double>(n * n));
+        rows += timed ? fmt::format("{:.2f},{:.5f}\n", 0.05 * static_cast<double>(n), y)
+                      : fmt::format("{:.5f}\n", y);
+      }
+    return rows;
+  };
+  const std::string two_runs = [] {
+    std::string rows = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
+    for (int i = 0; i < 60; ++i)
+      rows += fmt::format("{0:.2f},{1:.5f},{0:.2f},{2:.5f}\n", 0.05 * i, 0.1 + 1e-4 * std::sin(1.0 * i * i),
+                          0.2 + 1e-4 * std::cos(1.0 * i * i));
+    return rows;
+  }();
+  const auto write = [&](const std::string& name, const std::vector<std::string>& files,
+                         StaticOptions options) {
+    std::vector<Recording> recordings;
+    for (const std::string& each : files) {
+      const auto read = read_recording(each, fmt::format("{}.csv", recordings.size()), {});
+      ASSERT_TRUE(read.ok()) << name;
+      recordings.push_back(*read);
+    }
+    const auto found = fit_static(recordings, options);
+    if (!found) return sheet.row(name + ": " + in_words(found.error()), {});
+    sheet.row(name + codes_of_all(found->notices),
+              {found->stiffness.value, found->stiffness.standard_error, found->stiffness.low});
+    for (const Hold& each : found->holds)
+      sheet.row("  hold " + each.file, {static_cast<double>(each.run), each.from, each.to, each.position,
+                                        each.standard_error, each.mass.value});
+  };
+  const std::vector<Quantity> one{{0.1, 0}}, two{{0.1, 1e-4}, {0.3, 1e-4}},
+      three{{0.1, 0}, {0.2, 0}, {0.3, 0}};
+  const std::string low = rows_of({0.1}, 60, true), high = rows_of({0.2}, 60, true),
+                    stairs = rows_of({0.1, 0.15, 0.2}, 80, true);
+  const auto with = [](const std::vector<Quantity>& masses) { return StaticOptions{.masses = masses}; };
+  write("two files", {low, high}, with(two));
+  write("three files, two masses", {low, high, low}, with(two));
+  write("two files, three masses", {low, high}, with(three));
+  write("one file of stairs", {stairs}, with(three));
+  write("one file of one hold", {low}, with(one));
+  write("stairs and a hold", {stairs, high}, with(two));
+  write("two runs", {two_runs}, with(two));
+  write("two runs and a file", {two_runs, high}, with({{0.1, 0}, {0.2, 0}, {0.2, 0}}));
+  write("two runs, one mass", {two_runs}, with(one));
+  write("without times", {rows_of({0.1, 0.15, 0.2}, 80, false)}, with(three));
+  StaticOptions run = with(one);
+  run.fit.run = 2;
+  write("one of two runs", {two_runs}, run);
+  StaticOptions part = with(two);
+  part.fit.to = 7.9;
+  write("the first stairs", {stairs}, part);
+  StaticOptions law = with(two);
+  law.fit.law = "viscous";
+  write("with a law", {low, high}, law);
+  StaticOptions moon = with(two);
+  moon.gravity = {1.62, 0.01};
+  write("on the moon", {low, high}, moon);
+  sheet.expect_as_in(task_numbers / "static_fits.txt");
+}
+
 TEST(FitTables, HoldsAndLines) {
   test::NumberSheet sheet;
   const auto write_static = [&](const std::string& name, const Result<std::vector<Hold>>& holds,
