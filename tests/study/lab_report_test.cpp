@@ -303,6 +303,21 @@ TEST(LabReport, OfSeveralHasATableAndEachByItself) {
   EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"lab_1-record", "lab_1-energy", "lab_2-record"}));
 }
 
+// A force that drives something else: the law is refused, and nothing of it is drawn.
+TEST(LabReport, OfAForceThatDoesNotDriveTheMotion) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  std::string bytes = "Time (s),Position (m),Force (N)\n";
+  for (int i = 0; i < 300; ++i) {
+    const double x = normal(random), force = std::sin(0.31 * i) + std::sin(0.05 * i);
+    bytes += shortest(0.05 * i) + ',' + shortest(x) + ',' + shortest(force) + '\n';
+  }
+  const Made lab = report({{"lab.csv", bytes}}, {{"force-column", "Force (N)"}, {"law", "viscous"}});
+  ASSERT_FALSE(lab.recordings[0].fitted.fit.message.empty());
+  EXPECT_EQ(lab.recordings[0].fitted.fit.message.code, "force_explains_too_little");
+  EXPECT_THAT(lab.figures(), testing::ElementsAre("record"));
+}
+
 TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   ReportFront front;
   front.language = Language::german;

@@ -10,11 +10,13 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/decay_rates.h"
+#include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "tests/identify/forced_truth.h"
 #include "tests/identify/synthetic.h"
 #include "tests/support/number_sheet.h"
 
@@ -73,9 +75,7 @@ std::string codes_of_all(const std::vector<Notice>& notices) {
   return codes;
 }
 
-void write_all(test::NumberSheet& sheet, const std::string& name, const Series& series,
-               const FitOptions& options) {
-  const auto result = fit_series(series, "lab.csv", options);
+void write_all(test::NumberSheet& sheet, const std::string& name, const Result<FittedRecording>& result) {
   if (!result) return sheet.row(name + ": " + in_words(result.error()), {});
   const FittedRecording& fitted = *result;
   sheet.row(name + codes_of_all(fitted.notices) +
@@ -85,6 +85,9 @@ void write_all(test::NumberSheet& sheet, const std::string& name, const Series& 
   write_parameters(sheet, fitted.derived);
   sheet.row("  headline", {});
   write_parameters(sheet, fitted.headline);
+  if (fitted.held_out)
+    sheet.row("  held out", {fitted.held_out->from, fitted.held_out->to,
+                             static_cast<double>(fitted.held_out->samples), fitted.held_out->rms});
   if (!fitted.fit.has_values()) return;
   write_parameters(sheet, decay_rate_ends(fitted.fit, 7.5));
   for (const DecaySegment& each : fitted.segments)
@@ -128,6 +131,11 @@ void write_all(test::NumberSheet& sheet, const std::string& name, const Series& 
         " " + option + (error == std::errc() ? std::string(end, value.data() + value.size()) : " " + value);
   }
   sheet.row(settings, values);
+}
+
+void write_all(test::NumberSheet& sheet, const std::string& name, const Series& series,
+               const FitOptions& options) {
+  write_all(sheet, name, fit_series(series, "lab.csv", options));
 }
 
 FitOptions lab_options(const char* law) {
@@ -243,6 +251,139 @@ TEST(FitTables, OfManyKindsOfRecordings) {
     if (i % 90 < 60) gaps.push_back(0.05 * i);
   write_all(sheet, "gaps", recorded(plain, gaps, 5e-4), lab_options("viscous"));
   sheet.expect_as_in(task_numbers / "recordings.txt");
+}
+
+TEST(FitTables, UnderARecordedForce) {
+  test::NumberSheet sheet;
+  const ForcedSynthetic truth = forced_synthetic({}, multisine(14, 6, 24), 300, 0.05, 1e-3, 4);
+  struct Both {
+    Series motion, force;
+    FitOptions options;
+  };
+  const auto write = [&](const std::string& name, const std::function<void(Both&)>& change = {}) {
+    Both both;
+    both.motion.column = "Position (m)";
+    both.motion.quantity = "position";
+    both.motion.unit = "m";
+    both.motion.t = truth.t;
+    both.motion.y = truth.y;
+    both.force = both.motion;
+    both.force.y = truth.force;
+    both.force.column = "Force (N)";
+    both.force.quantity = "force";
+    both.force.unit = "N";
+    both.motion.rate = both.force.rate = 20;
+    both.motion.lines.assign(300, 7);
+    both.force.lines.assign(300, 7);
+    both.options.law = "viscous";
+    both.options.force_column = "Force (N)";
+    both.options.between_samples = "linear";
+    if (change) change(both);
+    write_all(sheet, name, fit_forced(both.motion, both.force, "lab.csv", both.options, {}));
+  };
+  const auto cut = [](Series& series, std::size_t from, std::size_t to) {
+    const auto part = [&](auto& all) {
+      all = {all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + static_cast<std::ptrdiff_t>(to)};
+    };
+    part(series.t);
+    part(series.y);
+    part(series.lines);
+  };
+  write("whole");
+  write("with a mass", [](Both& b) { b.options.mass = {{0.4, 0.001}}, b.options.monte_carlo = 1000; });
+  write("with a disc", [](Both& b) {
+    b.options.mass = {{0.4, 0.001}}, b.options.disc_diameter = Quantity{0.1, 0};
+  });
+  write("drag with a disc", [](Both& b) {
+    b.options.law = "viscous+drag", b.options.mass = {{0.4, 0.001}},
+    b.options.disc_diameter = Quantity{0.1, 0};
+  });
+  for (const double share : {0.01, 0.1, 0.333, 0.9})
+    write(fmt::format("{} held out", share), [=](Both& b) { b.options.hold_out = share; });
+  write("without a spring", [](Both& b) { b.options.no_spring = true; });
+  write("a part", [](Both& b) { b.options.from = 3.02, b.options.to = 11; });
+  write("an outlier", [](Both& b) {
+    b.motion.y[100] = 3, b.motion.outliers.push_back({b.motion.t[100], b.motion.y[100], 7});
+  });
+  write("outliers at both ends", [](Both& b) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{299}})
+      b.motion.y[i] = 3, b.motion.outliers.push_back({b.motion.t[i], b.motion.y[i], 7});
+  });
+  write("the force ends one sample early", [&](Both& b) { cut(b.force, 0, 299); });
+  write("the force begins one sample late", [&](Both& b) { cut(b.force, 1, 300); });
+  write("the motion is shorter", [&](Both& b) { cut(b.motion, 100, 260); });
+  write("the motion has every third sample", [](Both& b) {
+    Series third = b.motion;
+    third.t.clear(), third.y.clear(), third.lines.clear();
+    for (std::size_t i = 0; i < 300; i += 3)
+      third.t.push_back(b.motion.t[i]), third.y.push_back(b.motion.y[i]), third.lines.push_back(7);
+    b.motion = third;
+  });
+  for (const double off : {0.0004, 0.004, 0.02})
+    write(fmt::format("the motion {} s later", off), [=](Both& b) {
+      for (double& t : b.motion.t) t += off;
+      b.options.to = 14;
+    });
+  for (const double off : {0.0004, 0.01})
+    write(fmt::format("one time of the force is {} s off", off), [=](Both& b) { b.force.t[150] += off; });
+  write("the force never changes", [](Both& b) { b.force.y.assign(300, 2); });
+  write("the same column", [](Both& b) { b.force.column = b.motion.column; });
+  write("a gap of the force", [&](Both& b) {
+    cut(b.motion, 150, 300);
+    Series some = b.force;
+    cut(some, 0, 100);
+    Series rest = b.force;
+    cut(rest, 120, 300);
+    for (std::size_t i = 0; i < rest.t.size(); ++i)
+      some.t.push_back(rest.t[i]), some.y.push_back(rest.y[i]), some.lines.push_back(7);
+    b.force = some;
+    b.force.gaps.push_back({.t = 4.95, .length = 1.05});
+  });
+  sheet.expect_as_in(task_numbers / "forced.txt");
+}
+
+TEST(FitTables, UnderAHarmonicForce) {
+  test::NumberSheet sheet;
+  const auto t = even_times(260, 0.05);
+  const auto series_of = [&](double drive, double push, double g, int derivative = 0) {
+    Motion motion = swing_of_law("viscous");
+    motion.set_decay_rate(g);
+    motion.cosine = push;
+    motion.drive_frequency = drive;
+    Series series = recorded(motion, t, 0, derivative);
+    series.y = noisy(observed_motion(motion, Drive::harmonic(), t, derivative, 0.004), 5e-4);
+    return series;
+  };
+  const auto write = [&](const std::string& name, const Series& series, const FitOptions& options) {
+    write_all(sheet, name, fit_driven(series, "lab.csv", options, {}));
+  };
+  FitOptions plain;
+  plain.law = "viscous";
+  plain.drive_frequency = "auto";
+  for (const double drive : {4.0, 6.2, 8.0, 8.7, 9.3, 12.0, 20.0})
+    for (const double push : {0.3, 3.0})
+      write(fmt::format("driven at {} by {}", drive, push), series_of(drive, push, 0.1), plain);
+  for (const double g : {0.02, 0.5, 2.0})
+    write(fmt::format("its swing decays by {}", g), series_of(8, 3, g), plain);
+  for (const int derivative : {1, 2})
+    write(fmt::format("derivative {}", derivative), series_of(8, 3, 0.1, derivative), plain);
+  FitOptions asked = plain;
+  for (const char* drive : {"1.27 Hz", "1.3 Hz", "1.6 Hz", "9.9 Hz", "10 Hz", "11 Hz", "8 rad/s"}) {
+    asked.drive_frequency = drive;
+    write(std::string("named ") + drive, series_of(8, 3, 0.1), asked);
+  }
+  FitOptions all = lab_options("viscous");
+  all.drive_frequency = "auto";
+  all.goal = "decay_rate 1 %";
+  all.segment = 3;
+  write("with all of the lab", series_of(8, 3, 0.1), all);
+  all.law = "viscous+drag";
+  write("with all of the lab, drag", series_of(8, 3, 0.1), all);
+  Series aside = series_of(8, 3, 0.1);
+  aside.y[0] = 2;
+  aside.outliers.push_back({aside.t[0], aside.y[0], 0});
+  write("its first sample aside", aside, plain);
+  sheet.expect_as_in(task_numbers / "driven.txt");
 }
 
 TEST(FitTables, Plans) {

@@ -249,6 +249,11 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   if (result.driven && fitted < t.size())
     law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
   result.fit.drive.force.samples = {};  // they do not outlive this function
+  if (!result.driven) {                 // nor does a law that was refused: without them it has no motion
+    result.fit.names.clear();
+    result.fit.estimates.clear();
+    result.fit.covariance.clear();
+  }
   if (law_motion.empty()) return result;
   // The law is carried on through the samples held out.
   HeldOut& held = result.held_out.emplace(HeldOut{.from = t[fitted], .to = t.back(), .samples = 0, .rms = 0});
