@@ -659,6 +659,25 @@ TEST(InnerNumbers, Residuals) {
   sheet.expect_as_in(numbers / "residuals.txt");
 }
 
+// Of tables of chi-squared: 1 %, a thousandth and 5 % of records lie above.
+TEST(ChiSquared, IsThatOfTheTables) {
+  EXPECT_NEAR(chi_squared(20, 2.326348), 37.566, 0.1);
+  EXPECT_NEAR(chi_squared(10, 2.326348), 23.209, 0.1);
+  EXPECT_NEAR(chi_squared(49, 3.090232), 85.351, 0.1);
+  EXPECT_NEAR(chi_squared(100, 1.644854), 124.342, 0.1);
+  EXPECT_NEAR(chi_squared(100, 0), 99.334, 0.1);
+}
+
+TEST(Stretches, AreAFiftiethOrSixteenSamples) {
+  EXPECT_EQ(stretch_of(3), 16u);
+  EXPECT_EQ(stretch_of(849), 16u);
+  EXPECT_EQ(stretch_of(850), 17u);
+  EXPECT_EQ(stretch_of(5000), 100u);
+  EXPECT_EQ(first_lags(63), 31u);
+  EXPECT_EQ(first_lags(64), 32u);
+  EXPECT_EQ(first_lags(1000), 32u);
+}
+
 TEST(InnerNumbers, Noise) {
   test::NumberSheet sheet;
   for (const Left& each : residuals()) {
@@ -688,6 +707,44 @@ TEST(InnerNumbers, Noise) {
     }
   }
   sheet.expect_as_in(numbers / "noise.txt");
+}
+
+TEST(InnerNumbers, Rounding) {
+  test::NumberSheet sheet;
+  for (const double noise : {0.0, 0.03, 0.049, 0.05, 0.1, 0.2, 0.4, 0.7})
+    for (const double value : {0.1, 0.25, 0.4, 0.6, 3.9})
+      sheet.row(fmt::format("{} in noise of {}", value, noise), {expected_rounding_error(value, noise)});
+  const auto t = even_times(120, 0.05);
+  for (const double step : {0.0, 0.01, 0.05, 0.3})
+    for (const double noise : {0.001, 0.02, 0.1}) {
+      NamedRecord made = made_of("", t, decaying(6, 0.1), noise);
+      for (double& y : made.y)
+        if (step > 0) y = 0.004 + step * std::round((y - 0.004) / step);
+      made.resolution = step;
+      std::vector<double> left;
+      for (std::size_t i = 0; i < t.size(); ++i) left.push_back(made.y[i] - decaying(6, 0.1)(t[i]));
+      sheet.in_short(fmt::format("steps of {}, noise of {}", step, noise),
+                     rounded_motion(made.record(), left));
+    }
+  sheet.expect_as_in(numbers / "rounding.txt");
+}
+
+TEST(InnerNumbers, Amplitudes) {
+  test::NumberSheet sheet;
+  for (const NamedRecord& each : swings()) {
+    if (each.t.size() > 1200) continue;
+    sheet.row(each.name, {centred_norm(each.y), sinusoid_amplitude(each.y), noise_of(each.y)});
+    std::vector<double> windows;
+    for (const double length : {0.7, 2.1, 9.0})
+      for (const std::size_t at_least : {1, 8, 14, 15})
+        for (const AmplitudeWindow& window : amplitude_windows(each.record(), length, at_least)) {
+          windows.push_back(window.from);
+          windows.push_back(window.to);
+          windows.push_back(window.amplitude);
+        }
+    sheet.in_short("  windows", windows);
+  }
+  sheet.expect_as_in(numbers / "amplitudes.txt");
 }
 
 TEST(InnerNumbers, Samplings) {
