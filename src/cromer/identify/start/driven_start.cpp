@@ -18,6 +18,7 @@ constexpr double dial_error = 0.01;  // of a drive's frequency, as its user give
 
 struct EvenSamples {
   std::vector<double> t, y;  // times from the first sample
+  double step() const { return t[1]; }
   double duration() const { return t.back(); }
 };
 
@@ -132,7 +133,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   record.y = z;
   const std::size_t whole = record.t.size();
   const EvenSamples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
-  const double h = fine.t[1] - fine.t[0], T = fine.duration(), resolution = two_pi / T;
+  const double h = fine.step(), T = fine.duration(), resolution = two_pi / T;
   std::vector<double> lines = highest_lines(fine.y, h, 4);
   if (lines.empty()) return std::nullopt;
   // What is left at the end is the drive's.
@@ -163,7 +164,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const EvenSamples coarse =
       even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
 
-  const double step = coarse.t[1] - coarse.t[0];
+  const double step = coarse.step();
   NormalEquations level_alone{.size = 5};
   for (const double y : coarse.y) {
     const double row[] = {1};
