@@ -41,13 +41,13 @@ ColumnSpread column_spread(std::span<const double> y) {
 double slowest_period(const NetworkRecord& record, const std::vector<ColumnSpread>& spreads) {
   double longest = 0;
   for (std::size_t i = 0; i < record.y.size(); ++i) {
-    int side = 0;
+    const double clear = 0.2 * spreads[i].deviation;
+    bool below = false;
     std::vector<double> up;
     for (std::size_t n = 0; n < record.t.size(); ++n) {
       const double off = record.y[i][n] - spreads[i].mean;
-      const int now = off > 0.2 * spreads[i].deviation ? 1 : off < -0.2 * spreads[i].deviation ? -1 : side;
-      if (side < 0 && now > 0) up.push_back(record.t[n]);
-      side = now;
+      if (below && off > clear) up.push_back(record.t[n]);
+      if (std::abs(off) > clear) below = off < 0;
     }
     if (up.size() > 1)
       longest = std::max(longest, (up.back() - up.front()) / static_cast<double>(up.size() - 1));
