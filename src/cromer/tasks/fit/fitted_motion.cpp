@@ -17,9 +17,8 @@ namespace {
 /// drop it once, whatever the window's length.
 class SlidingSinusoid {
  public:
-  /// `level` [unit of y] is near the mean: sums of values about 0 keep their digits.
-  SlidingSinusoid(const FittedSamples& samples, double w, double level)
-      : samples_(samples), w_(w), level_(level) {}
+  /// Values about 0: their sums keep their digits.
+  SlidingSinusoid(const FittedSamples& samples, double w) : samples_(samples), w_(w) {}
 
   /// Moves the window to samples [first, last); neither end may go back.
   void move_to(std::size_t first, std::size_t last) {
@@ -61,7 +60,7 @@ class SlidingSinusoid {
 
   void take(std::size_t i, double sign) {
     const double phase = w_ * (samples_.t[i] - samples_.t.front());
-    const double c = std::cos(phase), s = std::sin(phase), y = samples_.y[i] - level_;
+    const double c = std::cos(phase), s = std::sin(phase), y = samples_.y[i];
     sums_.c += sign * c;
     sums_.s += sign * s;
     sums_.c2 += sign * (c * c - s * s);
@@ -72,16 +71,16 @@ class SlidingSinusoid {
   }
 
   const FittedSamples& samples_;
-  double w_, level_;
+  double w_;
   std::size_t first_ = 0, last_ = 0, fresh_at_ = 0;
   Sums sums_;
 };
 
 /// The slopes of the series.
 std::vector<double> local_slopes(const Series& series, double w) {
-  const double half = pi / w, level = 0;
+  const double half = pi / w;
   const FittedSamples good = without_outliers(series);
-  SlidingSinusoid window(good, w, level);
+  SlidingSinusoid window(good, w);
   std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());
   std::size_t first = 0, last = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
