@@ -131,8 +131,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   for (double& value : z) value -= level;
   Record record = observed;
   record.y = z;
-  const std::size_t whole = record.t.size();
-  const EvenSamples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
+  const EvenSamples fine = even_samples(record, 65'536);
   const double h = fine.step(), T = fine.duration(), resolution = two_pi / T;
   std::vector<double> lines = highest_lines(fine.y, h, 4);
   if (lines.empty()) return std::nullopt;
@@ -162,7 +161,7 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const double fastest = *std::max_element(lines.begin(), lines.end());
   const auto needed = static_cast<std::size_t>(8 * std::max(fastest, drive.value_or(0)) * T / two_pi) + 64;
   const EvenSamples coarse =
-      even_samples(record, std::min(std::max(needed, most_even_samples), 4 * most_even_samples));
+      even_samples(record, std::clamp(needed, most_even_samples, 4 * most_even_samples));
 
   const double step = coarse.step();
   NormalEquations level_alone{.size = 5};
