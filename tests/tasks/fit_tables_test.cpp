@@ -328,17 +328,21 @@ TEST(FitTables, UnderARecordedForce) {
     write(fmt::format("one time of the force is {} s off", off), [=](Both& b) { b.force.t[150] += off; });
   write("the force never changes", [](Both& b) { b.force.y.assign(300, 2); });
   write("the same column", [](Both& b) { b.force.column = b.motion.column; });
-  write("a gap of the force", [&](Both& b) {
-    cut(b.motion, 150, 300);
-    Series some = b.force;
+  const auto with_gap = [&](Both& b, std::size_t from, std::size_t to) {
+    cut(b.motion, from, to);
+    Series some = b.force, rest = b.force;
     cut(some, 0, 100);
-    Series rest = b.force;
     cut(rest, 120, 300);
     for (std::size_t i = 0; i < rest.t.size(); ++i)
       some.t.push_back(rest.t[i]), some.y.push_back(rest.y[i]), some.lines.push_back(7);
     b.force = some;
     b.force.gaps.push_back({.t = 4.95, .length = 1.05});
-  });
+  };
+  write("a gap of the force before", [&](Both& b) { with_gap(b, 150, 300); });
+  write("a gap of the force just before", [&](Both& b) { with_gap(b, 120, 300); });
+  write("a gap of the force behind", [&](Both& b) { with_gap(b, 0, 80); });
+  write("a gap of the force just behind", [&](Both& b) { with_gap(b, 0, 100); });
+  write("a gap of the force amid", [&](Both& b) { with_gap(b, 90, 200); });
   sheet.expect_as_in(task_numbers / "forced.txt");
 }
 
