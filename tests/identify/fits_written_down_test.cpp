@@ -6,8 +6,11 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <numbers>
 
 #include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/network_truth.h"
@@ -18,6 +21,8 @@ namespace cromer::core {
 namespace {
 
 const std::filesystem::path fit_numbers = std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/numbers";
+
+constexpr double enough_steps = 1e10;
 
 struct Fitted {
   std::string name;
@@ -65,8 +70,10 @@ void write_fitted(test::NumberSheet& sheet, const Fitted& each) {
   std::atomic<int> looks = 0;
   Watch watch;
   watch.pulse = [&looks] { ++looks; };
+  watch.steps_left = std::make_shared<std::atomic<double>>(enough_steps);
   const LawFit fit = fit_law(each.record(), options, watch);
   write_fit(sheet, each.name, fit, looks.load());
+  sheet.row("  steps", {enough_steps - *watch.steps_left});
 }
 
 Motion law_motion(const char* law) {
@@ -99,6 +106,42 @@ Fitted free_one(std::string name, const Motion& motion, const char* law, double 
 Fitted with_options(Fitted one, const std::function<void(Fitted&)>& change) {
   change(one);
   return one;
+}
+
+TEST(WithinSteps, SoManyForEachSample) {
+  const std::vector<double> t = even_times(100, 0.1), y(100);
+  EXPECT_EQ(*within_steps({}, {t, y}, DriveKind::none).steps_left, 8e5 + 3000.0 * 100);
+  EXPECT_EQ(*within_steps({}, {t, y}, DriveKind::harmonic).steps_left, 8e5 + 3000.0 * 100);
+  EXPECT_EQ(*within_steps({}, {t, y}, DriveKind::recorded).steps_left, 8e5 + 20'000.0 * 100);
+  Watch few;
+  few.steps_left = std::make_shared<std::atomic<double>>(7);
+  EXPECT_EQ(within_steps(few, {t, y}, DriveKind::none).steps_left, few.steps_left);
+}
+
+TEST(CountingPasses, RisesByEverLess) {
+  std::vector<double> told;
+  Watch whole;
+  EXPECT_FALSE(counting_passes(whole).pulse);
+  whole.progress = [&](double share) { told.push_back(share); };
+  const Watch counting = counting_passes(whole);
+  for (int i = 0; i < 60; ++i) EXPECT_FALSE(counting.interrupted());
+  ASSERT_EQ(told.size(), 60u);
+  EXPECT_DOUBLE_EQ(told[0], 1 / 21.0);
+  EXPECT_DOUBLE_EQ(told[19], 0.5);
+  EXPECT_DOUBLE_EQ(told[59], 0.75);
+}
+
+TEST(FirstPeriods, AreAtLeast32SamplesOrAll) {
+  const std::vector<double> t = even_times(100, 0.1), y(100);
+  const auto samples = [&](std::size_t n, double periods) {
+    return first_periods({std::span(t).first(n), std::span(y).first(n)}, 2 * std::numbers::pi, periods)
+        .t.size();
+  };
+  EXPECT_EQ(samples(100, 4.95), 50u);
+  EXPECT_EQ(samples(100, 8.05), 81u);
+  EXPECT_EQ(samples(100, 2), 32u);
+  EXPECT_EQ(samples(100, 20), 100u);
+  EXPECT_EQ(samples(20, 1), 20u);
 }
 
 TEST(FitsWrittenDown, OfFreeMotions) {
@@ -307,6 +350,7 @@ void write_choice(test::NumberSheet& sheet, const Fitted& each, const GivenLaw& 
   Watch watch;
   watch.pulse = [&looks] { ++looks; };
   watch.progress = [&shares](double share) { shares.push_back(share); };
+  watch.steps_left = std::make_shared<std::atomic<double>>(enough_steps);
   const LawChoice choice = choose_law(each.record(), options, watch, given);
   write_fit(sheet, each.name + ": " + to_text(choice.chosen.law) + " " + choice.rivals.code, choice.chosen,
             looks.load());
@@ -314,6 +358,7 @@ void write_choice(test::NumberSheet& sheet, const Fitted& each, const GivenLaw& 
     sheet.row("  " + to_text(one.law), {static_cast<double>(one.status), one.residual.rms, one.bic,
                                         static_cast<double>(one.iterations)});
   sheet.in_short("  progress", shares);
+  sheet.row("  steps", {enough_steps - *watch.steps_left});
 }
 
 TEST(FitsWrittenDown, ChosenLaws) {
