@@ -1,6 +1,7 @@
 // Whole conversations with the program, word for word: tests/cli/transcripts/*.txt. Each has commands
-// ("$ cromer ...", and "$ show FILE", "$ words FILE" or "$ picture FILE" of what they wrote), what they print
-// (what goes to standard error after "! "), and their exit status where it is not 0. Long numbers may differ
+// ("$ cromer ...", "$ packed cromer ..." of JSON documents, and "$ show FILE", "$ words FILE" or "$ picture
+// FILE" of what they wrote), what they print (what goes to standard error after "! "), and their exit status
+// where it is not 0. Long numbers may differ
 // in the last digit from compiler to compiler. Run with CROMER_WRITE_TRANSCRIPTS=1, the test writes what is
 // printed now into the files: read the difference before you commit it.
 #include <gmock/gmock.h>
@@ -76,8 +77,28 @@ std::string picture_in(const std::string& svg) {
   return picture;
 }
 
+/// The JSON document with its innermost lists and objects in one line each, without zeros and without what
+/// the machine decides.
+std::string packed(const std::string& document) {
+  static const std::regex list("\\[[^\\[\\]{}]*\\]"), object("\\{[^{}]*\\}"), blank("\\s+"),
+      left_out("\"simd\":\"[^\"]*\",|\"\\w+\": 0\\.0,\\s*");
+  std::string text = std::regex_replace(document, left_out, "");
+  for (const std::regex& inner : {list, object}) {
+    std::string in_lines;
+    std::size_t from = 0;
+    for (std::sregex_iterator each(text.begin(), text.end(), inner), end; each != end; ++each) {
+      const auto at = static_cast<std::size_t>(each->position());
+      in_lines += text.substr(from, at - from) + std::regex_replace(each->str(), blank, " ");
+      from = at + static_cast<std::size_t>(each->length());
+    }
+    text = in_lines + text.substr(from);
+  }
+  return text;
+}
+
 std::string printed_by(const Folder& folder, const std::string& line) {
   std::vector<std::string> words = words_of(line);
+  if (words.at(0) == "packed") return packed(printed_by(folder, line.substr(words.at(0).size() + 1)));
   if (words.at(0) == "show") return folder.read(words.at(1));
   if (words.at(0) == "words") return words_in(folder.read(words.at(1)));
   if (words.at(0) == "picture") return picture_in(folder.read(words.at(1)));
