@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -191,6 +193,140 @@ TEST(FiguresWrittenDown, OfChainsOfCarts) {
     text += as_written(network_figure({&*run, 1})) + as_written(modes_figure(*modes));
   }
   expect_figures_as_written_down(text, "chains");
+}
+
+/// Options as they are typed: "mass 0.2, method rk4, method exact".
+std::vector<TypedOption> typed(const std::string& line) {
+  std::vector<TypedOption> options;
+  for (std::size_t from = 0; from < line.size();) {
+    const std::size_t end = std::min(line.find(", ", from), line.size()), blank = line.find(' ', from);
+    options.push_back({line.substr(from, blank - from), line.substr(blank + 1, end - blank - 1)});
+    from = end + 2;
+  }
+  return options;
+}
+
+TEST(FiguresWrittenDown, OfRuns) {
+  std::string text;
+  const std::vector<MotionPanel> all = *parse_panels("position,velocity,phase,energy");
+  for (const char* line :
+       {"stiffness 36, damping 0.3, method exact, method euler-cromer, step 0.02, until 4",
+        "stiffness 36, damping 14, method exact, step 0.05, until 2",
+        "stiffness 36, method forward-euler, method rk4, step 0.05, until 6",
+        "stiffness 36, method forward-euler, step 0.1, until 10",
+        "stiffness 36, method verlet, step 0.4, until 10",
+        "stiffness 36, damping 0.2, method implicit-euler, method exact, method rk4, step 0.1, until 6",
+        "stiffness 36, friction 1, position 0.2, method exact, step 0.02, until 3",
+        "stiffness 36, quadratic 20, position 0.5, method rk4, step 0.02, until 4",
+        "stiffness 0, velocity 2, method rk4, step 0.1, until 2",
+        "stiffness -1, position 0.001, method rk4, step 0.1, until 12",
+        "stiffness 0, pendulum 9.81, position 2.5, method verlet, step 0.02, until 5",
+        "stiffness 4e6, position 0.002, method rk4, step 1e-5, until 0.005",
+        "damping -0.2, van-der-pol 0.2, position 0.1, method rk4, step 0.1, until 40",
+        "stiffness 36, drive-amplitude 1, drive-frequency 6, method rk4, step 0.05, until 20",
+        "stiffness 36, damping 0.5, drive-amplitude 1, drive-frequency 5, drive-frequency 7, method exact, "
+        "step 0.05, until 12",
+        "stiffness 36, damping 0.5, drive-amplitude 1, drive-frequency 5, drive-frequency 7, method exact, "
+        "method heun, step 0.05, until 12",
+        "stiffness 36, damping 1, drive half-sine, drive-amplitude 2, drive-duration 0.4, method exact, "
+        "step 0.02, until 3",
+        "stiffness 36, damping 1, drive step, drive-amplitude 2, method rk4, step 0.02, until 8",
+        "stiffness 36, method rk4, step 0.05, event turning-point:stop, until 3",
+        "stiffness 36, quintic -5000, position 0.4, method rk4, step 0.05, until 5"}) {
+    SimulateOptions options;
+    ASSERT_TRUE(assign(typed(line), options_of(options), "simulate")) << line;
+    const auto result = simulate(options);
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
+    text += line + ('\n' + as_written(simulate_figure(*result, all)));
+  }
+  expect_figures_as_written_down(text, "runs");
+}
+
+/// A column of so many samples a second about 0.3, with noise of 0.1 %, but for those that are lost.
+std::string measured(const std::string& heading, double rate, double until, double from,
+                     const std::function<double(double)>& motion,
+                     const std::function<bool(double)>& lost = nullptr) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 1e-4);
+  std::string bytes = "Time (s)," + heading + "\n";
+  for (int i = 0; i < rate * until; ++i) {
+    const double t = i / rate, rest = noise(random);
+    if (!lost || !lost(t)) bytes += fmt::format("{:.10g},{:.8f}\n", from + t, 0.3 + motion(t) + rest);
+  }
+  return bytes;
+}
+
+struct RecordedMotion {
+  std::string name, bytes, options{};
+};
+
+std::vector<RecordedMotion> recorded_motions() {
+  const auto swing = [](double rate, double w) {
+    return [=](double t) { return 0.08 * std::exp(-rate * t) * std::cos(w * t); };
+  };
+  const auto gap = [](double t) { return t > 2.1 && t < 3.3; };
+  const auto driven = [](double t) {
+    return 0.05 * std::cos(5 * t) + 0.03 * std::exp(-0.3 * t) * std::cos(6 * t);
+  };
+  const auto spiked = [=](double t) { return swing(0.1, 6)(t) + (t == 4.0 ? 0.3 : t == 5.0 ? -0.06 : 0); };
+  return {{"a few swings", measured("Position (m)", 50, 8, 0, swing(0.1, 6)), "law viscous"},
+          {"many swings", measured("Position (m)", 50, 40, 0, swing(0.05, 9)), "law viscous"},
+          {"a gap", measured("Position (mm)", 50, 8, 0, swing(0.1, 6), gap), "law viscous"},
+          {"samples set aside", measured("Position (m)", 50, 8, 0, spiked), "law viscous"},
+          {"few samples", measured("Position (cm)", 4, 12, 0, swing(0.1, 6)), "law viscous"},
+          {"an angle", measured("Angle (deg)", 50, 8, 0, swing(0.1, 6)), "law viscous"},
+          {"a velocity", measured("Velocity (m/s)", 50, 8, 0, swing(0.2, 6)), "law viscous"},
+          {"an acceleration", measured("Acceleration (m/s^2)", 50, 8, 0, swing(0.2, 6)), "law viscous"},
+          {"a voltage", measured("Voltage (V)", 50, 8, 0, swing(0.2, 6)), "law viscous"},
+          {"far from time zero", measured("Position (m)", 50, 8, 1e6, swing(0.1, 6)), "law viscous"},
+          {"within milliseconds", measured("Position (m)", 2e5, 0.004, 0, swing(60, 1e4)), "law viscous"},
+          {"segments and a mass", measured("Position (m)", 50, 20, 0, swing(0.1, 6)),
+           "law viscous, segments 5, mass 0.2"},
+          {"friction",
+           measured("Position (m)", 50, 8, 0,
+                    [](double t) {
+                      const double half = std::numbers::pi / 6, k = std::floor(t / half);
+                      const double left = std::max(0.0, 0.08 - 0.01 * k);
+                      return t < 8 * half
+                                 ? (left - 0.005) * std::cos(6 * t) + (std::fmod(k, 2) == 0 ? 0.005 : -0.005)
+                                 : 0;
+                    }),
+           "law friction"},
+          {"driven", measured("Position (m)", 50, 20, 0, driven), "drive-frequency 5"},
+          {"nothing", measured("Position (m)", 50, 8, 0, [](double) { return 0.0; }), ""}};
+}
+
+TEST(FiguresWrittenDown, OfFits) {
+  std::string text;
+  for (const RecordedMotion& each : recorded_motions()) {
+    FitOptions options;
+    ASSERT_TRUE(assign(typed(each.options), options_of(options), "fit")) << each.name;
+    const auto fits = fit(each.bytes, "lab.csv", options);
+    ASSERT_TRUE(fits) << in_words(fits.error());
+    text += each.name + '\n' + as_written(fit_figure(*fits));
+  }
+  expect_figures_as_written_down(text, "fits");
+}
+
+TEST(FiguresWrittenDown, OfComparisons) {
+  std::string text;
+  const std::vector<MotionPanel> all = *parse_panels("position,velocity,phase,energy");
+  for (const RecordedMotion& each : recorded_motions()) {
+    if (each.bytes.find("Position") == std::string::npos && each.bytes.find("Angle") == std::string::npos)
+      continue;
+    if (each.options.find("law") == std::string::npos) continue;
+    for (const char* methods :
+         {"method euler-cromer, step 0.08", "method forward-euler, method rk4, step 0.02"}) {
+      if (each.name == "within milliseconds") continue;
+      CompareOptions options;
+      ASSERT_TRUE(assign(typed(each.options), options_of(options), "compare")) << each.name;
+      ASSERT_TRUE(assign(typed(methods), options_of(options), "compare"));
+      const auto compared = compare(each.bytes, "lab.csv", options);
+      ASSERT_TRUE(compared) << in_words(compared.error());
+      text += fmt::format("{}, {}\n{}", each.name, methods, as_written(compare_figure(*compared, all)));
+    }
+  }
+  expect_figures_as_written_down(text, "comparisons");
 }
 
 }  // namespace
