@@ -138,7 +138,7 @@ bool same_number(const std::string& one, const std::string& other) {
   };
   const auto shorter = std::min(digits(one), digits(other));
   const double a = std::stod(one), b = std::stod(other), size = std::max(std::abs(a), std::abs(b));
-  if (shorter >= 7) return std::abs(a - b) <= 1e-6 * size || size < 1e-12;
+  if (shorter >= 7) return std::abs(a - b) <= 1e-6 * size + 1e-13 || size < 1e-12;
   const auto decimals = [](const std::string& number) {
     const std::size_t point = number.find('.');
     return point == std::string::npos ? 0 : static_cast<int>(number.find_last_of("0123456789") - point);
