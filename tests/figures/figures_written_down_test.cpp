@@ -85,6 +85,17 @@ void expect_figures_as_written_down(const std::string& text, const std::string& 
   test::expect_as_written_down(text, CROMER_SOURCE_DIR "/tests/figures/written_down/" + name + ".txt");
 }
 
+/// Options as they are typed: "mass 0.2, method rk4, method exact".
+std::vector<TypedOption> typed(const std::string& line) {
+  std::vector<TypedOption> options;
+  for (std::size_t from = 0; from < line.size();) {
+    const std::size_t end = std::min(line.find(", ", from), line.size()), blank = line.find(' ', from);
+    options.push_back({line.substr(from, blank - from), line.substr(blank + 1, end - blank - 1)});
+    from = end + 2;
+  }
+  return options;
+}
+
 TEST(FiguresWrittenDown, OfSweeps) {
   std::string text;
   const auto add = [&](const std::map<std::string_view, std::string>& values,
@@ -113,6 +124,29 @@ TEST(FiguresWrittenDown, OfSweeps) {
        {"drive-amplitude", "0.3"},
        {"drive-frequency", "0.8:1.4:3"}},
       {"amplitude"}, "both");
+  add({{"cubic", "0.01,0.05"},
+       {"damping", "0.2"},
+       {"drive-amplitude", "0.3"},
+       {"drive-frequency", "0.8:1.4:3"}},
+      {"amplitude"}, "both");
+  add({{"position", "-1:1:6"}, {"velocity", "-2:2:3"}, {"until", "3"}}, {"peak"});
+  add({{"position", "0.5:1:6"}, {"stiffness", "1:9:3"}, {"until", "3"}}, {"peak", "energy"});
+  add({{"velocity", "0.5:1:6"}, {"stiffness", "1:9:3"}, {"until", "3"}}, {"final"});
+  for (const char* line :
+       {"stiffness 0.001:36:2, position 1:2:2, method forward-euler, step 0.5, until 900, measure final",
+        "mass 1:4:2, damping 0.1, drive unbalance, unbalance-mass 0.1, eccentricity 0.01, drive-frequency "
+        "0.5:2:4, "
+        "measure peak, measure mean, measure rms, measure energy",
+        "damping 0.1, drive base, base-displacement 0.01, drive-frequency 0.5:2:4, measure transmissibility",
+        "damping 0.1:0.6:6, drive-amplitude 1, drive-frequency 0.5:2:3, measure phase, measure energy"}) {
+    SweepOptions options;
+    ASSERT_TRUE(assign(typed(line), options_of(options), "sweep")) << line;
+    const auto result = sweep(options);
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
+    const auto figure = sweep_figure(*result);
+    ASSERT_TRUE(figure);
+    text += line + ('\n' + as_written(*figure));
+  }
   expect_figures_as_written_down(text, "sweeps");
 }
 
@@ -195,15 +229,19 @@ TEST(FiguresWrittenDown, OfChainsOfCarts) {
   expect_figures_as_written_down(text, "chains");
 }
 
-/// Options as they are typed: "mass 0.2, method rk4, method exact".
-std::vector<TypedOption> typed(const std::string& line) {
-  std::vector<TypedOption> options;
-  for (std::size_t from = 0; from < line.size();) {
-    const std::size_t end = std::min(line.find(", ", from), line.size()), blank = line.find(' ', from);
-    options.push_back({line.substr(from, blank - from), line.substr(blank + 1, end - blank - 1)});
-    from = end + 2;
-  }
-  return options;
+/// The modes of three floors in the wind, and as they would be where two of them are near each other.
+TEST(FiguresWrittenDown, OfModesInARecording) {
+  const std::string file = CROMER_SOURCE_DIR "/data/networks/floors_in_wind.csv";
+  const auto recording = read_recording(bytes_of(file), "floors_in_wind.csv", {});
+  ASSERT_TRUE(recording);
+  auto modes = recording_modes(*recording);
+  ASSERT_TRUE(modes);
+  std::string text = as_written(modes_figure(*modes));
+  std::vector<MeasuredMode>& found = modes->recording->found.modes;
+  ASSERT_GE(found.size(), 3u);
+  found[1].frequency.value = found[0].frequency.value + 0.5;
+  text += as_written(modes_figure(*modes));
+  expect_figures_as_written_down(text, "modes");
 }
 
 TEST(FiguresWrittenDown, OfRuns) {
