@@ -19,25 +19,7 @@
 namespace cromer::core {
 namespace {
 
-/// Four digits before the point: compared to 0.02, that is a few millionths.
-std::string as_written(double value) {
-  if (!std::isfinite(value) || std::abs(value) < 1e-9) return fmt::format("{:.0f}", std::abs(value));
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 3;
-  return fmt::format("{:.4f}e{}", value / std::pow(10.0, exponent), exponent);
-}
-
-std::string as_written(const std::vector<double>& values) {
-  std::string text = fmt::format("{}:", values.size());
-  if (values.size() <= 12) {
-    for (const double each : values) text += ' ' + as_written(each);
-    return text;
-  }
-  double squares = 0;
-  for (const double each : values)
-    if (std::isfinite(each)) squares += each * each;
-  return fmt::format("{} {} to {}, {}", text, as_written(values.front()), as_written(values.back()),
-                     as_written(std::sqrt(squares / static_cast<double>(values.size()))));
-}
+using test::as_written;
 
 void write(std::string& text, const Axis& axis) {
   text += fmt::format("  axis {}, {} to {} by {}{}\n", axis.name, as_written(axis.low), as_written(axis.high),

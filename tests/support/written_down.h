@@ -1,8 +1,9 @@
-// Drawings written down: tests compare what is drawn now with a file in the tree. Run with
-// CROMER_WRITE_TRANSCRIPTS=1, they write what is drawn now into the file: look at the picture and at the
+// Drawings and numbers written down: tests compare what there is now with a file in the tree. Run with
+// CROMER_WRITE_TRANSCRIPTS=1, they write what there is now into the file: look at the picture and at the
 // difference before you commit it.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,6 +65,27 @@ inline bool same_drawing(const std::string& one, const std::string& other) {
       return false;
   }
   return a == b;
+}
+
+/// Four digits before the point: compared to 0.02, that is a few millionths.
+inline std::string as_written(double value) {
+  if (!std::isfinite(value) || std::abs(value) < 1e-9) return fmt::format("{:.0f}", std::abs(value));
+  const std::string digits = fmt::format("{:.7e}", value);
+  const std::size_t e = digits.find('e');
+  return fmt::format("{:.4f}e{}", 1000 * std::stod(digits.substr(0, e)), std::stoi(digits.substr(e + 1)) - 3);
+}
+
+inline std::string as_written(const std::vector<double>& values) {
+  std::string text = fmt::format("{}:", values.size());
+  if (values.size() <= 12) {
+    for (const double each : values) text += ' ' + as_written(each);
+    return text;
+  }
+  double squares = 0;
+  for (const double each : values)
+    if (std::isfinite(each)) squares += each * each;
+  return fmt::format("{} {} to {}, {}", text, as_written(values.front()), as_written(values.back()),
+                     as_written(std::sqrt(squares / static_cast<double>(values.size()))));
 }
 
 inline void expect_as_written_down(const std::string& drawn, const std::filesystem::path& file) {

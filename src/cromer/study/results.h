@@ -52,6 +52,7 @@ class Results {
   Result<Fact> fact(std::string_view name) const;
   Result<const ResultColumn*> column(std::string_view name) const;
   const std::map<std::string, Fact, std::less<>>& facts() const { return facts_; }
+  const std::map<std::string, ResultColumn, std::less<>>& columns() const { return columns_; }
 
  private:
   Language language_ = Language::english;
