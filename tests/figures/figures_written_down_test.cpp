@@ -113,6 +113,7 @@ TEST(FiguresWrittenDown, OfSweeps) {
       {"amplitude"}, "both");
   add({{"position", "-1:1:6"}, {"velocity", "-2:2:3"}, {"until", "3"}}, {"peak"});
   add({{"position", "0.5:1:6"}, {"stiffness", "1:9:3"}, {"until", "3"}}, {"peak", "energy"});
+  add({{"velocity", "1:2:3"}, {"stiffness", "1:9:6"}, {"until", "3"}}, {"peak"});
   add({{"velocity", "0.5:1:6"}, {"stiffness", "1:9:3"}, {"until", "3"}}, {"final"});
   for (const char* line :
        {"stiffness 0.001:36:2, position 1:2:2, method forward-euler, step 0.5, until 900, measure final",

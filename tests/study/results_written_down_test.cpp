@@ -25,7 +25,8 @@ std::string as_written(const Results& results) {
     }
   }
   for (const auto& [name, column] : results.columns())
-    text += fmt::format("{}: {} \"{}\" {}\n", name, test::as_written(column.values), column.name, column.unit);
+    text +=
+        fmt::format("{}: {} \"{}\" {}\n", name, test::as_written(column.values), column.name, column.unit);
   return text;
 }
 

@@ -186,12 +186,12 @@ void append(Curve& curve, const MeasuredAxis& axis, const std::vector<double>& t
   }
 }
 
-/// Times close enough for a smooth curve, with none inside the gaps.
+/// Times of a free motion close enough for a smooth curve, with none inside the gaps.
 std::vector<double> smooth_times(const FittedRecording& fitted) {
   const std::vector<double>& t = fitted.series.t;
   const double duration = t.back() - t.front(), period = period_of(fitted);
   const double spacing = period / smooth_points;
-  if (!(spacing > 0) || fitted.driven || duration / spacing > static_cast<double>(most_points)) return t;
+  if (!(spacing > 0) || duration / spacing > static_cast<double>(most_points)) return t;
   if (static_cast<double>(t.size()) * spacing > duration && fitted.series.gaps.empty()) return t;
   const auto steps = static_cast<std::size_t>(std::ceil(duration / spacing));
   std::vector<double> fine;
@@ -202,7 +202,7 @@ std::vector<double> smooth_times(const FittedRecording& fitted) {
     const auto& gaps = fitted.series.gaps;
     while (gap < gaps.size() && at >= gaps[gap].t + gaps[gap].length) ++gap;
     const bool inside = gap < gaps.size() && at > gaps[gap].t;
-    if (!inside || i == 0 || i == steps) fine.push_back(at);
+    if (!inside || i == steps) fine.push_back(at);
   }
   return fine;
 }

@@ -116,7 +116,7 @@ std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum&
 
 /// The largest value, and where it is: PSA, of a shock the maximax, of two components RotD50.
 struct Summit {
-  double height = -1;  // [m/s^2], of a shock its SI unit
+  double height = 0;  // [m/s^2], of a shock its SI unit
   std::size_t oscillator = 0;
 };
 
