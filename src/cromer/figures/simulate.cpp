@@ -162,10 +162,8 @@ std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const 
                      rounded(window / time.seconds, 2), time.symbol);
 }
 
-std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {
-  const std::string frequency = fmt::format("{:.6g} rad/s", run.drive.frequency);
-  if (!several_frequencies) return method_in_words(run.method);
-  return one_method ? frequency : method_in_words(run.method) + ", " + frequency;
+std::string name_of(const SimulatedRun& run, bool by_frequency) {
+  return by_frequency ? fmt::format("{:.6g} rad/s", run.drive.frequency) : method_in_words(run.method);
 }
 
 bool all_one_method(const std::vector<SimulatedRun>& runs) {
@@ -213,8 +211,8 @@ class Panels {
 
   bool one_method() const { return one_method_; }
 
-  /// One panel with the runs of these numbers.
-  Panel panel(MotionPanel what, const std::vector<std::size_t>& which, bool name_frequency) const {
+  /// One panel with the runs of these numbers, named by their frequencies or their methods.
+  Panel panel(MotionPanel what, const std::vector<std::size_t>& which, bool by_frequency) const {
     Panel panel = what == MotionPanel::phase      ? portrait(which)
                   : what == MotionPanel::energy   ? against_time(energy_, energy_axis(), which)
                   : what == MotionPanel::velocity ? against_time(velocity_, velocity_axis(), which)
@@ -223,7 +221,7 @@ class Panels {
       const SimulatedRun& run = runs_[which[i]];
       Curve& curve = panel.curves[i];
       curve.role = one_method_ && runs_.size() > 1 ? family_role(i, which.size()) : run.method;
-      curve.name = name_of(run, one_method_, name_frequency);
+      curve.name = name_of(run, by_frequency);
       if (what == MotionPanel::position || what == MotionPanel::energy) {
         const bool energy = what == MotionPanel::energy;
         const Framed& framed = energy ? energy_ : position_;
