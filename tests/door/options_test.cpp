@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "cromer/cromer.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace {
 
@@ -99,6 +101,77 @@ TEST(DoorOptions, WhatIsNoNumberIsRefused) {
   EXPECT_EQ(refusal(cromer::sweep({}, one, {.threads = -1})), of("threads", "too_few_threads"));
   EXPECT_EQ(refusal(cromer::sweep({}, one, {.drive_amplitude = 0})),
             of("drive_amplitude", "drive_amplitude_not_positive"));
+}
+
+TEST(DoorOptions, TwoSamplesAreAForceAndAComponent) {
+  const double two[] = {1, 2}, periods[] = {0.1};
+  EXPECT_TRUE(cromer::response_spectrum(two, 0.01, {.periods = periods, .second = two}));
+  EXPECT_TRUE(cromer::simulate({.mass = 1, .stiffness = 9}, {.drive = cromer::SampledForce{two, 0.1}}));
+  EXPECT_EQ(refusal(cromer::response_spectrum(std::span(two).first(1), 0.01)),
+            of("acceleration", "too_few_values"));
+  EXPECT_EQ(
+      refusal(cromer::simulate({}, {.drive = cromer::GroundMotion{std::span(two).first(1), 0.1}})).second,
+      "too_few_values");
+}
+
+TEST(DoorOptions, OfDrivesAreThoseOfTheProgram) {
+  using Shape = cromer::Pulse::Shape;
+  using Typed = std::vector<cromer::core::TypedOption>;
+  const std::pair<cromer::Drive, Typed> drives[] = {
+      {cromer::Harmonic{1, 2, 0.3},
+       {{"drive-amplitude", "1"}, {"drive-frequency", "2"}, {"drive-phase", "0.3"}}},
+      {cromer::Unbalance{0.1, 0.05, 2, 0.3},
+       {{"drive", "unbalance"},
+        {"unbalance-mass", "0.1"},
+        {"eccentricity", "0.05"},
+        {"drive-frequency", "2"},
+        {"drive-phase", "0.3"}}},
+      {cromer::ShakingBase{0.01, 2, 0.3},
+       {{"drive", "base"}, {"base-displacement", "0.01"}, {"drive-frequency", "2"}, {"drive-phase", "0.3"}}},
+      {cromer::Pulse{Shape::step, 2, 0.1, 0},
+       {{"drive", "step"}, {"drive-amplitude", "2"}, {"drive-start", "0.1"}}},
+      {cromer::Pulse{Shape::rectangular, 2, 0.1, 0.5},
+       {{"drive", "rectangular"},
+        {"drive-amplitude", "2"},
+        {"drive-start", "0.1"},
+        {"drive-duration", "0.5"}}},
+      {cromer::Pulse{Shape::half_sine, 2, 0.1, 0.5},
+       {{"drive", "half-sine"}, {"drive-amplitude", "2"}, {"drive-start", "0.1"}, {"drive-duration", "0.5"}}},
+      {cromer::Pulse{Shape::triangular, 2, 0.1, 0.5},
+       {{"drive", "triangular"},
+        {"drive-amplitude", "2"},
+        {"drive-start", "0.1"},
+        {"drive-duration", "0.5"}}},
+      {cromer::Chirp{.amplitude = 2, .from = 1, .to = 5, .start = 0.1, .duration = 3, .phase = 0.3},
+       {{"drive", "chirp"},
+        {"drive-amplitude", "2"},
+        {"drive-frequency", "1"},
+        {"drive-to", "5"},
+        {"drive-start", "0.1"},
+        {"drive-duration", "3"},
+        {"drive-phase", "0.3"}}},
+      {cromer::Chirp{.amplitude = 2, .from = 1, .to = 5, .logarithmic = true},
+       {{"drive", "logarithmic-chirp"},
+        {"drive-amplitude", "2"},
+        {"drive-frequency", "1"},
+        {"drive-to", "5"}}}};
+  for (const auto& [drive, typed] : drives) {
+    Typed all = typed;
+    for (const auto& [name, value] : {std::pair("stiffness", "9"),
+                                      {"damping", "0.5"},
+                                      {"method", "rk4"},
+                                      {"step", "0.01"},
+                                      {"until", "4"}})
+      all.emplace_back(name, value);
+    cromer::core::SimulateOptions options;
+    ASSERT_TRUE(cromer::core::assign(all, options_of(options), "simulate"));
+    const auto program = cromer::core::simulate(options);
+    const auto door = cromer::simulate({.mass = 1, .stiffness = 9, .damping = 0.5},
+                                       {.method = "rk4", .drive = drive, .step = 0.01, .until = 4});
+    ASSERT_TRUE(program && door) << drive.index();
+    EXPECT_EQ(door->x, program->runs[0].trajectory.x) << drive.index();
+    EXPECT_EQ(door->v, program->runs[0].trajectory.v) << drive.index();
+  }
 }
 
 TEST(DoorOptions, OfSpectraAreThoseOfTheProgram) {

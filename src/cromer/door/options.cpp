@@ -170,7 +170,7 @@ Result<std::vector<Component>> components_of(std::span<const double> acceleratio
   std::vector<Component> components{component_of(acceleration, spacing, "acceleration")};
   if (second.empty()) return components;
   if (auto good = check_length(second, "second", acceleration, "acceleration"); !good) return good.error();
-  if (auto good = check_samples(second, "second", 2); !good) return good.error();
+  if (auto good = check_samples(second, "second", 0); !good) return good.error();
   components.push_back(component_of(second, spacing, "second"));
   return components;
 }
