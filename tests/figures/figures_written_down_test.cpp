@@ -162,6 +162,48 @@ TEST(FiguresWrittenDown, OfSpectra) {
   expect_figures_as_written_down(text, "spectra");
 }
 
+/// So many motions that ring ever faster, of one component or two, with options as they are typed.
+std::vector<MotionSpectra> ringing(int count, int components, const std::string& line) {
+  SpectrumOptions options;
+  EXPECT_TRUE(assign(typed(line), options_of(options), "spectrum")) << line;
+  std::vector<MotionSpectra> motions;
+  for (int m = 0; m < count; ++m) {
+    std::vector<SpectrumFile> files;
+    for (int c = 0; c < components; ++c) {
+      std::string bytes = "t (s),a (m/s^2)\n";
+      for (int i = 0; i < 60; ++i)
+        bytes += fmt::format("{:.2f},{:.5f}\n", 0.02 * i, (1 + 0.1 * m) * std::sin((0.2 + 0.01 * m) * i + c));
+      files.push_back({fmt::format("folder/motion{}{}.csv", m, c == 0 ? "e" : "n"), bytes});
+    }
+    std::vector<std::string> names;
+    for (const SpectrumFile& file : files) names.push_back(file.name);
+    motions.push_back({names, response_spectrum(files, options)});
+  }
+  return motions;
+}
+
+TEST(FiguresWrittenDown, OfManyMotions) {
+  std::string text;
+  const auto add = [&](const std::vector<MotionSpectra>& motions) {
+    const SpectrumResult& any = *motions[0].result;
+    text += as_written(spectra_figure(motions, false));
+    if (!any.options.shock || any.options.shock_response == "pseudo-velocity")
+      text += as_written(spectra_figure(motions, true));
+  };
+  add(ringing(3, 1, "periods 0.1:2:4:log, damping-ratio 2 %, damping-ratio 5 %"));
+  add(ringing(2, 2, "periods 0.1:0.5:3, in-g true, baseline constant"));
+  add(ringing(2, 1, "frequencies 1:20:4:log Hz, shock true"));
+  add(ringing(2, 1, "frequencies 1:20:4:log Hz, shock true, shock-response relative-displacement"));
+  add(ringing(2, 1, "frequencies 1:20:4:log Hz, shock true, shock-response pseudo-velocity"));
+  add(ringing(10, 1, "periods 0.1:2:4:log"));
+  add(ringing(11, 1, "periods 0.1:2:4:log"));
+  add(ringing(101, 1, "periods 0.2:1:3"));
+  std::vector<MotionSpectra> one_fails = ringing(3, 1, "periods 0.1:2:4:log");
+  one_fails[1].result = Error{"interrupted"};
+  add(one_fails);
+  expect_figures_as_written_down(text, "many_motions");
+}
+
 /// Masses hung on in turn: 10 N/m, with a scatter of some millimetres.
 TEST(FiguresWrittenDown, OfASpringAtRest) {
   std::vector<Hold> holds;
