@@ -11,8 +11,8 @@
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/diagnose/second_mode.h"
-#include "tests/identify/answers.h"
 #include "tests/identify/synthetic.h"
+#include "tests/support/answers.h"
 
 namespace cromer::core {
 namespace {
@@ -53,12 +53,12 @@ void say(Answers& said, const std::optional<FreePart>& part) {
 }
 
 TEST(Diagnosed, WhereADriveStops) {
-  Answers said("after_a_drive");
+  Answers said("identify/after_a_drive");
   for (unsigned seed = 1; seed <= 160; ++seed) {
     Chance chance(seed);
     const double periods = chance.between(20, 60), stops = chance.between(4, periods - 4),
-                 grows = chance.is(0.4) ? 0 : chance.between(-0.01, 0.02), falls = chance.between(0.004, 0.12),
-                 noise = chance.is(0.5) ? 1e-4 : chance.between(0, 0.03),
+                 grows = chance.is(0.4) ? 0 : chance.between(-0.01, 0.02),
+                 falls = chance.between(0.004, 0.12), noise = chance.is(0.5) ? 1e-4 : chance.between(0, 0.03),
                  beat = chance.is(0.7) ? 0 : chance.between(0, 0.15),
                  comes_back = chance.is(0.8) ? 0 : chance.between(0, 0.1);
     const SyntheticRecord record = swing_of(chance, some_times(chance, periods), noise, 0, [&](double t) {
@@ -75,7 +75,7 @@ TEST(Diagnosed, WhereADriveStops) {
 }
 
 TEST(Diagnosed, WhereAHandLetsGo) {
-  Answers said("after_a_hold");
+  Answers said("identify/after_a_hold");
   for (unsigned seed = 1; seed <= 300; ++seed) {
     Chance chance(seed);
     const double periods = chance.between(5, 14), held = chance.between(0.3, 4),
@@ -100,7 +100,7 @@ TEST(Diagnosed, WhereAHandLetsGo) {
 }
 
 TEST(Diagnosed, WhereAnEnvelopeHasAKink) {
-  Answers said("kinks");
+  Answers said("identify/kinks");
   for (unsigned seed = 1; seed <= 160; ++seed) {
     Chance chance(seed);
     const auto n = static_cast<std::size_t>(chance.between(14, 40));
@@ -124,21 +124,23 @@ TEST(Diagnosed, WhereAnEnvelopeHasAKink) {
 }
 
 TEST(Diagnosed, WhereAMotionIsLost) {
-  Answers said("lost_motions");
+  Answers said("identify/lost_motions");
   for (unsigned seed = 1; seed <= 600; ++seed) {
     Chance chance(seed);
     const double falls = chance.between(0, 0.7), resolution = chance.is(0.4) ? 0 : chance.between(0, 0.15),
                  periods = chance.between(5, 13), ends = chance.between(4, periods - 0.3),
                  value = chance.between(-1, 1), spikes = chance.is(0.5) ? 0 : chance.between(0, 0.5),
                  noise = chance.is(0.5) ? 0 : chance.between(0, 0.05);
-    SyntheticRecord record =
-        swing_of(chance, some_times(chance, periods, 7, 24), noise, 0, [&](double t) { return std::exp(-falls * t); });
+    SyntheticRecord record = swing_of(chance, some_times(chance, periods, 7, 24), noise, 0,
+                                      [&](double t) { return std::exp(-falls * t); });
     record.resolution = resolution;
     const bool stays_where_it_is = chance.is(0.3);
     double last = value;
     for (std::size_t i = 0; i < record.t.size(); ++i) {
-      if (record.t[i] < ends) last = stays_where_it_is ? record.y[i] : value;
-      else if (!chance.is(spikes)) record.y[i] = last;
+      if (record.t[i] < ends)
+        last = stays_where_it_is ? record.y[i] : value;
+      else if (!chance.is(spikes))
+        record.y[i] = last;
     }
     round_to(resolution, record.y);
     const auto lost = find_lost_motion(record.record());
@@ -150,7 +152,7 @@ TEST(Diagnosed, WhereAMotionIsLost) {
 }
 
 TEST(Diagnosed, WhereASwingStops) {
-  Answers said("stops");
+  Answers said("identify/stops");
   for (unsigned seed = 1; seed <= 900; ++seed) {
     Chance chance(seed);
     const double periods = chance.between(9, 20), stops = periods - chance.between(0.3, 5),
@@ -177,7 +179,7 @@ TEST(Diagnosed, WhereASwingStops) {
 }
 
 TEST(Diagnosed, WhatStandsOut) {
-  Answers said("outliers");
+  Answers said("identify/outliers");
   for (unsigned seed = 1; seed <= 250; ++seed) {
     Chance chance(seed);
     SyntheticRecord record{some_times(chance, chance.between(2, 8), 12, 20), {}, 0};
@@ -188,8 +190,7 @@ TEST(Diagnosed, WhatStandsOut) {
     for (const double t : record.t) {
       const double motion = 30 * std::exp(-0.4 * t) * std::cos(two_pi * t);
       const double noise = (1 + grows * std::abs(motion) / 30) * chance.normal();
-      residuals.push_back(noise + slow * std::sin(0.3 * t) +
-                          (chance.is(many) ? chance.between(-8, 8) : 0));
+      residuals.push_back(noise + slow * std::sin(0.3 * t) + (chance.is(many) ? chance.between(-8, 8) : 0));
       record.y.push_back(motion + residuals.back());
     }
     record.resolution = resolution;
@@ -203,7 +204,7 @@ TEST(Diagnosed, WhatStandsOut) {
 }
 
 TEST(Diagnosed, WhatDropsOut) {
-  Answers said("drop_outs");
+  Answers said("identify/drop_outs");
   for (unsigned seed = 1; seed <= 600; ++seed) {
     Chance chance(seed);
     const double resolution = chance.is(0.5) ? 0 : chance.between(0, 1), at = chance.between(-5, 5);
@@ -251,7 +252,7 @@ SyntheticRecord seen(Chance& chance) {
 }
 
 TEST(Diagnosed, WhatSpeaksAgainstAFit) {
-  Answers said("doubts");
+  Answers said("identify/doubts");
   for (unsigned seed = 1; seed <= 160; ++seed) {
     Chance chance(seed);
     const SyntheticRecord made = seen(chance);
@@ -276,7 +277,7 @@ TEST(Diagnosed, WhatSpeaksAgainstAFit) {
 }
 
 TEST(Diagnosed, WhatSpeaksAgainstAnOscillation) {
-  Answers said("refusals");
+  Answers said("identify/refusals");
   for (unsigned seed = 1; seed <= 200; ++seed) {
     Chance chance(seed);
     const double strong = chance.is(0.5) ? chance.between(0, 0.3) : chance.between(0.3, 1.2);
@@ -288,7 +289,8 @@ TEST(Diagnosed, WhatSpeaksAgainstAnOscillation) {
     const double noise = chance.is(0.5) ? chance.between(0, 0.02) : chance.between(0, 1),
                  resolution = chance.is(0.6) ? 0 : chance.between(0, 1),
                  top = chance.is(0.7) ? 10 : chance.between(0.2, 0.9);
-    SyntheticRecord made = viscous_record(truth, some_times(chance, chance.between(0.7, 6), 9, 40), noise, 0, seed);
+    SyntheticRecord made =
+        viscous_record(truth, some_times(chance, chance.between(0.7, 6), 9, 40), noise, 0, seed);
     for (double& y : made.y) y = std::min(y, top);
     made.resolution = resolution;
     round_to(resolution, made.y);
@@ -300,7 +302,7 @@ TEST(Diagnosed, WhatSpeaksAgainstAnOscillation) {
 }
 
 TEST(Diagnosed, WhatADriveLeaves) {
-  Answers said("second_drives");
+  Answers said("identify/second_drives");
   for (unsigned seed = 1; seed <= 150; ++seed) {
     Chance chance(seed);
     SyntheticRecord rest{some_times(chance, chance.between(3, 30), 9, 20), {}, 0};
@@ -321,7 +323,7 @@ TEST(Diagnosed, WhatADriveLeaves) {
 }
 
 TEST(Diagnosed, WhichMultipleAFrequencyIs) {
-  Answers said("harmonics");
+  Answers said("identify/harmonics");
   for (unsigned seed = 1; seed <= 250; ++seed) {
     Chance chance(seed);
     const FrequencyBand own{5, chance.between(5, 5.2), chance.between(0, 0.02)};

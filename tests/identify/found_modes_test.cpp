@@ -10,8 +10,8 @@
 #include "cromer/identify/modal/mode_search.h"
 #include "cromer/identify/modal/steady_lines.h"
 #include "cromer/identify/modal/still_beginning.h"
-#include "tests/identify/answers.h"
 #include "tests/identify/modal_records.h"
+#include "tests/support/answers.h"
 
 namespace cromer::core {
 namespace {
@@ -132,9 +132,9 @@ void expect_analyses_as_before(const char* name, unsigned from, unsigned to) {
     if (chance.is(0.2)) settings.modes = 1;
     if (chance.is(0.2)) settings.from_first_sample = true;
     const ModalAnalysis found = find_modes(made.record(), settings);
-    said << static_cast<int>(seed) << (found.motion == ModalMotion::ambient ? "ambient" : "free") << found.still
-         << found.decaying_share << found.highest_order << found.lags << found.lag_step << "lines"
-         << found.lines;
+    said << static_cast<int>(seed) << (found.motion == ModalMotion::ambient ? "ambient" : "free")
+         << found.still << found.decaying_share << found.highest_order << found.lags << found.lag_step
+         << "lines" << found.lines;
     say(said, found.modes);
     say(said, found.spectrum);
     say(said, found.peaks);
@@ -144,11 +144,11 @@ void expect_analyses_as_before(const char* name, unsigned from, unsigned to) {
   said.expect_as_before();
 }
 
-TEST(FoundModes, OfOneTwoOrThreeChannels) { expect_analyses_as_before("found_modes", 1, 31); }
-TEST(FoundModes, OfMoreRecords) { expect_analyses_as_before("more_found_modes", 33, 51); }
+TEST(FoundModes, OfOneTwoOrThreeChannels) { expect_analyses_as_before("identify/found_modes", 1, 31); }
+TEST(FoundModes, OfMoreRecords) { expect_analyses_as_before("identify/more_found_modes", 33, 51); }
 
 TEST(FoundModes, StillBeginnings) {
-  Answers said("still_beginnings");
+  Answers said("identify/still_beginnings");
   for (unsigned seed = 1; seed <= 250; ++seed) {
     Chance chance(seed);
     const auto channels = static_cast<std::size_t>(chance.between(1, 3.5)),
@@ -181,7 +181,7 @@ TEST(FoundModes, StillBeginnings) {
 }
 
 TEST(FoundModes, SteadyLines) {
-  Answers said("steady_lines");
+  Answers said("identify/steady_lines");
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Chance chance(seed);
     const auto samples = static_cast<std::size_t>(chance.between(60, 200));
@@ -197,14 +197,15 @@ TEST(FoundModes, SteadyLines) {
       }
     const ModalRecord record = made.record();
     said << static_cast<int>(seed);
-    for (const auto& line : steady_lines(record, {w + chance.between(-0.06, 0.06), other, 3.1}, 0.05)) said << line;
+    for (const auto& line : steady_lines(record, {w + chance.between(-0.06, 0.06), other, 3.1}, 0.05))
+      said << line;
     said.end_line();
   }
   said.expect_as_before();
 }
 
 TEST(FoundModes, FreeDecays) {
-  Answers said("free_decays");
+  Answers said("identify/free_decays");
   for (unsigned seed = 1; seed <= 50; ++seed) {
     Chance chance(seed);
     const auto channels = static_cast<std::size_t>(chance.between(1, 3.5)),
@@ -234,7 +235,7 @@ TEST(FoundModes, FreeDecays) {
 }
 
 TEST(FoundModes, Spectra) {
-  Answers said("spectra");
+  Answers said("identify/spectra");
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Chance chance(seed);
     const auto channels = static_cast<std::size_t>(chance.between(1, 3.5)),
@@ -261,7 +262,7 @@ TEST(FoundModes, Spectra) {
 }
 
 TEST(FoundModes, Lags) {
-  Answers said("lags");
+  Answers said("identify/lags");
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Chance chance(seed);
     const auto channels = static_cast<std::size_t>(chance.between(1, 4.5)),
@@ -272,8 +273,8 @@ TEST(FoundModes, Lags) {
       for (double& y : channel) y = chance.normal();
     std::vector<SpectralPeak> peaks;
     while (chance.is(0.7)) peaks.push_back({chance.between(0.2, 5), 9});
-    const auto search =
-        search_modes(made.record(), peaks, {.from = chance.is(0.5) ? 0.0 : 1, .to = chance.is(0.5) ? 10.0 : 4});
+    const auto search = search_modes(made.record(), peaks,
+                                     {.from = chance.is(0.5) ? 0.0 : 1, .to = chance.is(0.5) ? 10.0 : 4});
     if (!search) continue;
     said << static_cast<int>(seed) << search->highest_order << search->correlations.lags
          << search->correlations.stride << search->correlations.block_length

@@ -1,7 +1,7 @@
-// What inner functions answer to many small inputs, line by line, compared with tests/identify/answers: there
-// the answers stay what they are, so that nothing in between changes unseen; whether they are right is asked
-// elsewhere. Run with CROMER_WRITE_TRANSCRIPTS=1, the tests write what is answered now: read the difference
-// before you commit it.
+// What inner functions answer to many small inputs, line by line, compared with the folder answers beside the
+// test: there they stay what they are, so that nothing in between changes unseen; whether they are right is
+// asked elsewhere. Run with CROMER_WRITE_TRANSCRIPTS=1, the tests write what is answered now: read the
+// difference before you commit it.
 #pragma once
 
 #include <fmt/format.h>
@@ -40,8 +40,10 @@ inline bool same_answer(const std::string& one, const std::string& other) {
 
 class Answers {
  public:
-  explicit Answers(const std::string& name)
-      : file_(std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/answers" / (name + ".txt")) {}
+  /// "identify/stops": of tests/identify/answers/stops.txt.
+  explicit Answers(const std::filesystem::path& of)
+      : file_(std::filesystem::path(CROMER_SOURCE_DIR) / "tests" / of.parent_path() / "answers" /
+              (of.filename().string() + ".txt")) {}
 
   /// A word, a number, or a notice's code with the numbers in it.
   Answers& operator<<(const std::string& word) { return add(word); }
