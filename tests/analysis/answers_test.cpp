@@ -30,12 +30,13 @@ constexpr int some = 40;
 /// A decaying swing, seen with some noise.
 Trajectory some_swing(Chance& chance, double noise = 0) {
   const auto n = static_cast<std::size_t>(chance.between(3, 160));
-  const double w = two_pi * chance.between(0.5, 2), falls = chance.between(-0.02, 0.3), phase = chance.between(0, 7),
-               h = chance.between(0.01, 0.12), begin = chance.is(0.5) ? 0 : chance.between(-3, 40),
-               uneven = chance.is(0.5) ? 0 : 0.3;
+  const double w = two_pi * chance.between(0.5, 2), falls = chance.between(-0.02, 0.3),
+               phase = chance.between(0, 7), h = chance.between(0.01, 0.12),
+               begin = chance.is(0.5) ? 0 : chance.between(-3, 40), uneven = chance.is(0.5) ? 0 : 0.3;
   Trajectory motion;
   for (std::size_t i = 0; i < n; ++i) {
-    const double s = h * (static_cast<double>(i) + uneven * chance.between(0, 1)), size = std::exp(-falls * s);
+    const double s = h * (static_cast<double>(i) + uneven * chance.between(0, 1)),
+                 size = std::exp(-falls * s);
     motion.t.push_back(begin + s);
     motion.x.push_back(size * std::cos(w * s + phase) + noise * chance.normal());
     motion.v.push_back(-size * (falls * std::cos(w * s + phase) + w * std::sin(w * s + phase)));
@@ -76,11 +77,11 @@ TEST(Answers, OfSpeedsAndTurns) {
       heights.push_back(each.x);
     }
     for (const auto& values : {begins, speeds, places, turns, heights}) say(said, values);
+    std::vector<double> noise;
+    for (std::size_t i = 0; i < motion.t.size(); ++i) noise.push_back(chance.normal());
+    for (const Envelope& each : {envelope(motion.t, noise), envelope(motion.t, motion.x)})
+      for (const auto& values : {each.top_t, each.top, each.bottom_t, each.bottom}) say(said, values);
     const Envelope found = envelope(motion.t, motion.x);
-    say(said, found.top_t);
-    say(said, found.top);
-    say(said, found.bottom_t);
-    say(said, found.bottom);
     if (!found.top.empty()) said << interpolate(found.top_t, found.top, motion.t[motion.t.size() / 2]);
     if (const auto measured = measure_oscillator(motion))
       said << measured->angular_frequency << measured->decay_rate << measured->first_amplitude
@@ -200,7 +201,8 @@ TEST(Answers, OfExtremes) {
     Chance chance(seed);
     const LinearLaw<double> law{.decay_rate = chance.is(0.7) ? chance.between(0, 1) : chance.between(1, 4),
                                 .stiffness = chance.between(1, 9)};
-    const ResponseQuantity<double> quantity{chance.between(-1, 1), chance.is(0.5) ? 0 : chance.between(-1, 1)};
+    const ResponseQuantity<double> quantity{chance.between(-1, 1),
+                                            chance.is(0.5) ? 0 : chance.between(-1, 1)};
     const State<double> y{chance.between(-1, 1), chance.between(-2, 2)};
     Extremes range{y.x, y.x};
     include_free(law, quantity, y, range);
@@ -300,7 +302,8 @@ TEST(Answers, OfLimitCycles) {
     if (chance.is(0.3)) per_mass.friction = chance.between(0, 0.3);
     if (chance.is(0.3)) per_mass.cubic = chance.between(-10, 30);
     if (chance.is(0.3)) per_mass.quadratic = chance.between(-10, 10);
-    said << static_cast<int>(seed) << limit_cycle_amplitude(per_mass, chance.between(0.5, 2), 1.1).value_or(0);
+    said << static_cast<int>(seed)
+         << limit_cycle_amplitude(per_mass, chance.between(0.5, 2), 1.1).value_or(0);
     said.end_line();
   }
   said.expect_as_before();

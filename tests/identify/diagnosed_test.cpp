@@ -307,7 +307,7 @@ TEST(Diagnosed, WhatADriveLeaves) {
     Chance chance(seed);
     SyntheticRecord rest{some_times(chance, chance.between(3, 30), 9, 20), {}, 0};
     const double drive = two_pi * chance.between(0.5, 1), noise = chance.between(0, 0.3),
-                 twice = drive * (chance.is(0.5) ? 2 : 3) * chance.between(0.98, 1.02),
+                 order = chance.is(0.5) ? 2 : 3, twice = order * drive * chance.between(0.98, 1.02),
                  other = two_pi * chance.between(0.1, 4), falls = chance.is(0.5) ? 0 : chance.between(0, 1),
                  near = other + chance.between(-2, 2);
     const double a = chance.between(0, 0.5), b = chance.between(0, 0.5), c = chance.is(0.5) ? 0 : 0.3;
@@ -327,10 +327,53 @@ TEST(Diagnosed, WhichMultipleAFrequencyIs) {
   for (unsigned seed = 1; seed <= 250; ++seed) {
     Chance chance(seed);
     const FrequencyBand own{5, chance.between(5, 5.2), chance.between(0, 0.02)};
-    const double w = 5 * std::floor(chance.between(1, 18)) * chance.between(0.985, 1.05);
-    const int multiple = harmonic_of(w, chance.between(0, 0.2), own, chance.between(3, 30));
+    const double order = std::floor(chance.between(1, 18)), w = 5 * order * chance.between(0.985, 1.05),
+                 error = chance.between(0, 0.2), duration = chance.between(3, 30);
+    const int multiple = harmonic_of(w, error, own, duration);
     if (multiple == 0) continue;
     said << static_cast<int>(seed) << multiple;
+    said.end_line();
+  }
+  said.expect_as_before();
+}
+
+/// A swing of this law, its fit, and a line beside it.
+TEST(Diagnosed, WhichMultipleOfABentSwingALineIs) {
+  Answers said("identify/bent_swings");
+  const char* laws[] = {"viscous+pendulum", "viscous+cubic", "viscous+odd-quadratic",
+                        "viscous+quintic",  "viscous+drag",  "viscous+quadratic"};
+  for (unsigned seed = 1; seed <= 120; ++seed) {
+    Chance chance(seed);
+    LawFit fit;
+    fit.law = law_of(laws[seed % 6]);
+    Motion& motion = fit.motion;
+    motion = Motion{.position = chance.between(0.2, 2.8), .velocity = chance.between(-2, 2)};
+    motion.law = fit.law;
+    motion.set_angular_frequency(two_pi);
+    motion.set_decay_rate(chance.is(0.3) ? chance.between(0, 1) : 0.02);
+    const double bent = chance.between(-1, 6);
+    if (fit.law.has<Cubic>()) motion.per_mass.cubic = bent;
+    if (fit.law.has<OddQuadratic>()) motion.per_mass.odd_quadratic = bent;
+    if (fit.law.has<Quadratic>()) motion.per_mass.quadratic = bent;
+    if (fit.law.has<Quintic>()) motion.per_mass.quintic = bent / 4;
+    if (fit.law.has<Drag>()) motion.per_mass.drag = std::abs(bent) / 10;
+    fit.names = {"angular_frequency", "decay_rate"};
+    const double g = motion.decay_rate();
+    fit.estimates = {{two_pi, 1e-3, two_pi, two_pi}, {g, 1e-3, g, g}};
+    fit.covariance = {1e-6, 0, 0, 1e-6};
+    fit.student = 2;
+    fit.step = 0.002;
+    const std::vector<double> t = even_times(400, 0.04);
+    SyntheticRecord record{t, free_motion(motion, t, 0.002).x, 0};
+    const double order = std::floor(chance.between(0.4, 5)), at = order * two_pi * chance.between(0.7, 1.4),
+                 size = chance.between(0.001, 0.1);
+    for (std::size_t i = 0; i < t.size(); ++i)
+      record.y[i] += size * std::sin(at * t[i]) + 1e-3 * chance.normal();
+    said << static_cast<int>(seed);
+    for (const ResidualLine& line : residual_lines(record.record(), fit))
+      said << line.angular_frequency << line.frequency_error << line.amplitude << line.decay_rate
+           << line.harmonic;
+    if (const auto decay = mean_decay(fit, record.record())) said << decay->amplitude << decay->rate.value;
     said.end_line();
   }
   said.expect_as_before();

@@ -23,7 +23,7 @@ Eigenvalues eigenvalues_of_groups(const ModeSearch& search, const ModalSettings&
   const std::size_t most = settings.modes > 0
                                ? std::min(most_decaying_modes, static_cast<std::size_t>(settings.modes))
                                : most_decaying_modes;
-  if (groups.size() > most) groups.resize(most);
+  groups.resize(std::min(groups.size(), most));
   const int together = all.first_common_order(groups);
   Eigenvalues result;
   for (const auto& group : groups) {
@@ -127,7 +127,7 @@ ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& se
   Eigenvalues start = search ? eigenvalues_of_groups(*search, settings) : Eigenvalues{};
   choose_signs(rest, start);
   const auto is_free = [&](Eigenvalues eigenvalues) {
-    if (eigenvalues.size() > most_decaying_modes) eigenvalues.resize(most_decaying_modes);
+    eigenvalues.resize(std::min(eigenvalues.size(), most_decaying_modes));
     FreeDecay decay = fit_free_decay(record, eigenvalues);
     result.decaying_share = decay.share;
     if (!decay.converged || !follows(decay)) return false;
