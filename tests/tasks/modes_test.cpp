@@ -1,6 +1,7 @@
 // The modes of networks, against closed forms and against truth that others computed.
 #include "cromer/tasks/modes/modes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -181,6 +182,18 @@ TEST(Modes, SayWhereAMethodIsUnstable) {
   EXPECT_FALSE(found.modes[2].methods[0].frequency());
   ASSERT_EQ(found.notices.size(), 1u);
   EXPECT_EQ(in_words(found.notices[0]), "euler-cromer with a step of 0.3 s is unstable on this network");
+}
+
+// Average acceleration keeps the energy, to rounding.
+TEST(Modes, AreStableWhereAMethodKeepsTheirEnergy) {
+  Network network = chain(4, 0);
+  network.links[0].law.damping = 0.1;
+  network.links[3].from = ground;  // the last mass swings by itself
+  network.links[4] = network.links[3];
+  for (const double step : {0.01, 0.1, 0.3, 1.0}) {
+    const ModesResult found = modes_of(network, {.method = {"newmark"}, .step = step});
+    EXPECT_THAT(in_words(found.notices), testing::IsEmpty()) << step;
+  }
 }
 
 TEST(Modes, OfANetworkThatGrowsByItselfAreNoFaultOfTheMethod) {

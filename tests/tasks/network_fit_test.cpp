@@ -187,6 +187,12 @@ TEST(NetworkFit, SaysWhatIsWrong) {
   EXPECT_THAT(refusal(beats(), file_of(pendulums("\"?\"\n[[link]]\nfrom = \"right\"\nto = \"left\"\n"
                                                  "stiffness = \"?\""))),
               HasSubstr("in combination only"));
+  // Links between the same two masses are counted.
+  const std::string another = "\n[[link]]\nfrom = \"left\"\nto = \"right\"\nstiffness = \"?\"";
+  EXPECT_THAT(refusal(beats(), file_of(pendulums("\"?\"" + another))),
+              HasSubstr("by itself: stiffness of left–right; stiffness of left–right 2; give"));
+  EXPECT_THAT(refusal(beats(), file_of(pendulums("\"?\"" + another + another))),
+              HasSubstr("stiffness of left–right 2; stiffness of left–right 3;"));
 }
 
 TEST(NetworkFit, OpenValuesAreNotRunAsTheyStand) {

@@ -235,6 +235,9 @@ TEST(RecordingModes, bad_options_are_refused) {
   EXPECT_EQ(refusal(bytes, {.step = 0.01, .of_method = "dormand-prince"}), "method_without_steps");
   EXPECT_EQ(refusal(bytes, {.from_frequency = 3, .to_frequency = 2}), "frequencies_reversed");
   EXPECT_EQ(refusal(decay(pendulums, two_angles, both, 39)), "too_few_samples_for_modes");
+  std::string runs = "Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2\n";
+  for (int i = 0; i < 60; ++i) runs += fmt::format("{0},{1},{0},{1}\n", 0.1 * i, std::cos(0.3 * i));
+  EXPECT_EQ(refusal(runs), "modes_of_one_run");
   Network network;
   network.masses.push_back({.name = "a"});
   EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");
