@@ -33,14 +33,14 @@ void round_to(double step, std::vector<double>& y) {
   for (double& each : y) each = step * std::round(each / step);
 }
 
-/// A swing of amplitude A(t) about 0.1, seen by a sensor.
+/// A swing of amplitude A(t) about 0.3, seen by a sensor.
 template <class Amplitude>
 SyntheticRecord swing_of(Chance& chance, const std::vector<double>& t, double noise, double resolution,
                          const Amplitude& amplitude) {
   SyntheticRecord record{t, {}, resolution};
   const double w = two_pi * chance.between(0.9, 1.1), phase = chance.between(0, two_pi);
   for (const double at : t)
-    record.y.push_back(0.1 + amplitude(at) * std::cos(w * at + phase) + noise * chance.normal());
+    record.y.push_back(0.3 + amplitude(at) * std::cos(w * at + phase) + noise * chance.normal());
   round_to(resolution, record.y);
   return record;
 }
@@ -88,7 +88,7 @@ TEST(Diagnosed, WhereAHandLetsGo) {
       const double after = t[i] - held;
       const double moves = std::exp(-falls * after) * (rises > 0 ? std::min(1.0, after / rises) : 1) *
                            (rises > 0 ? std::sin(two_pi * after) : std::cos(two_pi * after));
-      record.y.push_back((after < 0 ? at : moves) + noise * chance.normal());
+      record.y.push_back(0.3 + (after < 0 ? at : moves) + noise * chance.normal());
     }
     if (spike > 0) record.y[record.y.size() / 2] = spike;
     said << static_cast<int>(seed);
