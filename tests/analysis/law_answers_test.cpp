@@ -111,7 +111,8 @@ TEST(LawAnswers, OfResponses) {
                                  .stiffness = chance.between(1, 40),
                                  .damping = chance.is(0.7) ? chance.between(0, 2) : chance.between(0, 30)};
     const double w = chance.between(0.2, 12), loss = chance.between(0, 1), f = chance.between(0.1, 3);
-    const SteadyState steady = frequency_response(law, f, w), hysteretic = hysteretic_response(law, loss, f, w);
+    const SteadyState steady = frequency_response(law, f, w),
+                      hysteretic = hysteretic_response(law, loss, f, w);
     said << static_cast<int>(seed) << steady.amplitude << steady.phase_lag << hysteretic.amplitude
          << hysteretic.phase_lag << resonance_frequency(law);
     const SteadyState velocity{w * steady.amplitude, steady.phase_lag - pi / 2};
@@ -152,7 +153,8 @@ TEST(LawAnswers, OfMethods) {
              << found.energy_factor().value_or(0) << found.stable();
         for (const auto& z : found.eigenvalues) said << z.re << std::abs(z.im);
         if (found.steady_state) said << found.steady_state->amplitude << found.steady_state->phase_lag;
-        if (found.steady_velocity) said << found.steady_velocity->amplitude << found.steady_velocity->phase_lag;
+        if (found.steady_velocity)
+          said << found.steady_velocity->amplitude << found.steady_velocity->phase_lag;
         if (const auto steady = method_steady_state(method, law, h))
           said << steady->position.amplitude << steady->position.phase_lag << steady->velocity;
         if (seed == 1) said << stability_limit(method, law).value_or(-1);

@@ -337,6 +337,51 @@ TEST(Diagnosed, WhichMultipleAFrequencyIs) {
   said.expect_as_before();
 }
 
+/// Fits whose numbers were thrown.
+TEST(Diagnosed, WhatTheNumbersOfAFitSay) {
+  Answers said("identify/fits");
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    Chance chance(seed);
+    LawFit fit;
+    fit.names = {"angular_frequency", "decay_rate", "drive_frequency"};
+    if (chance.is(0.6)) fit.names.emplace_back("drive_amplitude");
+    const double drive = chance.between(1, 3), order = std::floor(chance.between(1, 4)),
+                 w = order * drive * (chance.is(0.5) ? 1 : chance.between(0.99, 1.01)),
+                 error = chance.is(0.7) ? chance.between(0, 0.01) : chance.between(0, 2);
+    const double g = chance.between(-0.1, 0.2), g_error = chance.between(0, 0.2);
+    fit.estimates = {{w, error, w, w}, {g, g_error, g - g_error, g + g_error}, {drive, 0.001, drive, drive}};
+    const double push = chance.between(0, 20);
+    if (fit.names.size() > 3) fit.estimates.push_back({push, 0.1, push, push});
+    const std::size_t n = fit.names.size();
+    fit.covariance.assign(n * n, 0);
+    fit.motion.set_angular_frequency(w);
+    fit.motion.position = chance.between(-2, 2);
+    fit.motion.velocity = chance.between(-4, 4);
+    fit.explained = chance.between(-0.5, 1);
+    fit.independent_samples = chance.between(0, 120);
+    fit.residual.white = chance.is(0.2);
+    fit.residual.autocorrelation = chance.between(-0.5, 0.9);
+    fit.residual.autocorrelation_error = chance.between(0.05, 0.3);
+    fit.residual.strongest = chance.between(-0.5, 0.9);
+    fit.residual.strongest_lag = static_cast<int>(chance.between(1, 5));
+    fit.residual.rms = chance.between(0, 0.4);
+    said << static_cast<int>(seed);
+    for (const auto& refusal : {refuse_harmonic(fit), refuse_frequency(fit)}) {
+      if (refusal)
+        said << static_cast<int>(refusal->status) << refusal->message;
+      else
+        said << "-";
+    }
+    said << explains_too_little(fit) << widening(fit, 100) << is_fed(fit);
+    const double angle = chance.between(2.5, 9), falls = chance.between(0, 0.4);
+    const SyntheticRecord record = swing_of(chance, some_times(chance, chance.between(3, 12), 2.5, 9), 0, 0,
+                                            [&](double t) { return angle * std::exp(-falls * t); });
+    said << few_samples(record.record(), two_pi * chance.between(0.5, 2)) << turning_over(record.record());
+    said.end_line();
+  }
+  said.expect_as_before();
+}
+
 /// A swing of this law, its fit, and a line beside it.
 TEST(Diagnosed, WhichMultipleOfABentSwingALineIs) {
   Answers said("identify/bent_swings");
