@@ -81,14 +81,14 @@ TEST(Diagnosed, WhereAHandLetsGo) {
     const double periods = chance.between(5, 14), held = chance.between(0.3, 4),
                  falls = chance.between(0, 0.3), noise = chance.is(0.5) ? 1e-3 : chance.between(0, 0.2),
                  at = chance.is(0.5) ? 1 : chance.between(-1, 1),
-                 rises = chance.is(0.6) ? 0 : chance.between(0, 3), spike = chance.is(0.7) ? 0 : 2;
+                 rises = chance.is(0.6) ? 0 : chance.between(0, 3), spike = chance.is(0.7) ? 0 : 4.7;
     std::vector<double> t = some_times(chance, periods, 8, 40);
     SyntheticRecord record{t, {}, 0};
     for (std::size_t i = 0; i < t.size(); ++i) {
       const double after = t[i] - held;
       const double moves = std::exp(-falls * after) * (rises > 0 ? std::min(1.0, after / rises) : 1) *
                            (rises > 0 ? std::sin(two_pi * after) : std::cos(two_pi * after));
-      record.y.push_back(0.3 + (after < 0 ? at : moves) + noise * chance.normal());
+      record.y.push_back(3 + (after < 0 ? at : moves) + noise * chance.normal());
     }
     if (spike > 0) record.y[record.y.size() / 2] = spike;
     said << static_cast<int>(seed);
