@@ -253,7 +253,7 @@ TEST(FoundModes, Spectra) {
     if (chance.is(0.4)) record.starts.push_back(samples / 3);
     if (chance.is(0.2)) record.starts.push_back(samples / 2);
     said << static_cast<int>(seed);
-    for (const std::size_t segments : {1, 2, 3, 16}) {
+    for (const std::size_t segments : {1u, 2u, 3u, 16u}) {
       const SpectralMatrix spectrum = spectral_matrix(record, segments);
       say(said, spectrum);
       say(said, spectral_peaks(spectrum));
@@ -266,7 +266,7 @@ TEST(FoundModes, Spectra) {
 }
 
 TEST(FoundModes, AtMostSoManyLags) {
-  for (const std::size_t channels : {1, 3}) {
+  for (const std::size_t channels : {1u, 3u}) {
     Chance chance(1);
     MadeChannels made{std::vector<std::vector<double>>(channels, std::vector<double>(1000)), 0.01};
     for (auto& channel : made.values)
