@@ -1,22 +1,17 @@
-// What inner functions answer to many small inputs, line by line, compared with the folder answers beside the
-// test: there they stay what they are, so that nothing in between changes unseen; whether they are right is
-// asked elsewhere. Run with CROMER_WRITE_TRANSCRIPTS=1, the tests write what is answered now: read the
-// difference before you commit it.
+// What inner functions answer to many small inputs, line by line, as it is written down (written_down.h) in
+// the folder answers beside the test. Whether it is right is asked elsewhere.
 #pragma once
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <sstream>
 
 #include "cromer/notice.h"
-#include "tests/support/bytes_of.h"
+#include "tests/support/written_down.h"
 
 namespace cromer::core {
 
@@ -70,23 +65,7 @@ class Answers {
   }
   void end_line() { text_ += "\n", is_begun_ = false; }
 
-  void expect_as_before() const {
-    if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
-      std::filesystem::create_directories(file_.parent_path());
-      std::ofstream(file_, std::ios::binary) << text_;
-      return;
-    }
-    std::istringstream then(bytes_of(file_)), now(text_);
-    int number = 0;
-    for (std::string one, other;;) {
-      ++number;
-      const bool more = static_cast<bool>(std::getline(then, one)),
-                 more_now = static_cast<bool>(std::getline(now, other));
-      if (!more && !more_now) return;
-      ASSERT_TRUE(more && more_now && same_answer(one, other))
-          << file_ << ", line " << number << "\nthen " << one << "\nnow  " << other;
-    }
-  }
+  void expect_as_before() const { test::expect_as_written_down(text_, file_, same_answer); }
 
  private:
   Answers& add(const std::string& word) {

@@ -1,23 +1,18 @@
-// Numbers written down: rows of a name and what a function gives, compared with a file in the tree, each
-// number to a millionth of itself or a billionth of the largest in its row. Run with
-// CROMER_WRITE_TRANSCRIPTS=1, the tests write what comes out now into the file: read the difference before
-// you commit it.
+// Numbers written down (written_down.h): rows of a name and what a function gives, each number to a millionth
+// of itself or a billionth of the largest in its row.
 #pragma once
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "tests/support/bytes_of.h"
+#include "tests/support/written_down.h"
 
 namespace cromer::core::test {
 
@@ -45,22 +40,7 @@ class NumberSheet {
   }
 
   void expect_as_in(const std::filesystem::path& file) const {
-    if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
-      std::ofstream(file, std::ios::binary) << text_;
-      return;
-    }
-    std::istringstream now(text_), then(bytes_of(file));
-    int wrong = 0;
-    for (std::string a, b; wrong < 5;) {
-      const bool more = static_cast<bool>(std::getline(now, a)),
-                 wanted = static_cast<bool>(std::getline(then, b));
-      if (!more && !wanted) return;
-      if (more == wanted && same_row(a, b)) continue;
-      ++wrong;
-      ADD_FAILURE() << file.filename() << "\n  was " << (wanted ? b : "nothing") << "\n  is  "
-                    << (more ? a : "nothing");
-      if (more != wanted) return;
-    }
+    expect_as_written_down(text_, file, same_row);
   }
 
  private:

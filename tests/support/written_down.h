@@ -88,8 +88,12 @@ inline std::string as_written(const std::vector<double>& values) {
                      as_written(std::sqrt(squares / static_cast<double>(values.size()))));
 }
 
-inline void expect_as_written_down(const std::string& drawn, const std::filesystem::path& file) {
+/// `same` says whether two lines are.
+template <class Same = decltype(same_drawing)>
+void expect_as_written_down(const std::string& drawn, const std::filesystem::path& file,
+                            const Same& same = same_drawing) {
   if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
+    std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << drawn;
     return;
   }
@@ -100,7 +104,7 @@ inline void expect_as_written_down(const std::string& drawn, const std::filesyst
                wanted = static_cast<bool>(std::getline(then, b));
     if (!more && !wanted) return;
     ++number;
-    if (more == wanted && (a == b || same_drawing(a, b))) continue;
+    if (more == wanted && (a == b || same(a, b))) continue;
     ADD_FAILURE() << file.filename() << ", line " << number << "\n  was " << (wanted ? b : "nothing")
                   << "\n  is  " << (more ? a : "nothing");
     if (++wrong == 5 || more != wanted) return;
