@@ -100,7 +100,7 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
 }
 
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {
-  constexpr double far_more = 15, more = 4, periods = 1.5, hardly_swings = 0.5;
+  constexpr double far_more = 30, more = 4, periods = 1.5, hardly_swings = 0.5;
   constexpr int most_windows = 4;
   double slowest = HUGE_VAL;
   Eigenvalues eigenvalues;
