@@ -17,7 +17,7 @@ namespace {
 /// drop it once, whatever the window's length.
 class SlidingSinusoid {
  public:
-  /// Values about 0: their sums keep their digits.
+  /// Values far from 0, beside their swing, cost its sums digits.
   SlidingSinusoid(const FittedSamples& samples, double w) : samples_(samples), w_(w) {}
 
   /// Moves the window to samples [first, last); neither end may go back.
