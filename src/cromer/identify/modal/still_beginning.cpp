@@ -124,17 +124,16 @@ std::size_t samples_of_release(const ModalRecord& record, const std::vector<Meas
       seconds(static_cast<Eigen::Index>(i)) = part.time(window) - part.time(i);
     const Eigen::MatrixXd off =
         (basis.before(seconds, eigenvalues) - values_of(part).topRows(seconds.size())).array().abs();
-    const auto noise = [&](Eigen::Index c) {
-      const auto left = basis.residuals().col(c);
-      return left.norm() / std::sqrt(static_cast<double>(left.size()));
-    };
     double most = 0;
     std::size_t end = 0;
-    for (Eigen::Index c = 0; c < off.cols(); ++c)
+    for (Eigen::Index c = 0; c < off.cols(); ++c) {
+      const auto left = basis.residuals().col(c);
+      const double noise = left.norm() / std::sqrt(static_cast<double>(left.size()));
       for (Eigen::Index i = 0; i < off.rows(); ++i) {
-        most = std::max(most, off(i, c) / noise(c));
-        if (off(i, c) > more * noise(c)) end = std::max(end, static_cast<std::size_t>(i) + 1);
+        most = std::max(most, off(i, c) / noise);
+        if (off(i, c) > more * noise) end = std::max(end, static_cast<std::size_t>(i) + 1);
       }
+    }
     if (most < far_more) return released;
     released += end;
     if (4 * end < 3 * window) return released;
