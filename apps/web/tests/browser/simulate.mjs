@@ -372,6 +372,24 @@ const button = (page, name) => page.getByRole('button', { name })
     assert.deepEqual(other.faults, [])
     await other.context.close()
   })
+  await check('a link opened just before the page writes its address is not lost', async () => {
+    const watch = () => {
+      const later = window.setTimeout
+      window.setTimeout = (then, after, ...others) => later(after === 250 ? (window.due = then) : then, after, ...others)
+    }
+    const other = await open(browser, { watch })
+    await ready(other.page)
+    await other.page.evaluate(() => {
+      location.hash = '#simulate?until=3'
+      window.due() // before the page hears of the link
+    })
+    await rest(other.page)
+    assert.equal(Number(await field(other.page, 'until').inputValue()), 3)
+    await other.page.waitForTimeout(400)
+    assert.equal(await other.page.evaluate(() => location.hash), '#simulate?until=3')
+    assert.deepEqual(other.faults, [])
+    await other.context.close()
+  })
   await check('figures and data are saved', async () => {
     for (const [name, test] of [
       ['position.svg', /^<svg[\s\S]*RK4[\s\S]*<\/svg>\n$/], ['position.csv', /^time \(s\),exact: position \(m\),/], ['phase.svg', /velocity/],
