@@ -124,13 +124,18 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   for (const auto& option : syntax.options) {
     auto& entry = typed.emplace_back(Typed{&option, {}, false});
     const std::string names = (option.name == "output" ? "-o,--" : "--") + std::string(option.name);
-    if (option.is_flag())
+    if (option.is_flag()) {
       app.add_flag(names, entry.flag);
-    else
+      const std::string flag = fmt::format("--{}", option.name);
+      if (std::any_of(arguments.begin(), arguments.end(),
+                      [&](const std::string& each) { return each.rfind(flag + "=", 0) == 0; }))
+        return refuse(flag + " takes no value");
+    } else {
       app.add_option(names, entry.texts)
           ->expected(1)
           ->allow_extra_args(false)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
   }
   try {
     app.parse(Arguments(arguments.rbegin(), arguments.rend()));

@@ -41,6 +41,7 @@ const BadOption bad_options[] = {
     {"unknown_option", {"simulate", "--mas", "1"}, {"--mas", "did you mean --mass?"}},
     {"unknown_option_with_value", {"simulate", "--stifness=9"}, {"did you mean --stiffness?"}},
     {"no_value", {"simulate", "--mass"}, {"--mass needs a value"}},
+    {"value_of_a_flag", {"methods", "--json=3"}, {"--json takes no value"}},
     {"twice", {"simulate", "--mass", "1", "--mass", "2"}, {"--mass is given 2 times"}},
     {"stray_file", {"simulate", "lab.csv"}, {"takes no file", "lab.csv"}},
     {"no_file", {"fit"}, {"needs a file"}},

@@ -97,7 +97,7 @@ TEST(TomlReader, TheFirstErrorHasItsPlaceAndWhatIsSoundIsTaken) {
   for (const char* value : {"-1", "1001", "1.0"})
     EXPECT_EQ(why(std::string("a = [2, ") + value + ", 3]",
                   [](TomlReader& toml) { EXPECT_THAT(toml.wholes("a"), ElementsAre(2, 3)); }),
-              "lab.toml:1:9: \"a\" takes a list of whole numbers from 0")
+              "lab.toml:1:9: \"a\" takes a list of whole numbers from 0 to 1000")
         << value;
   EXPECT_EQ(why("a = 1", [](TomlReader& toml) { EXPECT_THAT(toml.wholes("a"), IsEmpty()); }),
             "lab.toml:1:5: \"a\" takes a list of whole numbers");

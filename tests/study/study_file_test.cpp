@@ -280,7 +280,7 @@ TEST(StudyFile, says_what_each_key_takes) {
   EXPECT_EQ(in_table("text_columns = 0"), "lab.toml:3:16: \"text_columns\" takes a list of whole numbers");
   for (const char* bad : {"-1", "1001", "0.5"})
     EXPECT_EQ(in_table(std::string("text_columns = [") + bad + "]"),
-              "lab.toml:3:17: \"text_columns\" takes a list of whole numbers from 0");
+              "lab.toml:3:17: \"text_columns\" takes a list of whole numbers from 0 to 1000");
   EXPECT_EQ(in_table("zzzzzzzz = 0"), "lab.toml:3:12: \"zzzzzzzz\" is not known here");
 }
 

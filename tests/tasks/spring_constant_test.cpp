@@ -155,7 +155,7 @@ TEST(Holds, AreTheMeansOfTheirRuns) {
 TEST(Holds, ThatAreNoneAreRefusedWordForWord) {
   const Quantity kilogram{1, 0};
   EXPECT_EQ(refusal({hold(1, 4), hold(1, 4)}, {kilogram}),
-            "f.csv: 1 masses are given for 2 runs; --masses needs one for each");
+            "f.csv: 1 mass is given for 2 runs; --masses needs one for each");
   Series angle = hold(1, 4), unknown = hold(1, 4), empty = hold(1, 0, 3);
   angle.quantity = "angle";
   unknown.quantity = "";
@@ -267,7 +267,7 @@ TEST(StaticFit, TakesTheRunsOfAllFilesInTheirOrder) {
   EXPECT_EQ(refused(both, {.masses = {{1, 0}, {2, 0}}}),
             "--masses: 2 masses are given, and there are more holds: two.csv has 1 run");
   EXPECT_EQ(refused(both, {.masses = {{1, 0}}}),
-            "--masses: 1 masses are given, and there are more holds: one.csv has 2 runs");
+            "--masses: 1 mass is given, and there are more holds: one.csv has 2 runs");
   EXPECT_EQ(refused(both, {.masses = {{1, 0}, {2, 0}, {3, 0}, {4, 0}}}),
             "--masses: 4 masses are given for 3 holds");
 }
@@ -355,7 +355,7 @@ TEST(MassLine, LeavesOutWhatFailedAndRefusesTheRest) {
   ASSERT_TRUE(line.ok());
   EXPECT_EQ(line->points.size(), 2u);
   EXPECT_THAT(in_words(line->notices).front(), HasSubstr("left out of the line: too noisy"));
-  EXPECT_THAT(in_words(mass_line(fits, {{0.1, 0}}).error()), HasSubstr("1 masses are given for 3"));
+  EXPECT_THAT(in_words(mass_line(fits, {{0.1, 0}}).error()), HasSubstr("1 mass is given for 3"));
   EXPECT_THAT(in_words(mass_line(fits, {{0.2, 0}, {0.15, 0}, {0.1, 0}}).error()), HasSubstr("in the order"));
 }
 

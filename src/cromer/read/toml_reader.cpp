@@ -110,14 +110,15 @@ std::vector<std::string> TomlReader::values(std::string_view key) {
 }
 
 std::vector<int> TomlReader::wholes(std::string_view key) {
+  constexpr int most = 1000;
   std::vector<int> numbers;
   const toml::node* node = find(key);
   if (!node) return numbers;
   if (const auto* array = node->as_array()) {
     for (const toml::node& element : *array) {
       const auto value = element.value_exact<std::int64_t>();
-      if (!value || *value < 0 || *value > 1000)
-        fail(element, Notice{"key_takes_counts", {{"key", key}}});
+      if (!value || *value < 0 || *value > most)
+        fail(element, Notice{"key_takes_counts", {{"key", key}, {"most", most}}});
       else
         numbers.push_back(static_cast<int>(*value));
     }

@@ -437,7 +437,7 @@ constexpr Entry entries[] = {
 
     // Masses of runs
     {"masses_unlike_runs", error,
-     "{file}: {masses} masses are given for {runs:run|runs}; {option:option} needs one for each",
+     "{file}: {masses:mass is|masses are} given for {runs:run|runs}; {option:option} needs one for each",
      "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {option:option} braucht eine für jeden"},
     {"one_mass_for_unlike_runs", worth_knowing,
      "the runs' frequencies differ by {percent:.2g} %, and one mass is used for all; if the masses differ, "

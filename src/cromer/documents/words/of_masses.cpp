@@ -8,7 +8,7 @@ using enum Use;
 constexpr Entry entries[] = {
     // A mass for each file
     {"masses_unlike_files", error,
-     "{--mass}: {masses} masses are given for {files} files; give one for all, or one for each",
+     "{--mass}: {masses:mass is|masses are} given for {files} files; give one for all, or one for each",
      "{--mass}: {masses} Massen für {files} Dateien; bitte eine für alle oder jeder ihre eigene"},
     {"one_mass_for_unlike_files", worth_knowing,
      "the frequency is {percent:.2g} % above that of {low}, and one mass is used for all; if the masses "
@@ -18,7 +18,8 @@ constexpr Entry entries[] = {
 
     // Lines through several masses
     {"masses_unlike_recordings", error,
-     "{--masses}: {masses} masses are given for {recordings:recording|recordings}; each recording, and each "
+     "{--masses}: {masses:mass is|masses are} given for {recordings:recording|recordings}; each recording, "
+     "and each "
      "run in one, needs its own",
      "{--masses}: {masses:Masse|Massen} für {recordings:Aufnahme|Aufnahmen}; jede Aufnahme und jeder Lauf "
      "darin braucht eine eigene"},
@@ -50,7 +51,8 @@ constexpr Entry entries[] = {
      "{file}: {--static} braucht Orte, und die Spalte „{column}“ enthält {kind}"},
     {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
     {"plateaus_unlike_masses", error,
-     "{file}: {masses} masses are given, and {found:plateau is|plateaus are} found{where}; choose the part "
+     "{file}: {masses:mass is|masses are} given, and {found:plateau is|plateaus are} found{where}; choose "
+     "the part "
      "with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
      "{file}: {masses} Massen sind angegeben und {found:Ruhelage|Ruhelagen} gefunden{where}; bitte mit "
      "{|{--from} und {--to}|den Griffen} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene "
@@ -58,9 +60,9 @@ constexpr Entry entries[] = {
     {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
     {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
     {"more_holds_than_masses", error,
-     "{--masses}: {masses} masses are given, and there are more holds: {file} has {runs:run|runs}",
+     "{--masses}: {masses:mass is|masses are} given, and there are more holds: {file} has {runs:run|runs}",
      "{--masses}: {masses:Masse|Massen}, und es gibt mehr Ruhelagen: {file} hat {runs:Lauf|Läufe}"},
-    {"more_masses_than_holds", error, "{--masses}: {masses} masses are given for {holds:hold|holds}",
+    {"more_masses_than_holds", error, "{--masses}: {masses:mass is|masses are} given for {holds:hold|holds}",
      "{--masses}: {masses:Masse|Massen} für {holds:Ruhelage|Ruhelagen}"},
     {"too_few_holds", error,
      "{--masses}: a line needs at least two holds of different masses, and three where their errors are not "
