@@ -388,29 +388,42 @@ double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
   return widest;
 }
 
-/// The values that the normal equations do not tell by themselves: without one of them the others are told.
-std::vector<std::size_t> undetermined_of(const NormalEquations& equations, std::size_t sought) {
-  if (ScaledCholesky(equations.matrix, equations.size, 0, all_free).ok()) return {};
-  std::vector<std::size_t> some, all;
+/// What the normal equations do not tell: with the values that are `held` the others are told, and those that
+/// are `open` might each be held in the place of one of them.
+struct Untold {
+  std::vector<std::size_t> open;
+  std::array<bool, max_parameters> told = all_free;  ///< all but those that are held
+};
+
+Untold untold_of(const NormalEquations& equations, std::size_t sought) {
+  Untold untold;
+  auto& told = untold.told;
+  const auto are_told = [&] { return ScaledCholesky(equations.matrix, equations.size, 0, told).ok(); };
+  if (are_told()) return untold;
+  std::fill_n(told.begin(), sought, false);
+  for (std::size_t j = 0; j < sought; ++j) told[j] = true, told[j] = are_told();
   for (std::size_t j = 0; j < sought; ++j) {
-    all.push_back(j);
-    auto free = all_free;
-    free[j] = false;
-    if (ScaledCholesky(equations.matrix, equations.size, 0, free).ok()) some.push_back(j);
+    bool is_open = !told[j];
+    for (std::size_t held = 0; held < sought && !is_open; ++held) {
+      if (told[held]) continue;
+      std::swap(told[j], told[held]);
+      is_open = are_told();
+      std::swap(told[j], told[held]);
+    }
+    if (is_open) untold.open.push_back(j);
   }
-  return some.empty() ? all : some;
+  return untold;
 }
 
 void put_estimates(NetworkFit& fit, const std::vector<SoughtValue>& sought, const NetworkMotions& motions,
                    const NormalEquations& equations, const Parameters& p, const NetworkRecord& record,
                    std::size_t samples) {
+  const auto [open, told] = untold_of(equations, sought.size());
+  fit.undetermined = open;
   fit.independent_samples = static_cast<double>(samples) / widening_of(fit, record);
   const double degrees = std::max(1.0, fit.independent_samples - equations.size);
   const double variance = equations.sum_of_squares / degrees, t = student_95(degrees);
-  // With one of those held that are told in combination only, the others are told as well as they are.
-  auto free = all_free;
-  if (!fit.undetermined.empty()) free[fit.undetermined.front()] = false;
-  const ScaledCholesky factor(equations.matrix, equations.size, 0, free);
+  const ScaledCholesky factor(equations.matrix, equations.size, 0, told);
   const auto estimate_of = [&](std::size_t j) {
     const bool known = factor.ok() && std::find(fit.undetermined.begin(), fit.undetermined.end(), j) ==
                                           fit.undetermined.end();
@@ -513,7 +526,6 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   put_residuals(fit, motions, found.parameters, record, spreads);
   if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
 
-  fit.undetermined = undetermined_of(found.equations, sought.size());
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
   const bool explained = std::all_of(fit.columns.begin(), fit.columns.end(), [](const FittedColumn& column) {
     constexpr double beside_noise = 0.5, beside_motion = 0.9;
