@@ -287,6 +287,61 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
 }
 
+TEST(LabReport, SaysOfHowManySamplesAPartIs) {
+  const Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {{"from", "10 s"}});
+  EXPECT_THAT(lab.text(), HasSubstr("lab.csv: 1000 of 1500 samples in 19.98"));
+  EXPECT_THAT(lab.text(), HasSubstr("The recording, 1000 of 1500 samples, and the rest position"));
+}
+
+TEST(LabReport, WhereNoMotionIsFoundNothingLiesFarFromIt) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::string bytes = "Time (s),Position (m)\n";
+  for (int i = 0; i < 300; ++i)
+    bytes += shortest(0.02 * i) + ',' + shortest(noise(random) + (i == 150)) + '\n';
+  const Made lab = report({{"lab.csv", bytes}});
+  ASSERT_FALSE(lab.recordings.front().fitted.succeeded());
+  ASSERT_FALSE(lab.recordings.front().fitted.series.outliers.empty());
+  EXPECT_THAT(lab.text(), Not(HasSubstr("far from the motion")));
+}
+
+/// A mass of 2 kg under a force of two tones, with what else acts on it, recorded at 50 Hz.
+std::string pushed(const std::function<double(double v, double x, double& z, double dt)>& resistance) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 1e-4);
+  std::string bytes = "Time (s),Position (m),Force (N)\n";
+  constexpr double dt = 5e-4;
+  double x = 0, v = 0, z = 0;
+  for (int i = 0; i < 40 * 600; ++i) {
+    const double t = dt * i, force = 4 * std::sin(1.9 * t) + 3 * std::sin(5.3 * t);
+    if (i % 40 == 0)
+      bytes += shortest(0.02 * (i / 40)) + ',' + shortest(x + noise(random)) + ',' + shortest(force) + '\n';
+    v += dt / 2 * (force - resistance(v, x, z, dt));
+    x += dt * v;
+  }
+  return bytes;
+}
+
+TEST(LabReport, OfAMotionWithoutASpringNamesNoRestPosition) {
+  const auto damper = [](double v, double, double&, double) { return 3 * v; };
+  const Made lab = report({{"lab.csv", pushed(damper)}}, {{"force-column", "Force"}, {"no-spring", "true"}});
+  ASSERT_TRUE(lab.recordings.front().fitted.succeeded());
+  EXPECT_THAT(lab.page.summary, HasSubstr("lab.csv: a driven motion."));
+  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"record", "swings", "residuals"}));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("rest position")));
+}
+
+TEST(LabReport, OfHysteresisNamesNoFrequencyOfItsOwn) {
+  const auto link = [](double v, double x, double& z, double dt) {
+    z += dt * (20 * v - 400 * std::abs(v) * z - 200 * v * std::abs(z));
+    return 2 * v + 20 * x + z;
+  };
+  const Made lab =
+      report({{"lab.csv", pushed(link)}}, {{"force-column", "Force"}, {"law", "viscous+hysteresis"}});
+  ASSERT_TRUE(lab.recordings.front().fitted.succeeded());
+  EXPECT_THAT(lab.page.summary, HasSubstr("lab.csv: a driven motion."));
+}
+
 TEST(LabReport, OfAFailedFitSaysWhyAndDrawsTheRecording) {
   const Made lab = report({{"lab.csv", recorded([](double t) { return 0.01 * t; }, 10)}});
   EXPECT_THAT(lab.figures(), testing::ElementsAre("record"));

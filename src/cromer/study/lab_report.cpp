@@ -40,7 +40,7 @@ class Part : public LabTold {
     if (fitted_.succeeded() && simulates()) simulation();
     heading("report_measured");
     paragraph(words("report_samples", {{"file", verbatim(title())},
-                                       {"used", in_braces("used, bare")},
+                                       {"used", used()},
                                        {"duration", in_braces("duration, 4")},
                                        {"rate", rate()},
                                        {"aside", set_aside()}}));
@@ -67,11 +67,11 @@ class Part : public LabTold {
     const bool depends = !fitted_.driven && at;
     const std::string unit = at ? readable_unit(at->unit, of_position() ? spread_ : at->estimate.value) : "";
     const bool harmonic = fitted_.find("drive_frequency") != nullptr;
-    add(harmonic                 ? "report_driven_by"
-        : fitted_.driven         ? "report_driven_at"
-        : !is_known("frequency") ? "report_free_motion"
-        : depends                ? "report_swings_at_amplitude"
-                                 : "report_swings_at",
+    add(!is_known("frequency") ? fitted_.driven ? "report_driven_motion" : "report_free_motion"
+        : harmonic             ? "report_driven_by"
+        : fitted_.driven       ? "report_driven_at"
+        : depends              ? "report_swings_at_amplitude"
+                               : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
@@ -173,15 +173,15 @@ class Part : public LabTold {
 
   void record_figure() {
     const std::string id = figure_id("record");
-    const bool known = fitted_.succeeded();
+    const bool known = fitted_.succeeded(), has_level = known && (is_zero() || is_known("equilibrium"));
     const auto [low, high] = extent_of(fitted_.series.y);
     const std::string unit = known ? shown() : readable_unit(unit_of(fitted_.series), (high - low) / 2);
     FigureLines figure{.id = id,
                        .title = words("report_record_title", {{"file", verbatim(title())}}),
-                       .caption = words(!known      ? "report_record"
+                       .caption = words(!has_level  ? "report_record"
                                         : is_zero() ? "report_record_with_zero"
                                                     : "report_record_with_level",
-                                        {{"used", in_braces("used, bare")}, {"level", level(unit)}}),
+                                        {{"used", used()}, {"level", level(unit)}}),
                        .size = "wide",
                        .x = "t",
                        .y = "measured",
@@ -190,7 +190,7 @@ class Part : public LabTold {
                        .y_unit = unit};
     figure.curves.push_back(
         {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
-    if (known)
+    if (has_level)
       figure.curves.push_back({.of = id_,
                                .role = "fitted",
                                .name = words(is_zero() ? "report_zero" : "report_level"),

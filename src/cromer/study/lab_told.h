@@ -215,10 +215,18 @@ class LabTold {
     return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
   }
 
+  /// The samples that the fit used, and of how many where a part was left out.
+  std::string used() const {
+    const std::string count = in_braces("used, bare");
+    return fitted_.series.t.size() == fitted_.samples
+               ? count
+               : words("report_used_of", {{"used", count}, {"samples", in_braces("samples, bare")}});
+  }
+
   std::string set_aside() const {
     std::string text;
     if (!fitted_.series.gaps.empty()) text += words("report_gaps", {{"gaps", fitted_.series.gaps.size()}});
-    if (!fitted_.series.outliers.empty())
+    if (!fitted_.series.outliers.empty() && fitted_.succeeded())
       text += words("report_outliers", {{"outliers", fitted_.series.outliers.size()}});
     return text;
   }
