@@ -112,7 +112,7 @@ def _swings(law: "LawFit") -> float:
 
 def _law(law: "LawFit") -> "Tuple[Numbers, Numbers]":
     """The law as it is drawn: at the samples, and where these are few in a period, between them as well."""
-    observed = law.recording.get("observed", "position").replace(" ", "_")
+    observed = (law.recording.get("observed") or "position").replace(" ", "_")
     states = {"position": "x", "angle": "x", "velocity": "v", "angular_velocity": "v"}
     points = int(SMOOTH * _swings(law))
     if not law.residuals.size or law.t.size > points or observed not in states or law.simulate is None:
@@ -123,7 +123,7 @@ def _law(law: "LawFit") -> "Tuple[Numbers, Numbers]":
 
 
 def fit(law: "LawFit", ax: Any = None) -> Any:
-    quantity = law.recording.get("observed", "position").replace("_", " ")
+    quantity = (law.recording.get("observed") or law.recording.get("column") or "position").replace("_", " ")
     unit = f" ({law._unit.strip()})" if law._unit else ""
     swings = _swings(law)
     end = law.t[0] + FEW_SWINGS * np.ptp(law.t) / swings if swings > MANY_SWINGS else None
@@ -251,7 +251,8 @@ def spectrum(found: "Spectrum", of: Optional[str], ax: Any = None) -> Any:
     return ax
 
 
-def sweep(found: "Sweep", of: str, ax: Any = None) -> Any:
+def sweep(found: "Sweep", of: Optional[str], ax: Any = None) -> Any:
+    of = of or next(name for name in found.columns if name not in found.swept)
     grids = [name for name in found.swept if name != "direction" and np.unique(found[name]).size > 1] or found.swept
     across = grids[-1]
     others = [name for name in found.swept if name != across]

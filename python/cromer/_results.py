@@ -870,8 +870,9 @@ class Sweep(Result):
         """A row for each point: what was swept, and what was found."""
         return _frame(self.columns)
 
-    def plot(self, of: str = "amplitude", ax: Any = None) -> Any:
-        """`of` against the last swept option, with a line for each value of the others. Returns the axes."""
+    def plot(self, of: Optional[str] = None, ax: Any = None) -> Any:
+        """`of` (the first of what was found, if not given) against the last swept option, with a line for each value of
+        the others. Returns the axes."""
         from . import _plot
         return _plot.sweep(self, of, ax)
 

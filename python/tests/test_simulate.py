@@ -413,12 +413,15 @@ def test_a_law_is_drawn_between_samples_too(observed, each):
     plt.close("all")
 
 
-def test_pictures():
+def test_pictures(tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     t, x = swing()
     cromer.fit(t, x).plot()
+    unknown = tmp_path / "unknown.csv"
+    unknown.write_text("Time (s),Tension\n" + "".join(f"{a},{b}\n" for a, b in zip(t, x)))
+    assert cromer.fit(unknown, column="Tension").plot()[0].get_ylabel() == "Tension"
     runs = cromer.simulate(stiffness=9, method=["euler-cromer", "exact"], step=0.05, until=5)
     for of in ("position", "velocity", "energy", "phase"):
         axes = runs.plot(of)
@@ -443,6 +446,9 @@ def test_pictures():
         compared.plot("energy")
     swept = cromer.sweep(stiffness=9, damping=1, drive_amplitude=1, method="exact", drive_frequency=np.linspace(1, 5))
     swept.plot()
+    moved = cromer.sweep(stiffness=9, damping=1, drive="base", base_displacement=1, method="exact", drive_frequency=[2, 4],
+                         measure="transmissibility")
+    assert list(moved.plot().lines[0].get_ydata()) == list(moved.transmissibility)
     lines = cromer.sweep(stiffness=[9, 10], damping=[0.1, 0.2, 0.3], drive_amplitude=1, method="exact",
                          drive_frequency=2).plot().lines
     assert [list(line.get_xdata()) for line in lines] == [[0.1, 0.2, 0.3]] * 2
