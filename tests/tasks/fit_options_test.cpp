@@ -232,6 +232,8 @@ TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
 
 TEST(Masses, ADecimalCommaMakesNoTwoOfThem) {
   EXPECT_THAT(masses("217,6 g"), testing::HasSubstr("decimal comma: write 217.6"));
+  EXPECT_THAT(masses("217,6 ± 0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
+  EXPECT_THAT(masses("217,6+/-0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
   EXPECT_EQ(masses("217, 6 g"), "0.217;0.006;");
 }
 

@@ -65,12 +65,15 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
   return quantity;
 }
 
-/// Whether the only comma of a text is a decimal one: "217,6 g".
+/// Whether the commas of a text are those of one number and its uncertainty: "217,6 g", "217,6 ± 0,3 g".
 bool has_decimal_comma(std::string_view text) {
-  const std::size_t comma = text.find(',');
   const auto digit = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
-  return comma != text.npos && text.find(',', comma + 1) == text.npos && text.find('.') == text.npos &&
-         digit(comma - 1) && digit(comma + 1);
+  const auto decimal = [&](std::size_t comma) { return digit(comma - 1) && digit(comma + 1); };
+  const std::size_t first = text.find(','), last = text.rfind(',');
+  if (first == text.npos || text.find('.') != text.npos || !decimal(first) || !decimal(last)) return false;
+  const std::string_view between = text.substr(first + 1, last - first);
+  return first == last || (between.find(',') == between.size() - 1 &&
+                           (between.find("±") != between.npos || between.find("+") != between.npos));
 }
 
 /// What follows the last digit or bracket: "g" of "48.4(2) g".
