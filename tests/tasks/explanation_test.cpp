@@ -59,16 +59,32 @@ TEST(Explanation, NeedsTheLawBesideTheOneRate) {
 TEST(Explanation, SaysWhereOneRateIsEnough) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
+  both.curves[0].amplitude_ratio_end = 0.97;
   EXPECT_EQ(
       in_words(explanation(both)),
       "One decay rate is enough: with one rate 2.00\u00a0cm (rms) are left, and the amplitude at the end is "
-      "10\u00a0% too small.");
-  both.curves[0].measured_at_rest = true;
-  EXPECT_THAT(in_words(explanation(both)),
-              testing::EndsWith(", and it still swings where the measured motion has died down."));
-  both.curves[0].at_rest = true;
+      "3.0\u00a0% too small.");
+  both.curves[0].measured_at_rest = both.curves[0].at_rest = true;
   EXPECT_THAT(in_words(explanation(both)),
               testing::EndsWith(", and the swing has died down where the measured one has."));
+}
+
+TEST(Explanation, OneRateIsNotEnoughWhereItsEndIsFarOff) {
+  CompareResult both = compared();
+  both.curves[1].law = law_of("viscous");
+  EXPECT_EQ(
+      in_words(explanation(both)),
+      "No law that was tried tells more than one decay rate: with one rate 2.00\u00a0cm (rms) are left, but "
+      "the amplitude at the end is 10\u00a0% too small.");
+  both.curves[1].law = both.curves[0].law = law_of("viscous+cubic");
+  EXPECT_EQ(
+      in_words(explanation(both)),
+      "No law that was tried tells more than viscous damping alone: with one rate 2.00\u00a0cm (rms) are "
+      "left, but the amplitude at the end is 10\u00a0% too small. The amplitude's own rate goes from 0.400 "
+      "to 0.200\u00a01/s, as the spring is bent.");
+  both.curves[0].measured_at_rest = true;
+  EXPECT_THAT(in_words(explanation(both)),
+              testing::HasSubstr(", but it still swings where the measured motion has died down."));
 }
 
 TEST(Explanation, AnAmplitudeWithinTheNoiseIsRight) {

@@ -509,6 +509,14 @@ constexpr Entry entries[] = {
      "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
      "{first:n} auf "
      "{last:n}\u00a01/s, da die Feder krumm ist.{method}"},
+    {"one_rate_is_best", clause,
+     "No law that was tried tells more than one decay rate: {one_rate}, but {end}.{method}",
+     "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}, aber {end}.{method}"},
+    {"viscous_is_best", clause,
+     "No law that was tried tells more than viscous damping alone: {one_rate}, but {end}. The amplitude's "
+     "own rate goes from {first:n} to {last:n}\u00a01/s, as the spring is bent.{method}",
+     "Kein versuchtes Gesetz sagt mehr als viskose Dämpfung allein: {one_rate}, aber {end}. Die Rate der "
+     "Amplitude selbst geht von {first:n} auf {last:n}\u00a01/s, da die Feder krumm ist.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",

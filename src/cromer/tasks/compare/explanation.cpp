@@ -32,6 +32,13 @@ Notice amplitude_at_the_end(const ComparedCurve& curve) {
                 {{"off", rounded(off, 2)}}};
 }
 
+/// Whether the amplitude at the end is off by more than one may call right, whatever the noise.
+bool is_far_off_at_the_end(const ComparedCurve& curve) {
+  if (curve.measured_at_rest) return !curve.at_rest;
+  constexpr double far = 0.05;
+  return std::abs(curve.amplitude_ratio_end - 1) > std::max(far, 2 * curve.amplitude_ratio_error);
+}
+
 /// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
   if (curve.diverged)
@@ -75,15 +82,18 @@ Notice explanation(const CompareResult& comparison) {
   for (std::size_t i = curves.size(); i-- > 2;)
     if (Notice adds = method_adds(curves[i], unit); !adds.empty())
       method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
+  const bool only_best = is_far_off_at_the_end(one);
   if (viscous && !is_linear(law.law) && !rates.empty() && !constant && comparison.others_tried)
-    return Notice{"viscous_is_enough",
+    return Notice{only_best ? "viscous_is_best" : "viscous_is_enough",
                   {{"first", rounded(first, 3)},
                    {"last", rounded(last, 3)},
                    {"one_rate", left},
                    {"end", end},
                    {"method", method}}};
   if (viscous)
-    return Notice{comparison.others_tried ? "one_rate_is_enough" : "no_other_law_tried",
+    return Notice{!comparison.others_tried ? "no_other_law_tried"
+                  : only_best              ? "one_rate_is_best"
+                                           : "one_rate_is_enough",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};
   if (rates.empty() || constant)
     return Notice{rates.empty() ? "one_rate_is_not_enough" : "one_rate_but_not_the_motion",
