@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
@@ -78,6 +79,30 @@ TEST(SecondMode, HarmonicsAreCalledThat) {
     EXPECT_EQ(lines[0].harmonic, multiple);
     EXPECT_THAT(sentences[0], HasSubstr("harmonic"));
   }
+}
+
+TEST(SecondMode, TheSwingOfAHarmonicHasItsFrequencyAtThatAmplitude) {
+  // A hardening spring, half as fast again where it swings widely, and five times that.
+  const FreeSwing motion{.angular_frequency = 6, .decay_rate = 0.02, .cubic = 60, .position = 0.9};
+  SyntheticRecord record{even_times(4000, 0.01), {}, 0};
+  record.y = free_motion(motion, record.t, 1e-3).x;
+  const double wide = std::sqrt(36 + 0.75 * 60 * 0.9 * 0.9), line = 5 * 0.98 * wide;
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    record.y[i] += 0.01 * std::exp(-0.05 * record.t[i]) * std::cos(line * record.t[i]);
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+cubic")});
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  bool found = false;
+  for (const Notice& notice : second_modes(record.record(), fit, "m")) {
+    const auto value = [&](std::string_view name) {
+      for (const NoticeValue& each : notice.values)
+        if (each.name == name) return std::get<double>(each.value);
+      return 0.0;
+    };
+    if (std::abs(value("frequency") - line / two_pi) > 0.01) continue;
+    EXPECT_NEAR(5 * value("swing"), value("frequency"), 1e-9);
+    found = true;
+  }
+  EXPECT_TRUE(found);
 }
 
 TEST(SecondMode, IsLookedForInSixtyFourSamplesOrMore) {

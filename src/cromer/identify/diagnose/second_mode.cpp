@@ -208,14 +208,19 @@ std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::s
   const Motion& p = fit.motion;
   const double w0 = p.angular_frequency();
   const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, record.derivative);
-  for (const ResidualLine& line : residual_lines(record, fit))
+  const FrequencyBand own = own_band(fit);
+  for (const ResidualLine& line : residual_lines(record, fit)) {
+    // A harmonic is one of the swing at the amplitude that it had then.
+    const double w =
+        line.harmonic > 0 ? std::clamp(line.angular_frequency / line.harmonic, own.low, own.high) : w0;
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"percent", 100 * line.amplitude / swing},
-                            {"swing", w0 / two_pi},
+                            {"swing", w / two_pi},
                             {"what", name_of(line)}}});
+  }
   return found;
 }
 
