@@ -514,6 +514,18 @@ TEST(FitDriven, TwoSwingsAreNoDriveThatIsAskedFor) {
   }
 }
 
+TEST(FitForced, AForceIsPointedAtWhereTheFreeLawDoesNotDescribeTheMotion) {
+  const std::string path = data("emps/first_part.csv");
+  SKIP_WITHOUT(path);
+  const auto result = fit(bytes_of(path), path, {});
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  ASSERT_TRUE(result->front().succeeded());
+  ASSERT_GT(result->front().fit.explained, 0.95);
+  EXPECT_THAT(in_words(result->front().notices),
+              testing::Contains(
+                  "if column \"Force\" holds what drives the motion, give fit --force-column \"Force\""));
+}
+
 TEST(FitForced, ForetellsTheSilverbox) {
   const std::string path = data("silverbox/silverbox_train.csv");
   SKIP_WITHOUT(path);

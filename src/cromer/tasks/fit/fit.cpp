@@ -289,7 +289,11 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
   constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
-  if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
+  const auto doubted = [](const FittedRecording& each) {
+    return std::any_of(each.notices.begin(), each.notices.end(),
+                       [](const Notice& notice) { return notice.code == "no_law_describes"; });
+  };
+  if (fitted && !(fitted->succeeded() && fitted->fit.explained > well && !doubted(*fitted)))
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
       fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});
