@@ -125,6 +125,15 @@ Result<std::string> write_study(const std::vector<ReportedRecording>& recordings
   return path;
 }
 
+/// The name without its ending where it is that of a kind of file that no report is; else "".
+std::string without_ending(const std::string& name) {
+  for (const std::string_view ending : {".html", ".htm", ".docx", ".doc", ".odt", ".rtf", ".tex", ".md",
+                                        ".txt", ".svg", ".png", ".csv", ".json", ".xlsx"})
+    if (name.size() > ending.size() && name.ends_with(ending))
+      return name.substr(0, name.size() - ending.size());
+  return "";
+}
+
 /// `notices`: in place of the study's own.
 int finish(Result<WrittenReport> report, const OutputOptions& output,
            const std::vector<std::string>& failures, std::optional<std::vector<Notice>> notices) {
@@ -187,6 +196,9 @@ int run_report(const Arguments& arguments) {
     return refuse(fmt::format("--language {}: it must be en or de", options.language));
   if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
   std::string pdf;
+  if (const std::string name = without_ending(options.folder); !name.empty())
+    return refuse(fmt::format("-o {0}: a report is a folder or a PDF; write -o {1} or -o {1}.pdf",
+                              options.folder, name));
   if (options.folder.ends_with(".pdf")) {
     pdf = options.folder;
     options.folder.erase(pdf.size() - 4);

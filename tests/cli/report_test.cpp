@@ -347,6 +347,19 @@ until = "1 s"
   EXPECT_EQ(quiet.err, "");
 }
 
+TEST(Report, IsAFolderOrAPdf) {
+  Folder folder;
+  folder.write("lab.toml", "title = \"Falls\"\n[[task]]\nsimulate = \"a\"\nuntil = 1\nmethod = \"exact\"\n");
+  for (const std::string ending : {"docx", "html", "svg"}) {
+    const Finished end = folder.run({"report", "lab.toml", "-o", "lab." + ending});
+    EXPECT_EQ(end.status, 2);
+    EXPECT_EQ(end.err,
+              "cromer: -o lab." + ending + ": a report is a folder or a PDF; write -o lab or -o lab.pdf\n");
+    EXPECT_FALSE(folder.has("lab." + ending));
+  }
+  EXPECT_EQ(folder.run({"report", "lab.toml", "-o", "lab.v2"}).status, 0);
+}
+
 TEST(Report, NeedsAStudyAndAFolder) {
   Folder folder;
   EXPECT_THAT(folder.run({"report", "absent.toml", "-o", "out"}).err, HasSubstr("absent.toml"));

@@ -83,6 +83,7 @@ TEST(Page, IsOneDocumentThatOpensOffline) {
   const std::string html = to_html(example());
   EXPECT_EQ(html.rfind("<!DOCTYPE html>\n<html lang=\"en\">", 0), 0u);
   EXPECT_THAT(html, HasSubstr("<meta charset=\"utf-8\">"));
+  EXPECT_THAT(html, HasSubstr("<meta name=\"generator\" content=\"Cromer\">"));
   EXPECT_THAT(html, HasSubstr("<link rel=\"icon\" href=\"data:,\">"));
   EXPECT_THAT(html, HasSubstr("prefers-color-scheme:dark"));
   EXPECT_THAT(html, HasSubstr("@media print"));

@@ -359,6 +359,25 @@ TEST_F(WriteReport, SaysWhatCannotBeWritten) {
   }
 }
 
+TEST_F(WriteReport, KeepsAPageThatIsNotItsOwn) {
+  ASSERT_TRUE(written());
+  ASSERT_TRUE(written());
+  std::ofstream(folder_ + "/index.html") << "<h1>My page</h1>\n";
+  const auto made = written();
+  ASSERT_FALSE(made);
+  EXPECT_EQ(in_words(made.error()),
+            folder_ + "/index.html is a page that Cromer did not write, and is kept: name another folder");
+  EXPECT_EQ(bytes_of(folder_ + "/index.html"), "<h1>My page</h1>\n");
+}
+
+TEST_F(WriteReport, TakesNoFileForAFolder) {
+  for (const std::string inside : {"", "/in/it"}) {
+    const auto made = make_folder(study_ + inside);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(in_words(made.error()), study_ + " is a file: name a folder");
+  }
+}
+
 TEST_F(WriteReport, SaysBeforeWhichFigureItIsInterrupted) {
   stops_ = true;
   const auto made = written("", {&stop_, {}});

@@ -63,6 +63,9 @@ struct Page {
   std::string skip = "Skip to the content";
 };
 
+/// In the head of every page, by which it is known again.
+constexpr const char* mark_of_pages = "<meta name=\"generator\" content=\"Cromer\">\n";
+
 /// One HTML document, everything inside it, light and dark, printable.
 std::string to_html(const Page& page);
 

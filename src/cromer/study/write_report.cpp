@@ -286,8 +286,14 @@ class FolderInWaiting {
 Result<void> make_folder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
+  for (std::filesystem::path part = folder; failed && !part.empty(); part = part.parent_path())
+    if (std::error_code none; std::filesystem::is_regular_file(part, none))
+      return Error{"file_is_no_folder", {{"file", part.string()}}};
   if (failed) return Error{"folder_not_made", {{"folder", folder}, {"why", failed.message()}}};
-  return check_writable(folder + "/index.html");
+  const std::string index = folder + "/index.html";
+  if (const auto there = read_file(index); there && there->find(mark_of_pages) == there->npos)
+    return Error{"page_of_others", {{"file", index}}};
+  return check_writable(index);
 }
 
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,

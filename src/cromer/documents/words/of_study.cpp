@@ -91,6 +91,10 @@ constexpr Entry entries[] = {
     {"no_runs_to_list", error, "\"{task}\" has no runs to list",
      "„{task}“ hat keine Läufe, die aufzuzählen wären"},
     {"interrupted_before", error, "interrupted before {figure}", "abgebrochen vor {figure}"},
+    {"page_of_others", error, "{file} is a page that Cromer did not write, and is kept: name another folder",
+     "{file} ist nicht von Cromer geschrieben und bleibt: bitte einen anderen Ordner nennen"},
+    {"file_is_no_folder", error, "{file} is a file: name a folder",
+     "{file} ist eine Datei: bitte einen Ordner nennen"},
     {"folder_not_made", error, "{folder}: cannot be made: {why}", "{folder} lässt sich nicht anlegen: {why}"},
 };
 
