@@ -46,7 +46,7 @@ class Session {
   fit: Fit | null = $state.raw(null)
   constant: Fit | null = $state.raw(null)
   simulated: Simulated[] = $state.raw([])
-  /// What several columns do together; of one column, and until they are found, null.
+  /// The modes of several columns; null of one column, and until they are found.
   modes: Modes | null = $state.raw(null)
   /// What a constant rate makes of the last swing, as a part of it.
   constantAtEnd: number | null = $state(null)

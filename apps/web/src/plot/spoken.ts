@@ -1,5 +1,6 @@
 // A plot in words, from what is seen. `phase`: its curves may go back in x.
 import { significant, withUnit } from '../look/numbers'
+import { capital } from '../words/said'
 import type { Words } from '../words/words.svelte'
 import type { Axis, Curve, Limits } from './curve'
 import { valueAtX } from './decimate'
@@ -12,6 +13,5 @@ export function spokenPlot(w: Words['shell']['plot'], x: Axis, y: Axis, limits: 
     const last = phase ? (curve.y.at(-1) ?? NaN) : valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0), curve.smooth)
     return Number.isFinite(last) ? w.ends(curve.name, value(last, y)) : ''
   })
-  const capital = y.plain.charAt(0).toUpperCase() + y.plain.slice(1)
-  return [w.against(capital, x.plain, significant(limits[0], 2), value(limits[1], x)), ...said].filter(Boolean).join(' ')
+  return [w.against(capital(y.plain), x.plain, significant(limits[0], 2), value(limits[1], x)), ...said].filter(Boolean).join(' ')
 }

@@ -1,6 +1,7 @@
 // What the panel says of each method, from what the core found.
 import { percent, significant, withUnit } from '../look/numbers'
 import type { LinearPart, Motion } from '../core/types'
+import { capital } from '../words/said'
 import type { Words } from '../words/words.svelte'
 
 export interface Row {
@@ -32,7 +33,6 @@ export function rowsOf(runs: Motion[], linear: LinearPart | null): Row[] {
 /// What rounding leaves of a method that adds no damping.
 const nothing = (rate: number | null, frequency: number | null): boolean => rate !== null && frequency !== null && Math.abs(rate) < 1e-12 * frequency
 
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
 /** Of the amplitude in a cycle, as a part of one: grown above 0. */
 export const change = (energyFactor: number): number => Math.sqrt(energyFactor) - 1
 const asPercent = (part: number): string => percent(Math.abs(part), 2).replace('+', '')

@@ -1,12 +1,12 @@
-// The page's own address: what it wrote there last. Anything else there was opened by somebody and is still to be read.
+// The address that the page wrote last. Any other address is a link that somebody opened, and the page has still to read it.
 let written = location.hash
 
 export const isOpened = (): boolean => location.hash !== written
 
-/** The link that was opened, and that is known from here on. */
+/** The link that was opened. From here on it counts as read. */
 export const takeOpened = (): string => (written = location.hash)
 
-/** A link that was opened and is still to be read is left as it is. */
+/** Writes the address, unless a link was opened that the page has still to read. */
 export function write(address: string): void {
   if (isOpened()) return
   history.replaceState(null, '', address)

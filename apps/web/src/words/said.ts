@@ -39,5 +39,8 @@ export const ofFile = (name: string, said: Said): Said => {
   return typeof said === 'string' ? named(said) : { en: named(said.en), de: named(said.de) }
 }
 
+/// With a capital letter first.
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
+
 /// A sentence of the core's that stands by itself.
-export const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?:]$/.test(text) ? '' : '.'}`
+export const asSentence = (text: string): string => `${capital(text)}${/[.!?:]$/.test(text) ? '' : '.'}`

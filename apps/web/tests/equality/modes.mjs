@@ -1,4 +1,4 @@
-// The modes of a recording in both: each number is due to 1e-3 of its standard error, texts are the same.
+// The modes of a recording in both: each number agrees to 1e-3 of its standard error, and texts are the same.
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 

@@ -226,7 +226,7 @@ export const measure = {
     frequency: 'Frequency',
     damping: 'Damping ratio',
     shape: 'Shape',
-    bars: (columns: string) => `In a mode all swing at one frequency. Its shape says how far and which way: ${columns}.`
+    bars: (columns: string) => `In a mode everything swings at one frequency. Its shape says how far and which way: ${columns}.`
   },
   overlay: {
     title: 'The law, simulated',
