@@ -178,7 +178,7 @@ TEST(FoundModes, StillBeginnings) {
     const std::size_t first = found > 0 ? found : still;
     if (first + 10 > samples) continue;
     said << static_cast<int>(seed) << found << is_still_before(record, first, {mode})
-         << still_before_motion(record, first);
+         << still_before_motion(record, first, 0);
     said.end_line();
   }
   said.expect_as_before();

@@ -6,9 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <random>
 #include <string>
+#include <tuple>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/open_recording.h"
@@ -106,6 +109,31 @@ TEST(NetworkFit, ABeginningWithoutMotionIsLeftOut) {
   const auto chosen = fitted(late, file_of(pendulums()), {.from = 5});
   EXPECT_EQ(chosen->channels.t.front(), 5);
   EXPECT_THAT(in_words(chosen->notices), testing::Not(testing::Contains(HasSubstr("nothing moves"))));
+}
+
+TEST(NetworkFit, SaysOfASlowReleaseThatItIsHeldAndNotThatNothingMoves) {
+  std::string slow = "Time (s),Angle 1 (rad),Angle 2 (rad)\n";
+  State<double> sum{0.2, 0}, difference{0.1, 0};  // held there for 2 s, and let go within 0.5 s
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 3e-4);
+  for (int n = 0; n < 1500; ++n) {
+    slow += fmt::format("{},{},{}\n", 0.02 * n, (sum.x + difference.x) / 2 + noise(random),
+                        (sum.x - difference.x) / 2 + noise(random));
+    for (int part = 0; part < 100; ++part) {
+      constexpr double h = 0.0002;
+      const double held = std::clamp(1 - (0.02 * n + h * part - 2) / 0.5, 0.0, 1.0);
+      for (auto& [mode, w, place] : {std::tuple{&sum, 4.43, 0.2}, std::tuple{&difference, 4.6, 0.1}}) {
+        mode->v -= h * w * w * (mode->x - held * place);
+        mode->x += h * mode->v;
+      }
+    }
+  }
+  const auto result = fitted(slow, file_of(pendulums()));
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result->succeeded()) << in_words(result->message);
+  EXPECT_GE(result->channels.t.front(), 2.1);
+  EXPECT_THAT(in_words(result->notices), testing::Contains(HasSubstr("s it is held or still being let go")));
+  EXPECT_THAT(in_words(result->notices), testing::Not(testing::Contains(HasSubstr("nothing moves"))));
 }
 
 // Its beginning is quieter than what follows, as that of one at rest.

@@ -87,6 +87,16 @@ Result<void> crop(Channels& channels, const std::optional<double>& from, const s
   return {};
 }
 
+bool never_changes(const Channel& channel) {
+  std::optional<double> level;
+  for (const double y : channel.y) {
+    if (std::isnan(y)) continue;
+    if (level && y != *level) return false;
+    level = y;
+  }
+  return true;
+}
+
 std::size_t leave_out_incomplete(Channels& channels) {
   const std::size_t all = channels.t.size();
   std::size_t kept = 0;

@@ -37,6 +37,9 @@ Result<Channels> take_channels(const Recording& recording, int run, const ReadOp
 /// Keeps the times between these [s], as samples_between() has them.
 Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to);
 
+/// Whether all values of the channel are the same, missing ones apart.
+bool never_changes(const Channel& channel);
+
 /// Keeps the times at which all channels have values, and returns how many others there were.
 std::size_t leave_out_incomplete(Channels& channels);
 

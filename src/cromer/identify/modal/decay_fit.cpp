@@ -69,11 +69,13 @@ std::vector<std::vector<double>> without_oscillations(const ModalRecord& record,
 
 DecayBasis::DecayBasis(const ModalRecord& record, const Eigen::MatrixXd& values,
                        const Eigenvalues& eigenvalues)
-    : modes_(static_cast<Eigen::Index>(eigenvalues.size())), times_(values.rows()) {
+    : eigenvalues_(eigenvalues),
+      modes_(static_cast<Eigen::Index>(eigenvalues.size())),
+      times_(values.rows()) {
   const double start = record.time(0);
   for (Eigen::Index i = 0; i < times_.size(); ++i)
     times_(i) = record.time(static_cast<std::size_t>(i)) - start;
-  columns_ = columns_at(times_, eigenvalues);
+  columns_ = columns_at(times_);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns_);
   const Eigen::Index n = columns_.cols();
   orthogonal_ = qr.householderQ() * Eigen::MatrixXd::Identity(columns_.rows(), n);
@@ -83,12 +85,12 @@ DecayBasis::DecayBasis(const ModalRecord& record, const Eigen::MatrixXd& values,
   amplitudes_ = triangle_.triangularView<Eigen::Upper>().solve(projected);
 }
 
-Eigen::MatrixXd DecayBasis::columns_at(const Eigen::VectorXd& times, const Eigenvalues& eigenvalues) const {
+Eigen::MatrixXd DecayBasis::columns_at(const Eigen::VectorXd& times) const {
   Eigen::MatrixXd columns(times.size(), 2 * modes_ + 2);
   const double duration = times_(times_.size() - 1);
   for (Eigen::Index j = 0; j < modes_; ++j) {
-    const double w = eigenvalues[static_cast<std::size_t>(j)].imag(),
-                 rate = eigenvalues[static_cast<std::size_t>(j)].real();
+    const double w = eigenvalues_[static_cast<std::size_t>(j)].imag(),
+                 rate = eigenvalues_[static_cast<std::size_t>(j)].real();
     for (Eigen::Index i = 0; i < times.size(); ++i) {
       const double size = std::exp(rate * times(i)), angle = w * times(i);
       columns(i, 2 * j) = size * std::cos(angle);
@@ -100,8 +102,8 @@ Eigen::MatrixXd DecayBasis::columns_at(const Eigen::VectorXd& times, const Eigen
   return columns;
 }
 
-Eigen::MatrixXd DecayBasis::before(const Eigen::VectorXd& seconds, const Eigenvalues& eigenvalues) const {
-  return columns_at(-seconds, eigenvalues) * amplitudes_;
+Eigen::MatrixXd DecayBasis::before(const Eigen::VectorXd& seconds) const {
+  return columns_at(-seconds) * amplitudes_;
 }
 
 Eigen::Index DecayBasis::weakest_mode() const {

@@ -32,8 +32,9 @@ class DecayBasis {
     return {amplitudes_(2 * mode, channel), -amplitudes_(2 * mode + 1, channel)};
   }
   Eigen::Index columns() const { return columns_.cols(); }
-  /// The sums so many seconds before the record's first sample: a row for each of them.
-  Eigen::MatrixXd before(const Eigen::VectorXd& seconds, const Eigenvalues& eigenvalues) const;
+  /// The channels' sums at times before the record's first sample, so many seconds before it (> 0): a row
+  /// for each time.
+  Eigen::MatrixXd before(const Eigen::VectorXd& seconds) const;
 
   /// The oscillation of least power.
   Eigen::Index weakest_mode() const;
@@ -48,9 +49,10 @@ class DecayBasis {
   Eigen::VectorXd dual(Eigen::Index k) const;
 
  private:
-  /// The columns at times from the first sample on [s].
-  Eigen::MatrixXd columns_at(const Eigen::VectorXd& times, const Eigenvalues& eigenvalues) const;
+  /// The columns at times since the first sample [s].
+  Eigen::MatrixXd columns_at(const Eigen::VectorXd& times) const;
 
+  Eigenvalues eigenvalues_;
   Eigen::Index modes_;
   Eigen::VectorXd times_;
   Eigen::MatrixXd columns_, orthogonal_, triangle_, residuals_, amplitudes_;

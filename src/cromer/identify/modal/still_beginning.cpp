@@ -43,6 +43,34 @@ class SplitVariance {
   std::vector<double> sums_, squares_;
 };
 
+// How far a window of samples departs from the motion after it, followed back.
+struct Departure {
+  double farthest = 0;  // in standard deviations of the noise
+  std::size_t end = 0;  // one past the last sample that departs by more than noise
+};
+
+// `later` is what follows the first `window` samples of `part`.
+Departure departure_before(const ModalRecord& later, const Eigenvalues& eigenvalues, const ModalRecord& part,
+                           std::size_t window) {
+  constexpr double more_than_noise = 4;
+  const DecayBasis basis(later, values_of(later), eigenvalues);
+  Eigen::VectorXd seconds(static_cast<Eigen::Index>(window));
+  for (std::size_t i = 0; i < window; ++i)
+    seconds(static_cast<Eigen::Index>(i)) = part.time(window) - part.time(i);
+  const Eigen::MatrixXd off = (basis.before(seconds) - values_of(part).topRows(seconds.size())).array().abs();
+  Departure found;
+  for (Eigen::Index c = 0; c < off.cols(); ++c) {
+    const auto left = basis.residuals().col(c);
+    const double noise = left.norm() / std::sqrt(static_cast<double>(left.size()));
+    for (Eigen::Index i = 0; i < off.rows(); ++i) {
+      found.farthest = std::max(found.farthest, off(i, c) / noise);
+      if (off(i, c) > more_than_noise * noise)
+        found.end = std::max(found.end, static_cast<std::size_t>(i) + 1);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::size_t still_samples(const ModalRecord& record) {
@@ -100,7 +128,7 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
 }
 
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {
-  constexpr double far_more = 30, more = 4, periods = 1.5, hardly_swings = 0.5;
+  constexpr double far_more = 30, periods = 1.5, hardly_swings = 0.5;
   constexpr int most_windows = 4;
   double slowest = HUGE_VAL;
   Eigenvalues eigenvalues;
@@ -118,25 +146,10 @@ std::size_t samples_of_release(const ModalRecord& record, const std::vector<Meas
     const auto fitted = fit_eigenvalues(later, values_of(later), eigenvalues);
     if (!fitted) return released;
     eigenvalues = *fitted;
-    const DecayBasis basis(later, values_of(later), eigenvalues);
-    Eigen::VectorXd seconds(static_cast<Eigen::Index>(window));
-    for (std::size_t i = 0; i < window; ++i)
-      seconds(static_cast<Eigen::Index>(i)) = part.time(window) - part.time(i);
-    const Eigen::MatrixXd off =
-        (basis.before(seconds, eigenvalues) - values_of(part).topRows(seconds.size())).array().abs();
-    double most = 0;
-    std::size_t end = 0;
-    for (Eigen::Index c = 0; c < off.cols(); ++c) {
-      const auto left = basis.residuals().col(c);
-      const double noise = left.norm() / std::sqrt(static_cast<double>(left.size()));
-      for (Eigen::Index i = 0; i < off.rows(); ++i) {
-        most = std::max(most, off(i, c) / noise);
-        if (off(i, c) > more * noise) end = std::max(end, static_cast<std::size_t>(i) + 1);
-      }
-    }
-    if (most < far_more) return released;
-    released += end;
-    if (4 * end < 3 * window) return released;
+    const Departure off = departure_before(later, eigenvalues, part, window);
+    if (off.farthest < far_more) return released;
+    released += off.end;
+    if (4 * off.end < 3 * window) return released;
   }
   return released;
 }

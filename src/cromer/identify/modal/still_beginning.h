@@ -20,14 +20,14 @@ std::size_t still_samples(const ModalRecord& record);
 /// together with the motion, they leave a residual rms above three times the motion's own.
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes);
 
-/// How many of a free decay's first samples, at most some five periods of its slowest mode, belong to a
-/// release that took its time: what the motion after them would have been there is off by far more than
-/// noise.
+/// How many of a free decay's first samples, at most six periods of its slowest mode, belong to a release
+/// that took its time: the motion after them, followed back, departs from them by more than noise, and
+/// somewhere by thirty times its deviation. 0 where it departs by less.
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes);
 
-/// Says how long nothing moves, or, with samples of a release, it is held and let go, and when the motion
-/// begins.
-Notice still_before_motion(const ModalRecord& record, std::size_t still, std::size_t released = 0);
+/// Says when the motion begins, after `still` samples, and what is before it: nothing moves, or, where the
+/// last `released` of them are of a release, it is held and let go.
+Notice still_before_motion(const ModalRecord& record, std::size_t still, std::size_t released);
 
 /// What the record holds from this sample on.
 ModalRecord from_sample(const ModalRecord& record, std::size_t first);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/pi.h"
@@ -11,16 +10,6 @@
 
 namespace cromer::core {
 namespace {
-
-bool is_still(const Channel& channel) {
-  std::optional<double> level;
-  for (const double y : channel.y) {
-    if (std::isnan(y)) continue;
-    if (level && y != *level) return false;
-    level = y;
-  }
-  return true;
-}
 
 /// The columns that move, at the times that all of them have, and what there is to say of the others.
 Result<Channels> moving_channels(const Recording& recording, const ModesOptions& options,
@@ -43,7 +32,7 @@ Result<Channels> moving_channels(const Recording& recording, const ModesOptions&
   };
   leave_out("channel_left_out_empty",
             [&](const Channel& channel) { return 2 * channel.missing > channels.t.size(); });
-  leave_out("channel_left_out_still", is_still);
+  leave_out("channel_left_out_still", never_changes);
   for (const Notice& notice : channels.notices) add_once(notices, notice);
   if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
 
@@ -52,8 +41,8 @@ Result<Channels> moving_channels(const Recording& recording, const ModesOptions&
   return channels;
 }
 
-/// How much longer the steps are in the last third than in the first, gaps apart; 0 unless it is seen
-/// clearly.
+/// By what share the steps of the last third are longer than those of the first, gaps left out; 0 unless the
+/// difference is significant.
 double clock_drift(const ModalRecord& record) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < record.times.size(); ++i)
@@ -75,7 +64,7 @@ double clock_drift(const ModalRecord& record) {
   return std::abs(drift) > std::max(least, 5 * std::hypot(first_error, last_error) / first) ? drift : 0;
 }
 
-/// Peaks that stand out as modes do, and are none.
+/// The frequencies [Hz] of peaks that stand out as a mode's would, but belong to no mode and no line.
 std::vector<double> peaks_without_mode(const ModalAnalysis& found) {
   constexpr double stands_out = 20, near = 0.05;
   std::vector<double> result;

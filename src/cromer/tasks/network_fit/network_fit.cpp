@@ -27,10 +27,11 @@ Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& option
   ModalRecord record;
   for (const Channel& channel : complete.each) record.channels.emplace_back(channel.y);
   set_times(record, complete.t);
-  const std::size_t still = still_samples(record) > 0 ? find_modes(record).still : 0;
-  if (still == 0) return {};
-  result.notices.push_back(still_before_motion(record, still));
-  return crop(result.channels, complete.t[still], {});
+  if (still_samples(record) == 0) return {};
+  const ModalAnalysis found = find_modes(record);
+  if (found.still == 0) return {};
+  result.notices.push_back(still_before_motion(record, found.still, found.released));
+  return crop(result.channels, complete.t[found.still], {});
 }
 
 /// A column of positions, or of angles, for each mass.
@@ -87,14 +88,8 @@ Notice why_no_success(const FittedNetwork& result) {
     case FitStatus::too_short:
       return Notice{"network_record_too_short"};
     case FitStatus::no_oscillation: {
-      for (const Channel& channel : result.channels.each) {
-        double known = std::nan("");
-        const bool still = std::all_of(channel.y.begin(), channel.y.end(), [&](double y) {
-          if (std::isnan(known)) known = y;
-          return std::isnan(y) || y == known;
-        });
-        if (still) return Notice{"column_never_changes", {{"column", channel.column}}};
-      }
+      for (const Channel& channel : result.channels.each)
+        if (never_changes(channel)) return Notice{"column_never_changes", {{"column", channel.column}}};
       return Notice{"network_record_too_short"};
     }
     case FitStatus::too_noisy: {
