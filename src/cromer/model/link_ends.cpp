@@ -5,7 +5,7 @@
 namespace cromer::core {
 namespace {
 
-// Of the masses from `from` to before `to`.
+// Takes the forces of a band without damping off the accelerations of the masses from `from` to before `to`.
 void pull_apart(const LinkBand& band, std::size_t from, std::size_t to, double* acceleration,
                 const double* x) {
   if (from >= to) return;
@@ -14,6 +14,7 @@ void pull_apart(const LinkBand& band, std::size_t from, std::size_t to, double* 
   for (std::size_t i = 0; i < to - from; ++i) a[i] = a[i] - k[i] * (own[i] - other[i]);
 }
 
+// The same of two bands in one pass.
 void pull_apart_by_both(const LinkBand& first, const LinkBand& second, std::size_t from, std::size_t to,
                         double* acceleration, const double* x) {
   if (from >= to) return;
@@ -24,6 +25,7 @@ void pull_apart_by_both(const LinkBand& first, const LinkBand& second, std::size
     a[i] = (a[i] - k[i] * (own[i] - here[i])) - l[i] * (own[i] - there[i]);
 }
 
+// Takes the forces of any band off the accelerations of all its masses.
 void pull(const LinkBand& band, double* acceleration, const double* x, const double* v) {
   const std::size_t size = band.stiffness.size();
   double* __restrict a = acceleration + band.first;
@@ -44,7 +46,7 @@ void pull(const LinkBand& band, double* acceleration, const double* x, const dou
     pull_apart(band, band.first, band.end(), acceleration, x);
 }
 
-// In place of a long stretch without links the band begins anew behind it.
+// Each band in pieces, without its long stretches of masses that have no such link.
 std::vector<LinkBand> without_gaps(const std::vector<LinkBand>& bands) {
   constexpr std::size_t long_gap = 64;
   std::vector<LinkBand> result;
@@ -141,7 +143,7 @@ void LinkEnds::make_bands() {
           grounded ? 0 : static_cast<std::ptrdiff_t>(end.other) - static_cast<std::ptrdiff_t>(i);
       // A second link between the same two is in a band of its own.
       auto band = std::find_if(bands.begin(), bands.end(), [&](const LinkBand& each) {
-        return each.grounded == grounded && each.offset == offset && each.first + each.stiffness.size() <= i;
+        return each.grounded == grounded && each.offset == offset && each.end() <= i;
       });
       if (band == bands.end()) {
         if (bands.size() == most) return;
@@ -161,7 +163,7 @@ void LinkEnds::make_bands() {
 void LinkEnds::pull_by_bands(double* acceleration, const double* x, const double* v) const {
   for (std::size_t b = 0; b < bands_.size(); ++b) {
     const LinkBand& band = bands_[b];
-    // A chain's masses feel both neighbours: in one pass where both are there.
+    // A chain's masses feel both neighbours: where both are there, one pass takes both.
     if (b + 1 < bands_.size() && band.pulls_only_apart() && bands_[b + 1].pulls_only_apart()) {
       const LinkBand& next = bands_[++b];
       const std::size_t from = std::max(band.first, next.first),

@@ -39,9 +39,9 @@ struct AxisRange {
   double px(double value) const;
 };
 
-/// The ranges of a panel: as asked for, else from the data. x ends with the data, a little
-/// beyond error bars. y gets room around them and
-/// begins at 0 if they come near it. A phase portrait is centred if its data lie on both sides of 0.
+/// The ranges of a panel: as asked for, else from the data. x ends with the data, a little beyond error bars.
+/// y gets room around them and begins at 0 if they come near it. A phase portrait is centred if its data lie
+/// on both sides of 0.
 AxisRange x_range(const Panel& panel);
 AxisRange y_range(const Panel& panel, const AxisRange& x);
 

@@ -249,7 +249,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   if (result.driven && fitted < t.size())
     law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
   result.fit.drive.force.samples = {};  // they do not outlive this function
-  if (!result.driven) {                 // nor does a law that was refused: without them it has no motion
+  // Without them a law that was refused has no motion, and keeps no values.
+  if (!result.driven) {
     result.fit.names.clear();
     result.fit.estimates.clear();
     result.fit.covariance.clear();

@@ -1,4 +1,4 @@
-// Checks that both kinds of modes share.
+// What the modes of networks and of recordings ask of their options.
 #pragma once
 
 #include "cromer/methods/method_settings.h"
@@ -12,7 +12,7 @@ Result<void> check_modes_options(ModesOptions options);
 /// An option that only recordings take, if one is given; else "".
 std::string_view option_of_recordings(const ModesOptions& options);
 
-/// Whether no mode is left out for what the options say.
+/// Whether the options leave out no mode: neither by frequency nor by number.
 bool seeks_all(const ModesOptions& options);
 
 MethodSettings method_settings_of(const ModesOptions& options);

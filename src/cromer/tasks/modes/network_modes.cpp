@@ -132,7 +132,7 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
   }
 }
 
-/// The law about rest is not the law, and what that leaves out.
+/// What the modes of small motions leave out: terms that are not linear, and dry friction.
 std::vector<Notice> notices_on(const Network& network) {
   std::vector<Notice> notices;
   const Law law = law_of(network).without(linear_terms);
