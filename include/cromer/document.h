@@ -43,8 +43,8 @@ CROMER_API std::string csv(const Simulation& simulation);
 CROMER_API std::string csv(const NetworkSimulation& simulation);
 CROMER_API std::string csv(const NetworkFit& fit);
 
-/// The program's figure of the result as an SVG document. "" of a result that no call has filled, of one that
-/// was interrupted before there was anything to draw, and of the modes of a network.
+/// The program's figure of the result as an SVG document. "" of a result that no call has filled, and of one
+/// that was interrupted before there was anything to draw.
 CROMER_API std::string svg(const LawFit& fit);
 CROMER_API std::string svg(const Comparison& comparison);
 CROMER_API std::string svg(const ResponseSpectrum& spectrum);

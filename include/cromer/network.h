@@ -41,11 +41,10 @@ struct Mass {
   Harmonic drive{};                 ///< its force, of an angle a torque [N m]
 };
 
-/// One coefficient of a link's law, as Oscillator calls it: {"stiffness", 50}. Empty where fit() is to find
-/// it.
+/// One coefficient of a link's law, as Oscillator calls it: {"stiffness", 50}.
 struct LinkTerm {
   std::string name{};
-  std::optional<double> value{};
+  std::optional<double> value{};  ///< in SI units; empty where fit() is to find it
 };
 
 inline constexpr std::nullopt_t sought = std::nullopt;  ///< {"stiffness", cromer::sought}
@@ -69,7 +68,7 @@ struct Network {
 CROMER_API Result<Network> read_network(const std::string& path);
 
 /// Columns of equal length, recorded together: `{left, right}`, or any list of vectors, arrays or spans. It
-/// looks at them and keeps none.
+/// copies no values: the columns must live as long as it does.
 class Channels {
  public:
   Channels(std::initializer_list<std::span<const double>> columns) : columns_(columns) {}
@@ -132,10 +131,11 @@ struct FittedLink {
 
 struct FittedMass {
   std::string name;
-  Estimate position{}, velocity{};  ///< from rest, at the first sample
-  Estimate equilibrium{};           ///< what its column reads at rest
-  double rms = 0;                   ///< of the residuals, in the unit of the column
-  std::vector<double> residual;     ///< measured less fitted, one for each time; NaN where a value is missing
+  Estimate position{};           // [m] or [rad] from rest, at the first sample
+  Estimate velocity{};           // [m/s] or [rad/s] likewise
+  Estimate equilibrium{};        // [m] or [rad] what its column reads at rest
+  double rms = 0;                // [m] or [rad] of the residuals
+  std::vector<double> residual;  // [m] or [rad] measured less fitted, for each time; NaN where missing
 };
 
 /// The links of a recorded network.

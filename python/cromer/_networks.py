@@ -134,7 +134,8 @@ class FittedLink:
 
 class NetworkFit(Result):
     """The links of a recorded network: `links` (a `FittedLink` each), one of them as fit["left", "right"]; of each
-    mass, by its name, `masses` (position and velocity at the first sample, equilibrium, rms, r_squared). `status` is
+    mass, by its name, `masses` ("position" [m, or rad of an angle] and "velocity" [m/s, rad/s] at the first sample,
+    "equilibrium" [m, rad], what its column reads at rest, "rms" [m, rad] of the residuals, "r_squared"). `status` is
     "converged" where it succeeded, `message` says why it did not. Per sample `t` [s], and for each mass a row of
     `measured` and of `residuals`."""
 
