@@ -77,43 +77,60 @@ std::vector<EffectiveOscillator> as_they_are(const std::vector<ComplexMode>& mod
   return kept;
 }
 
-/// What the method makes of each mode. Modes that damping does not couple are oscillators by themselves.
+/// What a method with a step makes of all modes.
+struct MethodOnModes {
+  std::vector<MethodEffect> effects;
+  bool stable = true;
+  bool solved = true;  ///< its steps' equations have a solution
+};
+
+/// Modes that damping does not couple are oscillators by themselves.
+MethodOnModes on_uncoupled_modes(const std::string& name, const MethodSettings& settings,
+                                 const std::vector<ComplexMode>& modes, double h) {
+  MethodOnModes result;
+  for (const ComplexMode& mode : modes) {
+    const auto effect = method_effect(name, settings, mode.law(), h, false);
+    if (!effect) result.solved = false;
+    result.effects.push_back(effect.value_or(MethodEffect{}));
+    result.stable = result.stable && result.effects.back().stable;
+  }
+  return result;
+}
+
+/// Modes that damping couples take their steps together.
+MethodOnModes on_coupled_modes(const std::string& name, const MethodSettings& settings,
+                               const Network& network, const std::vector<ComplexMode>& modes, double h) {
+  const bool exact = find_method(name)->is_exact();
+  EffectiveNetwork effective;
+  if (exact)
+    effective.modes = as_they_are(modes, h);
+  else
+    effective = visit_method(name, settings, [&](const auto& method) {
+      using M = std::decay_t<decltype(method)>;
+      if constexpr (M::info.takes_fixed_steps())
+        return effective_network_of(method, network, modes, h);
+      else
+        return EffectiveNetwork{};
+    });
+  MethodOnModes result;
+  result.solved = !std::isnan(effective.spectral_radius);
+  for (EffectiveOscillator& each : effective.modes) {
+    MethodEffect& effect = result.effects.emplace_back();
+    effect.stable = each.stable();
+    effect.effective = std::move(each);
+  }
+  result.stable = exact || effective.spectral_radius <= 1 + 1e-12;
+  return result;
+}
+
 void add_method(std::vector<NaturalMode>& into, const std::string& name, const ModesOptions& options,
                 const Network& network, const std::vector<ComplexMode>& modes, bool uncoupled,
                 std::vector<Notice>& notices) {
   const MethodSettings settings = method_settings_of(options);
   const double h = *options.step;
-  std::vector<MethodEffect> effects(modes.size());
-  bool stable = true;
-  bool unfound = false;
-  if (uncoupled) {
-    for (std::size_t j = 0; j < modes.size(); ++j) {
-      if (const auto effect = method_effect(name, settings, modes[j].law(), h, false))
-        effects[j] = *effect;
-      else
-        unfound = true;
-      stable = stable && effects[j].stable;
-    }
-  } else {
-    EffectiveNetwork effective;
-    if (find_method(name)->is_exact())
-      effective.modes = as_they_are(modes, h);
-    else
-      effective = visit_method(name, settings, [&](const auto& method) {
-        using M = std::decay_t<decltype(method)>;
-        if constexpr (M::info.takes_fixed_steps())
-          return effective_network_of(method, network, modes, h);
-        else
-          return EffectiveNetwork{};
-      });
-    unfound = std::isnan(effective.spectral_radius);
-    for (std::size_t j = 0; j < modes.size(); ++j) {
-      effects[j].effective = effective.modes[j];
-      effects[j].stable = effects[j].effective.stable();
-    }
-    stable = find_method(name)->is_exact() || effective.spectral_radius <= 1 + 1e-12;
-  }
-  if (unfound) {
+  const MethodOnModes made = uncoupled ? on_uncoupled_modes(name, settings, modes, h)
+                                       : on_coupled_modes(name, settings, network, modes, h);
+  if (!made.solved) {
     notices.push_back(Notice{"method_finds_no_solution", {{"method", name}, {"step", h}}});
     return;
   }
@@ -121,14 +138,15 @@ void add_method(std::vector<NaturalMode>& into, const std::string& name, const M
   const bool grows = std::any_of(modes.begin(), modes.end(), [](const ComplexMode& mode) {
     return mode.law().decay_rate < 0 || mode.law().stiffness < 0;
   });
-  if (!stable && !grows)
+  if (!made.stable && !grows)
     notices.push_back(Notice{"method_unstable_on_network", {{"method", name}, {"step", h}}});
   for (std::size_t j = 0; j < modes.size(); ++j) {
-    Notice words = effect_notice(effects[j], modes[j].law());
+    const MethodEffect& effect = made.effects[j];
+    Notice words = effect_notice(effect, modes[j].law());
     // Only what is pulled back can creep back.
     if (words.code == "creeps_as_the_law" && !(modes[j].law().stiffness > 0))
       words = Notice{"does_not_swing_as_the_law"};
-    into[j].methods.push_back({name, h, effects[j], std::move(words)});
+    into[j].methods.push_back({name, h, effect, std::move(words)});
   }
 }
 

@@ -21,11 +21,11 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t rows_to_screen = 100, most_listed = 8;
-/// What was made is as near as this to what rounding makes of it.
+/// Rows that a method made are off its states by at most this many times what rounding does to them.
 constexpr double most_roundings = 3;
-/// No two programs add up the same law to less than this.
+/// Two programs that add up the same law differ by at least this.
 constexpr double least_rounding = 2e-13;
-/// Those of numbers in single precision, a step.
+/// What a step in single precision adds to that.
 constexpr double single_rounding = 6e-8;
 
 /// How many steps rows may be apart: every number up to 100, then round ones.
@@ -153,7 +153,7 @@ void fit_all(std::vector<CandidateMaker>& candidates, const Trajectory& rows, co
       [](const CandidateMaker& a, const CandidateMaker& b) { return a.fit.distance < b.fit.distance; });
 }
 
-/// Of the nearest first: keeps the first ones, and of each method some more.
+/// Of candidates sorted by distance: keeps the nearest of each method, and the nearest of all others.
 void keep_nearest(std::vector<CandidateMaker>& candidates) {
   constexpr std::size_t of_all = 40, of_each = 8;
   std::map<std::pair<std::string_view, bool>, std::size_t> kept;
@@ -494,6 +494,37 @@ Result<void> check_ranges_of(RecogniseOptions options) {
   return {};
 }
 
+/// What candidates are measured by, but for the law.
+Evidence evidence_of(const RecordedStates& states, const MethodsOptions& options,
+                     std::vector<long long> steps) {
+  Evidence evidence;
+  evidence.rows = states.rows;
+  evidence.yardstick = {rms(states.rows.x), rms(states.rows.v)};
+  const double x_rounding = states.x_rounding / evidence.yardstick.x;
+  const double v_rounding = states.v_rounding / evidence.yardstick.v;
+  evidence.rounding = std::max(
+      std::sqrt((x_rounding * x_rounding + v_rounding * v_rounding) / 2),
+      states.single ? single_rounding * std::sqrt(static_cast<double>(evidence.size())) : least_rounding);
+  evidence.freedom = {.spacing_error = states.spacing_error, .rounding = evidence.rounding};
+  evidence.guess = {.start = {evidence.rows.x.front(), evidence.rows.v.front()}, .spacing = states.spacing};
+  evidence.steps_per_row = std::move(steps);
+  evidence.settings.newton.tolerance = 1e-14;
+  evidence.settings.beta = options.beta.value_or(evidence.settings.beta);
+  evidence.settings.gamma = options.gamma.value_or(evidence.settings.gamma);
+  evidence.settings.rho_inf = options.rho_inf.value_or(evidence.settings.rho_inf);
+  return evidence;
+}
+
+void add_notices(RecogniseResult& result) {
+  if (result.verdict == Verdict::made &&
+      result.recognised.front().distance > most_roundings * result.rounding)
+    result.notices.push_back(Notice{"more_is_left_than_rounding",
+                                    {{"times", result.recognised.front().distance / result.rounding}}});
+  if (result.law_fitted && result.ok() && result.natural_frequency)
+    result.notices.push_back(Notice{
+        "law_was_fitted", {{"frequency", *result.natural_frequency}, {"ratio", ratio_to_say(result)}}});
+}
+
 }  // namespace
 
 Result<RecogniseResult> recognise(const Recording& recording, const RecogniseOptions& options,
@@ -504,36 +535,21 @@ Result<RecogniseResult> recognise(const Recording& recording, const RecogniseOpt
   const auto states = recorded_states(
       recording, {options.column, options.velocity_column, options.run.value_or(0)}, options.read);
   if (!states) return states.error();
-  const auto steps = steps_asked_for(options.methods, states->spacing);
+  auto steps = steps_asked_for(options.methods, states->spacing);
   if (!steps) return steps.error();
-
-  Evidence evidence;
-  evidence.rows = states->rows;
-  evidence.yardstick = {rms(states->rows.x), rms(states->rows.v)};
+  Evidence evidence = evidence_of(*states, options.methods, *std::move(steps));
   if (!(evidence.yardstick.x > 0 && evidence.yardstick.v > 0)) return Error{"run_stands_still"};
-  const double x_rounding = states->x_rounding / evidence.yardstick.x;
-  const double v_rounding = states->v_rounding / evidence.yardstick.v;
-  evidence.rounding = std::max(
-      std::sqrt((x_rounding * x_rounding + v_rounding * v_rounding) / 2),
-      states->single ? single_rounding * std::sqrt(static_cast<double>(evidence.size())) : least_rounding);
-  evidence.freedom = {.spacing_error = states->spacing_error, .rounding = evidence.rounding};
-  evidence.guess = {.start = {evidence.rows.x.front(), evidence.rows.v.front()}, .spacing = states->spacing};
-  evidence.steps_per_row = *steps;
-  evidence.settings.newton.tolerance = 1e-14;
-  evidence.settings.beta = options.methods.beta.value_or(evidence.settings.beta);
-  evidence.settings.gamma = options.methods.gamma.value_or(evidence.settings.gamma);
-  evidence.settings.rho_inf = options.methods.rho_inf.value_or(evidence.settings.rho_inf);
+  const auto of_rows = law_of_rows(*states, evidence.yardstick);
+  if (!*law && !of_rows) return Error{"law_is_needed"};
+  evidence.freedom.law = !*law;
+  evidence.guess.law = *law ? **law : *of_rows;
 
   RecogniseResult result;
   result.file = recording.file;
   result.rows = evidence.size();
   result.spacing = states->spacing;
   result.rounding = evidence.rounding;
-  const auto of_rows = law_of_rows(*states, evidence.yardstick);
-  if (!*law && !of_rows) return Error{"law_is_needed"};
   result.law_fitted = !*law;
-  evidence.freedom.law = !*law;
-  evidence.guess.law = *law ? **law : *of_rows;
   set_law(result, evidence.guess.law);
   if (!judge(evidence, result, watch) && *law && is_linear(law_of(**law)) && of_rows) {
     Evidence free = evidence;
@@ -548,13 +564,7 @@ Result<RecogniseResult> recognise(const Recording& recording, const RecogniseOpt
   }
   result.words = watch.interrupted() ? Notice{"recognising_was_interrupted"}
                                      : answer_in_words(result, options.methods.step.has_value());
-  if (result.verdict == Verdict::made &&
-      result.recognised.front().distance > most_roundings * result.rounding)
-    result.notices.push_back(Notice{"more_is_left_than_rounding",
-                                    {{"times", result.recognised.front().distance / result.rounding}}});
-  if (result.law_fitted && result.ok() && result.natural_frequency)
-    result.notices.push_back(Notice{
-        "law_was_fitted", {{"frequency", *result.natural_frequency}, {"ratio", ratio_to_say(result)}}});
+  add_notices(result);
   return result;
 }
 
