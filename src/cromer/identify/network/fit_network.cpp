@@ -443,6 +443,45 @@ void put_estimates(NetworkFit& fit, const std::vector<SoughtValue>& sought, cons
   }
 }
 
+/// How many of the record's samples lie within so long [s] of its first.
+std::size_t samples_within(const NetworkRecord& record, double duration) {
+  const auto end = std::upper_bound(record.t.begin(), record.t.end(), record.t.front() + duration);
+  return static_cast<std::size_t>(end - record.t.begin());
+}
+
+/// How large the values sought are: the guesses, or a hundredth of what their terms could be.
+std::vector<double> sizes_of(const std::vector<EquationsOfMotion::Guess>& guesses) {
+  constexpr double small = 0.01;
+  std::vector<double> sizes;
+  for (const auto& [value, size] : guesses) sizes.push_back(std::max(std::abs(value), small * size));
+  return sizes;
+}
+
+/// Where the iteration begins: at the guesses, and each mass as its first samples show it.
+Parameters start_values(const NetworkMotions& motions, const std::vector<SoughtValue>& sought,
+                        const std::vector<EquationsOfMotion::Guess>& guesses, const NetworkRecord& record,
+                        const std::vector<ColumnSpread>& spreads, double period) {
+  Parameters p{};
+  for (std::size_t j = 0; j < sought.size(); ++j)
+    p[j] = sought[j].never_negative ? std::max(guesses[j].value, 0.0) : guesses[j].value;
+  const std::size_t first = std::max<std::size_t>(4, samples_within(record, period / 6));
+  for (std::size_t i = 0; i < record.y.size(); ++i) {
+    const auto [x, v] = beginning_of(record.t.first(first), record.y[i].first(first));
+    p[motions.state(i)] = x - spreads[i].mean;
+    p[motions.state(i) + 1] = v;
+    p[motions.state(i) + 2] = spreads[i].mean;
+  }
+  return p;
+}
+
+/// Half of each column is accounted for, or nine tenths where what is left of it is no noise.
+bool explains(const std::vector<FittedColumn>& columns) {
+  constexpr double beside_noise = 0.5, beside_motion = 0.9;
+  return std::all_of(columns.begin(), columns.end(), [](const FittedColumn& column) {
+    return column.explained > (is_smooth(column.residual) ? beside_motion : beside_noise);
+  });
+}
+
 }  // namespace
 
 std::size_t most_sought(std::size_t masses) {
@@ -474,33 +513,16 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
     return fit;
   }
 
-  std::vector<double> scale;
-  Parameters p{};
   LeastSquaresOptions options;
   options.tolerance = 1e-12;  // what rounding moves the motions by
-  for (std::size_t j = 0; j < sought.size(); ++j) {
-    const auto [value, size] = guesses[j];
-    constexpr double small = 0.01;
-    scale.push_back(std::max(std::abs(value), small * size));
-    p[j] = sought[j].never_negative ? std::max(value, 0.0) : value;
+  for (std::size_t j = 0; j < sought.size(); ++j)
     if (sought[j].never_negative) options.lower[j] = 0;
-  }
+  const std::vector<double> scale = sizes_of(guesses);
   NetworkMotions motions(network, sought, record, spreads, scale, period);
-  const auto within = [&](double duration) {
-    const auto end = std::upper_bound(record.t.begin(), record.t.end(), record.t.front() + duration);
-    return static_cast<std::size_t>(end - record.t.begin());
-  };
-  for (std::size_t i = 0; i < record.y.size(); ++i) {
-    const std::size_t first = std::max<std::size_t>(4, within(period / 6));
-    const auto [x, v] = beginning_of(record.t.first(first), record.y[i].first(first));
-    p[motions.state(i)] = x - spreads[i].mean;
-    p[motions.state(i) + 1] = v;
-    p[motions.state(i) + 2] = spreads[i].mean;
-  }
 
   // Over its beginning first: far from the start, trajectories of wrong values are out of phase.
   LeastSquaresSummary found;
-  found.parameters = p;
+  found.parameters = start_values(motions, sought, guesses, record, spreads, period);
   constexpr double first_periods = 3;
   const auto fit_through = [&](std::size_t end) {
     options.residuals = static_cast<int>(std::min<std::size_t>(samples, 1u << 30));
@@ -511,7 +533,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
     fit.iterations += found.iterations;
   };
   for (double duration = first_periods * period;; duration *= 2) {
-    const std::size_t end = within(duration);
+    const std::size_t end = samples_within(record, duration);
     fit_through(end);
     if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
     if (end == record.t.size() || watch.interrupted()) break;
@@ -527,12 +549,8 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
 
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
-  const bool explained = std::all_of(fit.columns.begin(), fit.columns.end(), [](const FittedColumn& column) {
-    constexpr double beside_noise = 0.5, beside_motion = 0.9;
-    return column.explained > (is_smooth(column.residual) ? beside_motion : beside_noise);
-  });
   fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
-               : explained               ? FitStatus::converged
+               : explains(fit.columns)   ? FitStatus::converged
                                          : FitStatus::too_noisy;
   return fit;
 }
