@@ -18,6 +18,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
@@ -185,8 +186,9 @@ TEST(Catalogue, HasEachCodeOnceInBothLanguages) {
   EXPECT_GT(codes.size(), 500u);
 }
 
-TEST(Catalogue, NamesEachMethodAndEachTerm) {
+TEST(Catalogue, NamesEachMethodTermAndNumberOfAFit) {
   for (const std::string_view method : method_names) EXPECT_TRUE(find_entry(method)) << method;
+  for (const std::string_view number : derived_names) EXPECT_TRUE(find_entry(number)) << number;
   for_each_term([]<class T>() {
     if constexpr (!std::is_same_v<T, Spring>) {
       EXPECT_NE(terms_in_words(law_with<T>, Language::german), with_underscores(T::info.name));

@@ -21,6 +21,8 @@ constexpr Entry entries[] = {
     {"damping_ratio", clause, "damping ratio", "Dämpfungsgrad"},
     {"quality_factor", clause, "quality factor", "Güte"},
     {"logarithmic_decrement", clause, "logarithmic decrement", "logarithmisches Dekrement"},
+    {"limit_cycle_amplitude", clause, "limit cycle amplitude", "Amplitude des Grenzzyklus"},
+    {"drive_force", clause, "drive force", "Kraft des Antriebs"},
     {"drag_coefficient", clause, "drag coefficient", "Widerstandsbeiwert"},
     {"mass", clause, "mass", "Masse"},
     {"spring_mass", clause, "mass of the spring", "Masse der Feder"},
