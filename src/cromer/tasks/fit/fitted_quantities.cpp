@@ -197,10 +197,19 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   return list;
 }
 
+constexpr std::string_view names_for_goals[] = {"frequency",
+                                                "period",
+                                                "damping_ratio",
+                                                "quality_factor",
+                                                "logarithmic_decrement",
+                                                "limit_cycle_amplitude"};
+
 // What an overdamped motion does not have, as it has no cycle.
 constexpr std::string_view no_cycle[] = {"frequency", "period", "logarithmic_decrement"};
 
 }  // namespace
+
+const std::span<const std::string_view> derived_names = names_for_goals;
 
 Quantity Body::effective_mass() const {
   const Quantity spring = spring_mass.value_or(Quantity{});

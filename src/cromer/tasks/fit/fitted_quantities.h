@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,12 +46,7 @@ std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body);
 std::vector<std::string> coefficient_names(const Law& law, const std::vector<Parameter>& parameters);
 
 /// Derived quantities that a goal may be set for.
-inline constexpr std::string_view derived_names[] = {"frequency",
-                                                     "period",
-                                                     "damping_ratio",
-                                                     "quality_factor",
-                                                     "logarithmic_decrement",
-                                                     "limit_cycle_amplitude"};
+extern const std::span<const std::string_view> derived_names;
 
 /// What the whole law is like at one amplitude, in the words of the linear oscillator: frequency [Hz], period
 /// [s], damping_ratio, quality_factor, logarithmic_decrement, and at_amplitude, the amplitude at which they
