@@ -373,6 +373,20 @@ TEST(Recognise, TriesOneStepIfAsked) {
   EXPECT_THAT(refusal(file, options), HasSubstr("no whole number of steps of 0.015 s"));
 }
 
+TEST(Recognise, TriesTheStepThatIsAskedForHoweverManyAreBetweenTwoRows) {
+  const double h = 0.002;
+  const auto rows = rows_of([&](const Point& y) { return semi_implicit(y, h); }, start, 40, 200);
+  RecogniseOptions options = bent_law();
+  options.methods.step = h;
+  const auto result = recognised(file_of(rows, 40 * h, 12), options);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->verdict, Verdict::made);
+  EXPECT_EQ(result->recognised.front().method, "euler-cromer");
+  EXPECT_EQ(result->recognised.front().steps_per_row, 40);
+  options.methods.step = 1e-9;
+  EXPECT_THAT(refusal(file_of(rows, 40 * h, 12), options), HasSubstr("at most 1000 are tried"));
+}
+
 TEST(Recognise, RefusesWhatIsNoRun) {
   EXPECT_THAT(refusal("t (s),x (m)\n0,1\n1,2\n2,3\n"), HasSubstr("which column is the velocity?"));
   EXPECT_THAT(refusal("t (s),x (m),v (m/s)\n0,1,0\n1,2,0\n2,3,1\n"), HasSubstr("3 rows"));

@@ -19,6 +19,10 @@ constexpr Entry entries[] = {
      "{--damping}",
      "die Zeilen schwingen nicht lange genug, um ihr Gesetz zu finden: bitte angeben, mit {--mass}, "
      "{--stiffness} und {--damping}"},
+    {"too_many_steps_a_row", error,
+     "{--step}: the rows are {steps} steps apart; under a law that is not linear at most {most} are tried",
+     "{--step}: die Zeilen liegen {steps} Schritte auseinander; bei einem Gesetz, das nicht linear ist, "
+     "werden höchstens {most} versucht"},
     {"step_not_part_of_spacing", error,
      "{--step}: the rows are {spacing:.6g} s apart, which is no whole number of steps of {step:.6g} s",
      "{--step}: die Zeilen liegen {spacing:.6g} s auseinander, das ist keine ganze Zahl von Schritten von "

@@ -21,6 +21,8 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t rows_to_screen = 100, most_listed = 8;
+/// Of a law that is not linear, whose steps are gone through one by one.
+constexpr long long most_steps_per_row = 1000;
 /// Rows that a method made are off its states by at most this many times what rounding does to them.
 constexpr double most_roundings = 3;
 /// Two programs that add up the same law differ by at least this.
@@ -97,10 +99,11 @@ std::vector<Maker> makers_without_steps(const Evidence& evidence) {
 /// The law itself: its closed form, else an adaptive method of the smallest tolerance.
 Maker law_itself(const Evidence& evidence) { return makers_without_steps(evidence).back(); }
 
-/// Whether so many steps a row are too many to go through; a linear law has one matrix for all.
+/// Whether so many steps a row are too many to go through; a linear law has one matrix for all, and the one
+/// number that is asked for is tried in any case.
 bool too_many_steps(const Evidence& evidence, long long steps_per_row, std::size_t rows) {
   constexpr double most = 3e3;
-  return !is_linear(law_of(evidence.guess.law)) &&
+  return evidence.steps_per_row.size() > 1 && !is_linear(law_of(evidence.guess.law)) &&
          static_cast<double>(steps_per_row) * static_cast<double>(rows) > most;
 }
 
@@ -537,6 +540,8 @@ Result<RecogniseResult> recognise(const Recording& recording, const RecogniseOpt
   if (!states) return states.error();
   auto steps = steps_asked_for(options.methods, states->spacing);
   if (!steps) return steps.error();
+  if (*law && !is_linear(law_of(**law)) && steps->back() > most_steps_per_row)
+    return Error{"too_many_steps_a_row", {{"steps", steps->back()}, {"most", most_steps_per_row}}};
   Evidence evidence = evidence_of(*states, options.methods, *std::move(steps));
   if (!(evidence.yardstick.x > 0 && evidence.yardstick.v > 0)) return Error{"run_stands_still"};
   const auto of_rows = law_of_rows(*states, evidence.yardstick);
