@@ -127,17 +127,14 @@ constexpr Entry entries[] = {
      "samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
      "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: das Gesetz wird nur an den Teil "
-     "davor "
-     "angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich ein "
-     "anderer "
-     "wählen"},
+     "davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich "
+     "ein anderer wählen"},
     {"driven_until_stop", worth_knowing,
      "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, "
      "{kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
      "die Bewegung endet zwischen {from:.4g} und {to:.4g} s, wie wenn der Antrieb aufhört: das Gesetz wird "
-     "nur "
-     "an den Teil davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} "
-     "lässt sich ein anderer wählen"},
+     "nur an den Teil davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den "
+     "Griffen} lässt sich ein anderer wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
@@ -319,15 +316,14 @@ constexpr Entry entries[] = {
      "with {|{--from} and {--to}|the handles}",
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
      "Reste von {free:.3g}{unit: }, das angetriebene lässt {driven:.3g}{unit: }; bitte {|für fit "
-     "{--drive-frequency} "
-     "angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien Teil wählen"},
+     "{--drive-frequency} angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien "
+     "Teil wählen"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
-     "at "
-     "{own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",
+     "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",
      "die Bewegung schwebt anfangs, mit einer Periode von {beat:.3g} s: neben den {drive:.5g} Hz des "
-     "Antriebs "
-     "schwingt der Körper mit {own:.5g} Hz, seiner eigenen Frequenz, und das klingt mit {rate:.2g} 1/s ab"},
+     "Antriebs schwingt der Körper mit {own:.5g} Hz, seiner eigenen Frequenz, und das klingt mit {rate:.2g} "
+     "1/s ab"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}{unit: }, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}{unit: }, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,
@@ -443,8 +439,7 @@ constexpr Entry entries[] = {
      "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {option:option} braucht eine für jeden"},
     {"one_mass_for_unlike_runs", worth_knowing,
      "the runs' frequencies differ by {percent:.2g} %, and one mass is used for all; if the masses differ, "
-     "give "
-     "one for each: {--mass} \"0.1 kg, 0.2 kg\"",
+     "give one for each: {--mass} \"0.1 kg, 0.2 kg\"",
      "die Frequenzen der Läufe unterscheiden sich um {percent:.2g} %, und für alle gilt eine Masse; sind es "
      "verschiedene, dann jede angeben: {--mass} \"0.1 kg, 0.2 kg\""},
 
@@ -506,8 +501,7 @@ constexpr Entry entries[] = {
      "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
     {"viscous_is_enough", clause,
      "Viscous damping alone is enough: {one_rate}, and {end}. The amplitude's own rate goes from {first:n} "
-     "to "
-     "{last:n}\u00a01/s, as the spring is bent.{method}",
+     "to {last:n}\u00a01/s, as the spring is bent.{method}",
      "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
      "{first:n} auf "
      "{last:n}\u00a01/s, da die Feder krumm ist.{method}"},

@@ -37,8 +37,7 @@ constexpr Entry entries[] = {
      "the points scatter about the line by more than their errors give on average: {scatter:.2g} s² is added "
      "to all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
      "die Punkte streuen um die Gerade um mehr, als ihre Fehler im Mittel ergeben: {scatter:.2g} s² ist "
-     "allen "
-     "Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+     "allen Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
 
     // Masses at rest
     {"no_meaning_with_static", error,
@@ -73,8 +72,8 @@ constexpr Entry entries[] = {
      "the holds scatter about the line by more than their own errors give on average: {scatter:.2g} m is "
      "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
      "die Ruhelagen streuen um die Gerade um mehr, als ihre eigenen Fehler im Mittel ergeben: {scatter:.2g} "
-     "m "
-     "ist allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+     "m ist allen Fehlern zugeschlagen, und der Bereich ist der von "
+     "{degrees:Freiheitsgrad|Freiheitsgraden}"},
     {"hold_moves", wrong_if_ignored,
      "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
      "its mean is taken; choose a quiet part with {|{--from} and {--to}|the handles}, or fit its swing "

@@ -9,8 +9,7 @@ constexpr Entry entries[] = {
     {"modes_of_one_run", error,
      "{file}: the file has {runs} runs; modes are sought in one: keep one run in a file of its own",
      "{file}: die Datei hat {runs} Läufe; Eigenschwingungen werden in einem gesucht: bitte einen Lauf in "
-     "eine "
-     "eigene Datei schreiben"},
+     "eine eigene Datei schreiben"},
     {"no_channel_moves", error, "{file}: no channel moves: each is constant or empty",
      "{file}: kein Kanal bewegt sich: jeder ist konstant oder leer"},
     {"too_few_samples_for_modes", error,
@@ -22,8 +21,7 @@ constexpr Entry entries[] = {
      "recording, or one "
      "with fewer missing values, shows more",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
-     "eine "
-     "längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
+     "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
@@ -31,8 +29,7 @@ constexpr Entry entries[] = {
      "{--from} takes "
      "another beginning",
      "in den ersten {length:.3g} s bewegt sich nichts: das Ergebnis gilt für die Bewegung ab {from:.4g} s; "
-     "{--from} "
-     "wählt einen anderen Anfang"},
+     "{--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
      "for the first {length:.3g} s it is held or still being let go: the result is for the motion from "
      "{from:.4g} s "
@@ -52,37 +49,27 @@ constexpr Entry entries[] = {
      "es gibt einen Kanal, {column}: Eigenschwingungen haben keine Form"},
     {"clock_drifts", wrong_if_ignored,
      "from the first third to the last the steps between samples change by {percent:.2g} %: if the sensor's "
-     "clock "
-     "drifts, frequencies are off by about as much",
+     "clock drifts, frequencies are off by about as much",
      "vom ersten zum letzten Drittel ändern sich die Abstände der Messwerte um {percent:.2g} %: läuft die "
      "Uhr des "
      "Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
     {"modes_of_random_forces", clause,
      "the motion does not decay from the first used sample on: these are modes under random forces, by "
-     "subspace "
-     "identification (orders to {order}, correlations over {reach:.3g} s)",
+     "subspace identification (orders to {order}, correlations over {reach:.3g} s)",
      "die Bewegung klingt nicht vom ersten benutzten Messwert an ab: dies sind Eigenschwingungen unter "
-     "zufälligen "
-     "Kräften, "
-     "durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über {reach:.3g} s)"},
+     "zufälligen Kräften, durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über "
+     "{reach:.3g} s)"},
     {"modes_of_free_decay", clause,
      "the motion decays from the first used sample on, {percent:.3g} % of its power about the modes: these "
-     "are "
-     "modes of a "
-     "free decay, by least squares",
+     "are modes of a free decay, by least squares",
      "die Bewegung klingt vom ersten benutzten Messwert an ab, {percent:.3g} % ihrer Leistung um die "
-     "Eigenfrequenzen: "
-     "dies sind "
-     "Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
+     "Eigenfrequenzen: dies sind Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
     {"modes_of_free_motion", clause,
      "the motion is free from the first used sample on and does not die away, {percent:.3g} % of its power "
-     "about "
-     "the modes: "
-     "these are modes of a free motion, by least squares",
+     "about the modes: these are modes of a free motion, by least squares",
      "die Bewegung ist vom ersten benutzten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer "
-     "Leistung um "
-     "die "
-     "Eigenfrequenzen: dies sind Eigenschwingungen einer freien Bewegung, durch kleinste Quadrate"},
+     "Leistung um die Eigenfrequenzen: dies sind Eigenschwingungen einer freien Bewegung, durch kleinste "
+     "Quadrate"},
     {"mode_grows", wrong_if_ignored,
      "the mode at {frequency:.4g} Hz grows: its damping ratio is negative, something feeds it",
      "die Eigenschwingung bei {frequency:.4g} Hz wächst: ihr Dämpfungsgrad ist negativ, etwas speist sie"},
@@ -90,8 +77,7 @@ constexpr Entry entries[] = {
      "the oscillation at {frequency:.4g} Hz does not decay measurably: a mode almost without damping, or a "
      "machine's",
      "die Schwingung bei {frequency:.4g} Hz klingt nicht messbar ab: eine Eigenschwingung fast ohne "
-     "Dämpfung, "
-     "oder die einer Maschine"},
+     "Dämpfung, oder die einer Maschine"},
     {"steady_line", worth_knowing,
      "the line at {frequency:.4g} Hz is steady: it is a machine's and no mode, and was taken out before the "
      "modes were sought",
@@ -107,11 +93,9 @@ constexpr Entry entries[] = {
      "Feder)"},
     {"fewer_modes_than_channels", worth_knowing,
      "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
-     "hardly "
-     "excited, or they lie above half the rate",
+     "hardly excited, or they lie above half the rate",
      "es gibt {channels} Kanäle und {modes:Eigenschwingung|Eigenschwingungen}: ist jeder Kanal eine Masse, "
-     "so "
-     "wurden die anderen kaum angeregt, oder sie liegen über der halben Abtastrate"},
+     "so wurden die anderen kaum angeregt, oder sie liegen über der halben Abtastrate"},
     {"few_decay_times", worth_knowing,
      "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one would "
      "make its "

@@ -100,18 +100,15 @@ constexpr Entry entries[] = {
      "{file}: {sought:value is|values are} open; with {masses:mass|masses} at most {most} are found from one "
      "recording",
      "{file}: {sought:Wert ist|Werte sind} offen; bei {masses:Masse|Massen} werden höchstens {most} aus "
-     "einer "
-     "Aufnahme gefunden"},
+     "einer Aufnahme gefunden"},
     {"columns_for_masses", error,
      "{file}: {columns:column|columns} of the motion ({names}), and the network has {masses:mass|masses}: "
-     "each "
-     "mass needs its column, in the order of the network's file",
+     "each mass needs its column, in the order of the network's file",
      "{file}: {columns:Spalte|Spalten} der Bewegung ({names}), und das Netz hat {masses:Masse|Massen}: jede "
      "Masse braucht ihre Spalte, in der Reihenfolge der Datei des Netzes"},
     {"network_of_another_quantity", error,
      "{file}: the columns of the motion are of another quantity; masses need columns of positions, moments "
-     "of "
-     "inertia columns of angles",
+     "of inertia columns of angles",
      "{file}: die Spalten der Bewegung sind von einer anderen Größe; Massen brauchen Spalten von Orten, "
      "Trägheitsmomente Spalten von Winkeln"},
     {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
@@ -121,15 +118,12 @@ constexpr Entry entries[] = {
      "the record does not determine the values: it needs one and a half swings of each mass about its rest, "
      "few gaps, and three samples for each number that is sought",
      "die Aufnahme bestimmt die Werte nicht: sie braucht anderthalb Schwingungen jeder Masse um ihre "
-     "Ruhelage, "
-     "wenige Lücken und drei Messwerte für jede gesuchte Zahl"},
+     "Ruhelage, wenige Lücken und drei Messwerte für jede gesuchte Zahl"},
     {"network_explains_little", error,
      "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
-     "or "
-     "a drive, or the columns stand in another order than the masses",
+     "or a drive, or the columns stand in another order than the masses",
      "das Netz erklärt nur {percent:.2g} % der Varianz von „{column}“: ihm fehlt eine Verbindung, ein Term "
-     "oder "
-     "ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen"},
+     "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen"},
     {"network_values_undetermined", error,
      "the record tells these values in combination only, not each by itself: {values}; give one of them",
      "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
@@ -148,8 +142,7 @@ constexpr Entry entries[] = {
      "{modes:mode has|modes have} the frequency 0: in small motions nothing pulls all masses back to the "
      "ground",
      "{modes:Eigenschwingung hat|Eigenschwingungen haben} die Frequenz 0: kleine Bewegungen zieht nichts an "
-     "den "
-     "Boden zurück"},
+     "den Boden zurück"},
     {"slow_modes_lost", wrong_if_ignored,
      "{modes:slow mode is|slow modes are} lost in rounding, at the frequency 0: the stiffnesses are too far "
      "apart; join what is stiff to one mass",
@@ -191,8 +184,7 @@ constexpr Entry entries[] = {
      "Oszillator abgezogen, und die Dämpfungsgrade liegen weiter vom Gesetz, als ihre Intervalle sagen"},
     {"no_law_before_method", wrong_if_ignored,
      "no linear law simulated by {method} with a step of {step:.6g} s swings at {frequency:.6g} Hz as this "
-     "mode "
-     "does: it is given as recorded",
+     "mode does: it is given as recorded",
      "kein lineares Gesetz schwingt, mit {method} und einem Schritt von {step:.6g} s simuliert, bei "
      "{frequency:.6g} Hz wie diese Eigenschwingung: sie ist so angegeben, wie sie aufgezeichnet ist"},
     {"method_unstable_on_network", wrong_if_ignored,

@@ -10,8 +10,7 @@ constexpr Entry entries[] = {
      "{file} was changed by hand and is kept: run it by cromer report {file} -o {folder}, or name another "
      "folder",
      "{file} ist von Hand geändert und bleibt: bitte cromer report {file} -o {folder} aufrufen, oder einen "
-     "anderen "
-     "Ordner nennen"},
+     "anderen Ordner nennen"},
     // apps/cli
     {"folder_unreadable", error, "{folder}: cannot be read: {reason}",
      "{folder}: lässt sich nicht lesen: {reason}"},

@@ -143,8 +143,8 @@ constexpr Entry entries[] = {
      "(\"{other}\" by "
      "{less:.2g}); {|{--column} names another|another one can be chosen}",
      "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am deutlichsten, um "
-     "{amplitude:.2g}{unit} "
-     "(„{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "{amplitude:.2g}{unit} („{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist "
+     "wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",
@@ -184,8 +184,7 @@ constexpr Entry entries[] = {
     {"unit_assumed", worth_knowing,
      "column \"{column}\" has no unit: {unit} is assumed; another is written in brackets behind the name",
      "die Spalte „{column}“ hat keine Einheit: {unit} wird angenommen; eine andere steht in Klammern hinter "
-     "dem "
-     "Namen"},
+     "dem Namen"},
     {"unit_not_known", worth_knowing,
      "unit \"{unit}\" of column \"{column}\" is not known: its values are taken as they are",
      "die Einheit „{unit}“ der Spalte „{column}“ ist unbekannt: ihre Werte gelten, wie sie sind"},

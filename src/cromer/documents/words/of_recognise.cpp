@@ -9,11 +9,9 @@ constexpr Entry entries[] = {
     // What is wrong with the options, or with the file.
     {"law_without_spring", error,
      "the law has no spring: give {--stiffness} or {--natural-frequency} as well (or nothing of the law: "
-     "then "
-     "spring and damping are fitted)",
+     "then spring and damping are fitted)",
      "dem Gesetz fehlt die Feder: bitte auch {--stiffness} oder {--natural-frequency} angeben (oder nichts "
-     "vom "
-     "Gesetz: dann werden Feder und Dämpfung angepasst)"},
+     "vom Gesetz: dann werden Feder und Dämpfung angepasst)"},
     {"law_is_needed", error,
      "the rows do not swing for long enough to find their law: give it, by {--mass}, {--stiffness} and "
      "{--damping}",
@@ -34,8 +32,7 @@ constexpr Entry entries[] = {
      "welche Spalte ist der Ort? Es gibt {columns:,}; bitte mit {--column} sagen"},
     {"which_column_is_the_velocity", error,
      "which column is the velocity? There are {columns:,}; say it with {--velocity-column}. A method is told "
-     "by "
-     "position and velocity together",
+     "by position and velocity together",
      "welche Spalte ist die Geschwindigkeit? Es gibt {columns:,}; bitte mit {--velocity-column} sagen. Ein "
      "Verfahren erkennt man an Ort und Geschwindigkeit zusammen"},
     {"which_run", error, "the file has {runs} runs: say which with {--run}",
@@ -71,20 +68,16 @@ constexpr Entry entries[] = {
      "{maker}{same}{others} hat diese Zeilen gemacht{added}"},
     {"rows_follow_the_law", clause,
      "these rows follow the law itself: their digits show no error of a method. {methods:or} gives them, and "
-     "so "
-     "does any method with steps short enough",
+     "so does any method with steps short enough",
      "diese Zeilen folgen dem Gesetz selbst: ihre Stellen zeigen keinen Fehler eines Verfahrens. "
-     "{methods:or} "
-     "ergibt sie, ebenso jedes Verfahren mit genügend kurzen Schritten"},
+     "{methods:or} ergibt sie, ebenso jedes Verfahren mit genügend kurzen Schritten"},
     {"rows_follow_the_law_nearly", clause,
      "these rows follow the law itself ({methods:or}) to {percent:.2g} % of the motion, and no method with "
-     "equal "
-     "steps made them: so does an adaptive method with such a tolerance, or a law that is a little different",
+     "equal steps made them: so does an adaptive method with such a tolerance, or a law that is a little "
+     "different",
      "diese Zeilen folgen dem Gesetz selbst ({methods:or}) bis auf {percent:.2g} % der Bewegung, und kein "
-     "Verfahren "
-     "mit gleichen Schritten hat sie gemacht: so tut es ein adaptives Verfahren mit solcher Toleranz oder "
-     "ein wenig "
-     "anderes Gesetz"},
+     "Verfahren mit gleichen Schritten hat sie gemacht: so tut es ein adaptives Verfahren mit solcher "
+     "Toleranz oder ein wenig anderes Gesetz"},
     {"rows_made_from_other_law", clause,
      "no method made these rows from the law given. From a natural frequency of {frequency:.8g} rad/s and a "
      "damping ratio of {ratio:.5g}, {maker}{same}{others} makes them: check the law, or it is another "
@@ -97,43 +90,36 @@ constexpr Entry entries[] = {
      "{maker}, is "
      "off by {percent:.2g} % of the motion, {times:.2g} times what rounding does",
      "keines der Verfahren hat diese Zeilen gemacht: es mag ein anderes Verfahren sein, ein anderes Gesetz "
-     "oder "
-     "Rauschen. Das nächste, {maker}, weicht um {percent:.2g} % der Bewegung ab, das {times:.2g}-Fache der "
-     "Rundung"},
+     "oder Rauschen. Das nächste, {maker}, weicht um {percent:.2g} % der Bewegung ab, das {times:.2g}-Fache "
+     "der Rundung"},
     {"rows_made_by_none_of_all_alike", clause,
      "none of the methods made these rows. The nearest, {maker}, is off by {percent:.2g} % of the motion, "
      "{times:.2g} times what rounding does, and others are as far off: the law is likely to be another one, "
      "or the "
      "rows hold noise",
      "keines der Verfahren hat diese Zeilen gemacht. Das nächste, {maker}, weicht um {percent:.2g} % der "
-     "Bewegung "
-     "ab, das {times:.2g}-Fache der Rundung, und andere ebenso: wahrscheinlich ist das Gesetz ein anderes, "
-     "oder die "
-     "Zeilen enthalten Rauschen"},
+     "Bewegung ab, das {times:.2g}-Fache der Rundung, und andere ebenso: wahrscheinlich ist das Gesetz ein "
+     "anderes, oder die Zeilen enthalten Rauschen"},
     {"no_method_gets_through", clause, "no method gets through with this law",
      "mit diesem Gesetz kommt kein Verfahren durch"},
     {"law_was_fitted", worth_knowing,
      "no law was given: a natural frequency of {frequency:.8g} rad/s and a damping ratio of {ratio:.5g} were "
-     "fitted "
-     "together with the method",
+     "fitted together with the method",
      "kein Gesetz war gegeben: eine Eigenfrequenz von {frequency:.8g} rad/s und ein Dämpfungsgrad von "
-     "{ratio:.5g} "
-     "wurden zusammen mit dem Verfahren angepasst"},
+     "{ratio:.5g} wurden zusammen mit dem Verfahren angepasst"},
     {"more_is_left_than_rounding", worth_knowing,
      "what is left of the rows is {times:.2g} times what rounding makes, though far less than by any other "
      "method: the "
      "numbers of the law may be off a little",
      "von den Zeilen bleibt das {times:.2g}-Fache der Rundung übrig, wenn auch viel weniger als bei jedem "
-     "anderen "
-     "Verfahren: die Zahlen des Gesetzes sind vielleicht ein wenig falsch"},
+     "anderen Verfahren: die Zahlen des Gesetzes sind vielleicht ein wenig falsch"},
     {"recognising_was_interrupted", clause, "interrupted: not all methods were tried",
      "abgebrochen: nicht alle Verfahren sind versucht"},
     {"what_distances_are", clause,
      "distance: rms of what is left of {rows} rows over the rms of the motion; rounding alone makes "
      "{rounding:.2g}.",
      "distance: Effektivwert dessen, was von {rows} Zeilen übrig bleibt, über dem der Bewegung; Rundung "
-     "allein "
-     "ergibt {rounding:.2g}."},
+     "allein ergibt {rounding:.2g}."},
     {"answer_as_sentence", clause, "{what:A}.", "{what:A}."},
 };
 

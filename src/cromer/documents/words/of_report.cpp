@@ -89,8 +89,7 @@ constexpr Entry entries[] = {
     {"report_outliers", clause,
      " {outliers:sample lies|samples lie} far from the motion and {outliers?is|are} set aside.",
      " {outliers:Messwert liegt|Messwerte liegen} weit neben der Bewegung und {outliers?wird|werden} "
-     "beiseite "
-     "gelassen."},
+     "beiseite gelassen."},
     {"report_record_title", clause, "Measured: {file}", "Gemessen: {file}"},
     {"report_record", clause, "The recording, {used} samples.", "Die Aufnahme, {used} Messwerte."},
     {"report_record_with_level", clause,
@@ -118,31 +117,25 @@ constexpr Entry entries[] = {
      "The law is {law} ({terms}), as asked for:", "Das Gesetz ist {law} ({terms}), wie verlangt:"},
     {"report_white", clause,
      "What it leaves of the measured values is {rms} (root mean square), and no pattern is found in it.",
-     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und ein Muster ist darin "
-     "nicht "
-     "zu finden."},
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und ein Muster ist darin nicht zu "
+     "finden."},
     {"report_not_white", clause,
      "What it leaves of the measured values is {rms} (root mean square), and there is a pattern in it: "
-     "either "
-     "the noise is not independent from sample to sample, or the law does not tell all.",
+     "either the noise is not independent from sample to sample, or the law does not tell all.",
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder "
-     "ist "
-     "das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
+     "ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
     {"report_how", clause,
      "The law was integrated and fitted to all samples in use by least squares, its start included; of "
-     "several "
-     "laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one where the "
-     "difference is small.",
+     "several laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one "
+     "where the difference is small.",
      "Das Gesetz wurde integriert und mit seinem Anfang durch kleinste Quadrate an alle benutzten Messwerte "
      "angepasst; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), "
-     "bei "
-     "kleinem Abstand ein einfacheres."},
+     "bei kleinem Abstand ein einfacheres."},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
      "recordings, if the law is right.",
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
-     "solcher "
-     "Aufnahmen, falls das Gesetz stimmt."},
+     "solcher Aufnahmen, falls das Gesetz stimmt."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
     {"disc_diameter", clause, "disc's diameter", "Durchmesser der Scheibe"},
@@ -171,27 +164,21 @@ constexpr Entry entries[] = {
     {"report_decay_title", clause, "Decay rate against amplitude", "Abklingrate gegen Amplitude"},
     {"report_decay_caption", clause,
      "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard "
-     "error), "
-     "against the amplitude; the line is the law's.",
+     "error), against the amplitude; the line is the law's.",
      "Die Abklingrate von {stretches} Abschnitten der Aufnahme, jeder für sich angepasst (± ein "
-     "Standardfehler), "
-     "gegen "
-     "die Amplitude; die Linie ist die des Gesetzes."},
+     "Standardfehler), gegen die Amplitude; die Linie ist die des Gesetzes."},
     {"report_amplitude", clause, "amplitude", "Amplitude"},
     {"report_rate_axis", clause, "decay rate (1/s)", "Abklingrate (1/s)"},
     {"report_compared_title", clause, "Measured, and simulated with one decay rate and by the law",
      "Gemessen, und simuliert mit einer Abklingrate und nach dem Gesetz"},
     {"report_compared_two", clause,
      "The measured motion, and the envelopes of two simulations: one constant decay rate leaves {one} (root "
-     "mean "
-     "square), the law {law}.",
+     "mean square), the law {law}.",
      "Die gemessene Bewegung und die Hüllkurven zweier Simulationen: eine feste Abklingrate lässt {one} "
-     "übrig "
-     "(Effektivwert), das Gesetz {law}."},
+     "übrig (Effektivwert), das Gesetz {law}."},
     {"report_compared_one", clause,
      "The measured motion, and the envelope of a simulation with one constant decay rate; it leaves {one} "
-     "(root "
-     "mean square).",
+     "(root mean square).",
      "Die gemessene Bewegung und die Hüllkurve einer Simulation mit einer festen Abklingrate; sie lässt "
      "{one} übrig "
      "(Effektivwert)."},
@@ -200,20 +187,16 @@ constexpr Entry entries[] = {
     {"report_stiffness", clause, "How stiff the spring is", "Wie steif die Feder ist"},
     {"report_stiffness_is", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, and the mass of {mass}, "
-     "*k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 "
-     "%: "
-     "{interval}.",
+     "*k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
      "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, und der Masse von {mass} "
      "folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
      "95 %: "
      "{interval}."},
     {"report_without_spring_mass", clause,
      "The spring's own mass, a third of which moves along, is not counted ({--spring-mass}): with it the "
-     "spring "
-     "constant is larger.",
+     "spring constant is larger.",
      "Die eigene Masse der Feder, von der ein Drittel mitschwingt, ist nicht gezählt ({--spring-mass}): mit "
-     "ihr "
-     "ist die Federkonstante größer."},
+     "ihr ist die Federkonstante größer."},
     {"report_stiffness_with_spring", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
      "third of the spring's own mass, *k* = "
@@ -235,8 +218,7 @@ constexpr Entry entries[] = {
     {"report_flow", clause, "The air around the disc", "Die Luft um die Scheibe"},
     {"report_reynolds", clause,
      "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it "
-     "reaches "
-     "{last}.",
+     "reaches {last}.",
      "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde "
      "erreicht sie "
      "{last}."},
@@ -267,8 +249,7 @@ constexpr Entry entries[] = {
      "Was Euler vorwärts und Euler-Cromer aus diesem Gesetz machen"},
     {"report_methods_text", clause,
      "The law, from the same start, by two methods with steps of {step}, about {steps:.0f} in a period, "
-     "beside "
-     "{reference}.",
+     "beside {reference}.",
      "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in "
      "einer Periode, "
      "neben {reference}."},
@@ -311,9 +292,8 @@ constexpr Entry entries[] = {
      "The figures "
      "show the steady motion of the law under a drive of the same strength at other frequencies.",
      "Der Antrieb dieser Aufnahme hat {drive}; die eigene Frequenz des Schwingers ist {natural}. Die "
-     "Abbildungen "
-     "zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei anderen "
-     "Frequenzen."},
+     "Abbildungen zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei "
+     "anderen Frequenzen."},
     {"report_resonance_title", clause, "Amplitude against drive frequency",
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",

@@ -228,8 +228,7 @@ constexpr Entry entries[] = {
      "{--over}: a run is laid over positions or angles, and column \"{column}\" holds {kind}; choose one by "
      "{--over-column}",
      "{--over}: ein Lauf wird über Orte oder Winkel gelegt, und die Spalte „{column}“ enthält {kind}; bitte "
-     "mit "
-     "{--over-column} wählen"},
+     "mit {--over-column} wählen"},
     {"over_has_no_samples", error,
      "{--over-from}: column \"{column}\" has no sample from {from:.6g} to {to:.6g} s, where the runs are",
      "{--over-from}: die Spalte „{column}“ hat von {from:.6g} bis {to:.6g} s, wo die Läufe sind, keinen "
@@ -266,8 +265,7 @@ constexpr Entry entries[] = {
      "{until} s sind keine ganze Zahl von Schritten von {step} s: der letzte Schritt ist {last:.6g} s"},
     {"states_too_far_apart", worth_knowing,
      "a state every {kept:.4g} s is less than two in a period of {period:.4g} s: drawn, they show a slower "
-     "swing "
-     "that is not there; a shorter {--step} or a smaller {--every} shows the real one",
+     "swing that is not there; a shorter {--step} or a smaller {--every} shows the real one",
      "ein Zustand alle {kept:.4g} s ist weniger als zwei je Periode von {period:.4g} s: gezeichnet zeigen "
      "sie eine "
      "langsamere Schwingung, die es nicht gibt; ein kürzerer {--step} oder ein kleineres {--every} zeigt die "

@@ -44,19 +44,16 @@ constexpr Entry entries[] = {
      "{--ductility} follows one motion, straight between its samples, until its last sample; leave "
      "{option:option} out",
      "{--ductility} folgt einer Bewegung, gerade zwischen den Messwerten, bis zum letzten; bitte "
-     "{option:option} "
-     "weglassen"},
+     "{option:option} weglassen"},
     {"yield_spectrum", worth_knowing,
      "SD, PSV and PSA are those of yielding, of the strongest spring that reaches the ductility until the "
-     "last "
-     "sample; its largest displacement is SD times the ductility",
+     "last sample; its largest displacement is SD times the ductility",
      "SD, PSV und PSA sind die beim Fließen, bei der stärksten Feder, die bis zum letzten Messwert die "
      "Duktilität erreicht; ihre größte Auslenkung ist SD mal Duktilität"},
     {"ductility_not_reached", worth_knowing,
      "a ductility of {ductility} is not reached at {count:period|periods}, however weak the spring: NaN",
      "eine Duktilität von {ductility} wird bei {count:Periode|Perioden} nicht erreicht, wie schwach die "
-     "Feder "
-     "auch ist: NaN"},
+     "Feder auch ist: NaN"},
     {"loss_factor_takes_long", error,
      "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},
@@ -77,15 +74,12 @@ constexpr Entry entries[] = {
      "{--band-pass-order}: das muss zwischen 1 und {most} liegen, nicht bei {order}"},
     {"band_above_half_rate", error,
      "{--band-pass}: {file}: a corner of {corner:.6g} Hz is not below half the sampling rate, {most:.6g} Hz: "
-     "the "
-     "recording holds nothing that fast; leave the high corner out",
+     "the recording holds nothing that fast; leave the high corner out",
      "{--band-pass}: {file}: eine Ecke von {corner:.6g} Hz liegt nicht unter der halben Abtastrate von "
-     "{most:.6g} "
-     "Hz: so Schnelles enthält die Aufnahme nicht; bitte die obere Ecke weglassen"},
+     "{most:.6g} Hz: so Schnelles enthält die Aufnahme nicht; bitte die obere Ecke weglassen"},
     {"band_too_slow", error,
      "{--band-pass}: {file}: a corner of {corner:.6g} Hz is far slower than the recording of {duration:.6g} "
-     "s "
-     "shows; take a higher one",
+     "s shows; take a higher one",
      "{--band-pass}: {file}: eine Ecke von {corner:.6g} Hz ist weit langsamer, als die Aufnahme von "
      "{duration:.6g} s zeigt; bitte eine höhere wählen"},
     {"too_few_for_baseline", error,
@@ -97,10 +91,8 @@ constexpr Entry entries[] = {
      "recording ends "
      "while the ground moves, or its baseline drifts; {--baseline} and {--band-pass} take a drift off",
      "{file}: die integrierte Geschwindigkeit endet bei {velocity:.3g} m/s, {percent:.0f} % ihrer größten: "
-     "die "
-     "Aufnahme endet, während der Boden sich bewegt, oder ihre Nulllinie driftet; {--baseline} und "
-     "{--band-pass} "
-     "nehmen eine Drift weg"},
+     "die Aufnahme endet, während der Boden sich bewegt, oder ihre Nulllinie driftet; {--baseline} und "
+     "{--band-pass} nehmen eine Drift weg"},
     // Recordings.
     {"like_of_others", clause, "{what} (the like of {others} more of {all} motions)",
      "{what} (ähnlich bei {others} weiteren von {all} Bewegungen)"},

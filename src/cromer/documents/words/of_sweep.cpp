@@ -102,8 +102,7 @@ constexpr Entry entries[] = {
      "{--measure} {measure} compares the mass with the base that shakes it; give {--drive} base and "
      "{--base-displacement}",
      "{--measure} {measure} vergleicht die Masse mit dem Fußpunkt, der sie schüttelt; bitte {--drive} base "
-     "und "
-     "{--base-displacement} angeben"},
+     "und {--base-displacement} angeben"},
     // How points are found.
     {"no_such_direction", error, "{--direction}: \"{typed}\" is none of up, down and both",
      "{--direction}: „{typed}“ ist weder up noch down noch both"},
