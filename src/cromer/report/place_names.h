@@ -25,14 +25,14 @@ NameBlock name_block(const Curve& curve, const TextSizes& sizes, Typeface typefa
 /// The right margin the names of a panel need [px]; 0 without names outside.
 double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface, double room);
 
-/// Adds texts, leaders, rings and dots to `placed`, whose frame and curves are there already. `cell` is the
-/// panel's whole place, `spots` the points of each curve. The words do not overlap each other while there is
-/// room; `crowded` says whether the names inside found good places.
 /// Adds the key's curves to `placed`, each with its look before its name, in rows from the top of `room` on.
 /// Gives their height.
 double place_key(PlacedPanel& placed, const std::vector<Curve>& key, const Box& room, const TextSizes& sizes,
                  Typeface typeface);
 
+/// Adds texts, leaders, rings and dots to `placed`, whose frame and curves are there already. `cell` is the
+/// panel's whole place, `spots` the points of each curve. The words do not overlap each other while there is
+/// room; `crowded` says whether the names inside found good places.
 void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface);
