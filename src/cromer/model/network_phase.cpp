@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "cromer/base/disjoint_sets.h"
 
 namespace cromer::core {
 
@@ -12,19 +13,15 @@ NetworkPhase::NetworkPhase(const Network& network, const std::vector<Contact>& c
   const std::size_t count = network.masses.size();
   for (const NetworkMass& mass : network.masses) mass_.push_back(mass.mass);
 
-  std::vector<std::size_t> leader(count + 1);  // the last one is the ground's
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  DisjointSets sticking(count + 1);  // the last one is the ground
   const auto place = [&](std::size_t mass) { return mass == ground ? count : mass; };
-  const auto leader_of = [&](std::size_t i) {
-    while (leader[i] != i) i = leader[i] = leader[leader[i]];
-    return i;
-  };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (directions[c] == 0) {
       // The last of them leads, so that the ground does.
-      const std::size_t a = leader_of(place(contact.from)), b = leader_of(place(contact.to));
-      leader[std::min(a, b)] = std::max(a, b);
+      const auto [first, last] =
+          std::minmax({sticking.leader(place(contact.from)), sticking.leader(place(contact.to))});
+      sticking.join(first, last);
       continue;
     }
     if (friction_.empty()) friction_.assign(count, 0);
@@ -37,7 +34,7 @@ NetworkPhase::NetworkPhase(const Network& network, const std::vector<Contact>& c
 
   std::vector<Group> groups(count + 1);  // each at the place of its leader
   for (std::size_t i = 0; i < count; ++i) {
-    Group& group = groups[leader_of(i)];
+    Group& group = groups[sticking.leader(i)];
     group.masses.push_back(i);
     group.mass += mass_[i];
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/base/disjoint_sets.h"
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
@@ -22,24 +22,20 @@ bool continues(const StabilityPole& pole, const StabilityPole& before) {
 
 // Groups of poles that are joined by neighbours of one frequency and shape.
 std::vector<std::vector<std::size_t>> join_poles(const std::vector<StabilityPole>& poles) {
-  std::vector<std::size_t> stable, root(poles.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
+  std::vector<std::size_t> stable;
   for (std::size_t i = 0; i < poles.size(); ++i)
     if (poles[i].stable || poles[i].first) stable.push_back(i);
   std::sort(stable.begin(), stable.end(),
             [&](std::size_t a, std::size_t b) { return poles[a].frequency < poles[b].frequency; });
-  const auto root_of = [&](std::size_t i) {
-    while (root[i] != i) i = root[i];
-    return i;
-  };
+  DisjointSets joined(poles.size());
   for (std::size_t i = 0; i < stable.size(); ++i)
     for (std::size_t j = i; j-- > 0;) {
       const StabilityPole &a = poles[stable[i]], &b = poles[stable[j]];
       if (a.frequency - b.frequency > near_frequency * a.frequency) break;
-      if (modal_assurance(a.shape, b.shape) > 0.9) root[root_of(stable[i])] = root_of(stable[j]);
+      if (modal_assurance(a.shape, b.shape) > 0.9) joined.join(stable[i], stable[j]);
     }
   std::map<std::size_t, std::vector<std::size_t>> groups;
-  for (const std::size_t i : stable) groups[root_of(i)].push_back(i);
+  for (const std::size_t i : stable) groups[joined.leader(i)].push_back(i);
   std::vector<std::vector<std::size_t>> result;
   for (auto& [first, members] : groups) result.push_back(std::move(members));
   return result;

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <type_traits>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/base/disjoint_sets.h"
 #include "cromer/methods/all.h"
 #include "cromer/methods/vector_newton.h"
 #include "cromer/model/network_system.h"
@@ -167,17 +167,11 @@ std::vector<Notice> notices_on(const Network& network) {
 /// to the ground.
 int free_bodies(const Network& network) {
   const std::size_t count = network.masses.size();
-  std::vector<std::size_t> leader(count + 1);  // the last one is the ground's
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
-  const auto leader_of = [&](std::size_t i) {
-    while (leader[i] != i) i = leader[i];
-    return i;
-  };
+  DisjointSets held(count + 1);  // the last one is the ground
   for (const NetworkLink& link : network.links)
-    if (slopes_at_rest(link.law).x != 0)
-      leader[leader_of(std::min(link.from, count))] = leader_of(std::min(link.to, count));
+    if (slopes_at_rest(link.law).x != 0) held.join(std::min(link.from, count), std::min(link.to, count));
   int bodies = -1;  // the ground is none
-  for (std::size_t i = 0; i <= count; ++i) bodies += leader[i] == i;
+  for (std::size_t i = 0; i <= count; ++i) bodies += held.leader(i) == i;
   return bodies;
 }
 
