@@ -374,17 +374,19 @@ TEST(Recognise, TriesOneStepIfAsked) {
 }
 
 TEST(Recognise, TriesTheStepThatIsAskedForHoweverManyAreBetweenTwoRows) {
-  const double h = 0.002;
-  const auto rows = rows_of([&](const Point& y) { return semi_implicit(y, h); }, start, 40, 200);
-  RecogniseOptions options = bent_law();
-  options.methods.step = h;
-  const auto result = recognised(file_of(rows, 40 * h, 12), options);
-  ASSERT_TRUE(result.ok());
-  EXPECT_EQ(result->verdict, Verdict::made);
-  EXPECT_EQ(result->recognised.front().method, "euler-cromer");
-  EXPECT_EQ(result->recognised.front().steps_per_row, 40);
-  options.methods.step = 1e-9;
-  EXPECT_THAT(refusal(file_of(rows, 40 * h, 12), options), HasSubstr("at most 1000 are tried"));
+  for (const int every : {40, 500}) {
+    const double h = 0.08 / every;
+    const auto rows = rows_of([&](const Point& y) { return semi_implicit(y, h); }, start, every, 600);
+    RecogniseOptions options = bent_law();
+    options.methods.step = h;
+    const auto result = recognised(file_of(rows, 0.08, 12), options);
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(result->verdict, Verdict::made);
+    EXPECT_EQ(result->recognised.front().method, "euler-cromer");
+    EXPECT_EQ(result->recognised.front().steps_per_row, every);
+    options.methods.step = 1e-9;
+    EXPECT_THAT(refusal(file_of(rows, 0.08, 12), options), HasSubstr("at most 500 are tried"));
+  }
 }
 
 TEST(Recognise, RefusesWhatIsNoRun) {

@@ -78,7 +78,8 @@ Trajectory states_by_steps(const Maker& maker, const Origin& origin, std::size_t
   constexpr int most_looks = 2000;  // at a run, each some hundred steps after the last
   std::atomic<bool> enough = false;
   int looks = 0;
-  const Watch watch{.interrupt = &enough, .pulse = [&] { enough = ++looks > most_looks; }};
+  const Watch watch{.interrupt = &enough,
+                    .pulse = [&] { enough = !maker.shows_steps() && ++looks > most_looks; }};
   run_law({.oscillator = origin.law,
            .method = maker.method,
            .settings = maker.settings,

@@ -21,8 +21,8 @@ namespace cromer::core {
 namespace {
 
 constexpr std::size_t rows_to_screen = 100, most_listed = 8;
-/// Of a law that is not linear, whose steps are gone through one by one.
-constexpr long long most_steps_per_row = 1000;
+/// That may be asked for under a law that is not linear: its steps are gone through one by one.
+constexpr long long most_steps_per_row = 500;
 /// Rows that a method made are off its states by at most this many times what rounding does to them.
 constexpr double most_roundings = 3;
 /// Two programs that add up the same law differ by at least this.
@@ -540,7 +540,7 @@ Result<RecogniseResult> recognise(const Recording& recording, const RecogniseOpt
   if (!states) return states.error();
   auto steps = steps_asked_for(options.methods, states->spacing);
   if (!steps) return steps.error();
-  if (*law && !is_linear(law_of(**law)) && steps->back() > most_steps_per_row)
+  if (options.methods.step && *law && !is_linear(law_of(**law)) && steps->back() > most_steps_per_row)
     return Error{"too_many_steps_a_row", {{"steps", steps->back()}, {"most", most_steps_per_row}}};
   Evidence evidence = evidence_of(*states, options.methods, *std::move(steps));
   if (!(evidence.yardstick.x > 0 && evidence.yardstick.v > 0)) return Error{"run_stands_still"};
