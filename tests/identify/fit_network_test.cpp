@@ -106,6 +106,25 @@ TEST(FitNetwork, AcceptsNoLawThatLeavesAMotion) {
   }
 }
 
+TEST(FitNetwork, WhatHasDiedDownLongAgoIsFitted) {
+  // Six decay times of two masses: most of the record is noise.
+  Network truth;
+  truth.masses = {{.name = "left", .mass = 1.9, .start = {-0.057, 0}}, {.name = "right", .mass = 0.5}};
+  truth.links = {{ground, 0, {.stiffness = 105, .damping = 0.35}},
+                 {0, 1, {.stiffness = 92, .damping = 0.16}}};
+  const std::vector<SoughtValue> sought{{0, &Oscillator<double>::stiffness, false},
+                                        {1, &Oscillator<double>::stiffness, false},
+                                        {0, &Oscillator<double>::damping, true},
+                                        {1, &Oscillator<double>::damping, true}};
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const NetworkSwings data = swings_of(truth, 2500, 1.0 / 30, 6e-4, seed);
+    const NetworkFit fit = fit_network(without(truth, sought), sought, data.record());
+    ASSERT_EQ(fit.status, FitStatus::converged) << seed;
+    for (std::size_t j = 0; j < sought.size(); ++j)
+      EXPECT_NEAR(fit.values[j].value, value(truth, sought[j]), 4.5 * fit.values[j].standard_error) << seed;
+  }
+}
+
 TEST(FitNetwork, SaysWhatTheRecordDoesNotTell) {
   // Two links side by side: their sum alone is known.
   Network truth = pendulums();

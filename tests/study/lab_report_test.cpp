@@ -287,6 +287,25 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
 }
 
+TEST(LabReport, OfAnUnknownLengthNamesNoJoulesAndNoMetres) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::string bytes = "Time (s),Position (au)\n";
+  double x = 30, v = 0;
+  for (int i = 0; i < 40 * 1500; ++i) {
+    if (i % 40 == 0) bytes += shortest(0.02 * (i / 40)) + ',' + shortest(471 + x + noise(random)) + '\n';
+    v -= 5e-4 * (36 * x + 0.02 * x * x * x + 0.1 * v);
+    x += 5e-4 * v;
+  }
+  const Made lab = report({{"lab.csv", bytes}}, {{"mass", "0.1 kg"}, {"law", "viscous+cubic"}});
+  const FittedRecording& fitted = lab.recordings.front().fitted;
+  ASSERT_TRUE(fitted.succeeded());
+  EXPECT_THAT(lab.text(), Not(HasSubstr("of several laws")));
+  EXPECT_EQ(named(fitted.parameters, "stiffness")->unit, "N/m");
+  EXPECT_EQ(named(fitted.parameters, "cubic_stiffness")->unit, "kg/(au² s²)");
+  EXPECT_THAT(lab.text(), Not(testing::ContainsRegex("J|[0-9](\u00a0| )m[ ,.;]|N/m³")));
+}
+
 TEST(LabReport, SaysOfHowManySamplesAPartIs) {
   const Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {{"from", "10 s"}});
   EXPECT_THAT(lab.text(), HasSubstr("lab.csv: 1000 of 1500 samples in 19.98"));

@@ -103,7 +103,7 @@ TEST(ForceParameters, AnIntervalThatEndsAtItsBoundStaysThere) {
   set(fit, "decay_rate", {.value = 0.01, .standard_error = 0.02, .low = 0, .high = 0.05});
   fit.student = 2;
   const Body body{.mass = Quantity{0.2, 0.05}};
-  for (const Parameter& each : force_parameters(fit, body))
+  for (const Parameter& each : force_parameters(fit, body, "m"))
     if (each.name == "damping") {
       EXPECT_EQ(each.estimate.low, 0);
       EXPECT_NEAR(each.estimate.value, 0.004, 1e-15);

@@ -237,6 +237,8 @@ TEST(SimulateSettings, AreNoneOfWhatCannotBeRunAgain) {
   EXPECT_FALSE(none([](LawFit&) {}));
   EXPECT_TRUE(none([](LawFit& fit) { fit.drive.kind = DriveKind::recorded; }));
   EXPECT_TRUE(none([](LawFit& fit) { fit.law = Law{}; }));
+  EXPECT_TRUE(none([](LawFit& fit) { fit.law = fit.law.with(law_with<Hysteresis, Friction>); }));
+  EXPECT_FALSE(none([](LawFit& fit) { fit.law = fit.law.with(law_with<Hysteresis>); }));
   EXPECT_TRUE(none([](LawFit& fit) { fit.motion.position = HUGE_VAL; }));
   EXPECT_TRUE(none([](LawFit& fit) { fit.motion.velocity = std::nan(""); }));
   EXPECT_TRUE(none([](LawFit& fit) { fit.motion.per_mass.stiffness = HUGE_VAL; }));

@@ -215,7 +215,8 @@ class Part : public LabTold {
     const Residual& residual = fitted_.fit.residual;
     text += words(residual.white ? "report_white" : "report_not_white", {{"rms", rms()}});
     paragraph(text);
-    paragraph(words("report_how"));
+    const std::string several = fitted_.candidates.size() > 1 ? words("report_of_several_laws") : "";
+    paragraph(words("report_how", {{"several", several}}));
     table();
     for (const Notice& notice : fitted_.notices)
       if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
@@ -484,7 +485,8 @@ class Part : public LabTold {
                                            {"ratio", fmt::format("{{{}.energy_ratio, 3}}", run)},
                                            {"exact", fmt::format("{{{}.energy_ratio, 3}}", exact_)}}) +
               " ";
-    if (exactly() || fitted_.find("stiffness")) text += fmt::format("{{{}.effect}}", run);
+    if (exactly() || (fitted_.find("stiffness") && units_.displacement == "m"))
+      text += fmt::format("{{{}.effect}}", run);
     return text;
   }
 
@@ -534,13 +536,15 @@ class Part : public LabTold {
     toml_.figure(figure);
 
     if (fitted_.driven) return;
-    const bool in_joules = fitted_.find("stiffness") != nullptr;
-    const double mass = in_joules ? fitted_.find("stiffness")->value / (w * w) : 1;
+    const bool with_mass = fitted_.find("stiffness") != nullptr,
+               in_joules = with_mass && units_.displacement == "m";
+    const double mass = with_mass ? fitted_.find("stiffness")->value / (w * w) : 1;
     const std::string joules(energy_unit(mass * w * w * amplitude * amplitude / 2).symbol);
     figure = method_figure(ids[3], "report_energy_title", "report_energy_caption", "energy",
-                           in_joules ? with_unit(words("report_energy"), joules)
-                           : length  ? with_unit(words("report_energy_per_mass"), joules + "/kg")
-                                     : with_unit(words("report_energy_per_mass"), units_.energy),
+                           in_joules   ? with_unit(words("report_energy"), joules)
+                           : with_mass ? with_unit(words("report_energy"), units_.energy)
+                           : length    ? with_unit(words("report_energy_per_mass"), joules + "/kg")
+                                       : with_unit(words("report_energy_per_mass"), units_.energy),
                            length || in_joules ? joules : "");
     add_methods(figure, true);
     toml_.figure(figure);

@@ -125,12 +125,15 @@ constexpr Entry entries[] = {
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder "
      "ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
     {"report_how", clause,
-     "The law was integrated and fitted to all samples in use by least squares, its start included; of "
-     "several laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one "
-     "where the difference is small.",
+     "The law was integrated and fitted to all samples in use by least squares, its start "
+     "included{several}.",
      "Das Gesetz wurde integriert und mit seinem Anfang durch kleinste Quadrate an alle benutzten Messwerte "
-     "angepasst; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), "
-     "bei kleinem Abstand ein einfacheres."},
+     "angepasst{several}."},
+    {"report_of_several_laws", clause,
+     "; of several laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one "
+     "where the difference is small",
+     "; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), bei kleinem "
+     "Abstand ein einfacheres"},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
      "recordings, if the law is right.",

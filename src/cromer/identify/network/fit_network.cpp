@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "cromer/analysis/complex_modes.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
@@ -449,6 +450,28 @@ std::size_t samples_within(const NetworkRecord& record, double duration) {
   return static_cast<std::size_t>(end - record.t.begin());
 }
 
+NetworkRecord first_samples(const NetworkRecord& record, std::size_t samples) {
+  NetworkRecord part{record.t.first(samples), {}};
+  for (const std::span<const double> y : record.y) part.y.push_back(y.first(samples));
+  return part;
+}
+
+/// The record until nearly all of its motion has been: of what has died down only noise follows.
+NetworkRecord lively_part(const NetworkRecord& record, const std::vector<ColumnSpread>& spreads) {
+  constexpr double nearly_all = 0.99;
+  std::vector<double> until;
+  double sum = 0;
+  for (std::size_t n = 0; n < record.t.size(); ++n) {
+    for (std::size_t i = 0; i < record.y.size(); ++i)
+      if (const double off = (record.y[i][n] - spreads[i].mean) / spreads[i].deviation; !std::isnan(off))
+        sum += off * off;
+    until.push_back(sum);
+  }
+  const auto end = std::lower_bound(until.begin(), until.end(), nearly_all * sum);
+  const auto samples = static_cast<std::size_t>(end - until.begin()) + 1;
+  return first_samples(record, samples);
+}
+
 /// How large the values sought are: the guesses, or a hundredth of what their terms could be.
 std::vector<double> sizes_of(const std::vector<EquationsOfMotion::Guess>& guesses) {
   constexpr double small = 0.01;
@@ -506,8 +529,11 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   const double period = slowest_period(record, spreads);
   const std::size_t parameters = sought.size() + 3 * network.masses.size();
   const bool long_enough = samples >= 3 * parameters && record.t.back() - record.t.front() >= 1.5 * period;
-  const auto guesses = long_enough ? EquationsOfMotion(network, sought, record, spreads, period).solved()
-                                   : std::vector<EquationsOfMotion::Guess>{};
+  const NetworkRecord lively = lively_part(record, spreads);
+  const auto guesses_of = [&](const NetworkRecord& part) {
+    return EquationsOfMotion(network, sought, part, spreads, period).solved();
+  };
+  auto guesses = long_enough ? guesses_of(lively) : std::vector<EquationsOfMotion::Guess>{};
   if (guesses.empty()) {
     fit.status = FitStatus::too_short;
     return fit;
@@ -520,10 +546,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   const std::vector<double> scale = sizes_of(guesses);
   NetworkMotions motions(network, sought, record, spreads, scale, period);
 
-  // Over its beginning first: far from the start, trajectories of wrong values are out of phase.
   LeastSquaresSummary found;
-  found.parameters = start_values(motions, sought, guesses, record, spreads, period);
-  constexpr double first_periods = 3;
   const auto fit_through = [&](std::size_t end) {
     options.residuals = static_cast<int>(std::min<std::size_t>(samples, 1u << 30));
     options.scale = motions.norm();
@@ -532,6 +555,22 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
                      found.parameters, options);
     fit.iterations += found.iterations;
   };
+  // Over its beginning first: far from the start, trajectories of wrong values are out of phase. Where a fast
+  // mode dies down early noise makes bad guesses of the rest, and those of a shorter part are better.
+  constexpr double first_periods = 3;
+  const std::size_t beginning = samples_within(record, first_periods * period);
+  std::optional<LeastSquaresSummary> best;
+  for (std::size_t part = lively.t.size();; part = std::max(part / 2, beginning)) {
+    if (best) guesses = guesses_of(first_samples(record, part));
+    if (!guesses.empty()) {
+      found.parameters = start_values(motions, sought, guesses, record, spreads, period);
+      fit_through(beginning);
+      const bool closer = !best || found.equations.sum_of_squares < best->equations.sum_of_squares;
+      if (closer) best = found;
+    }
+    if (found.reason == LeastSquaresReason::converged || part <= beginning || watch.interrupted()) break;
+  }
+  found = *best;
   for (double duration = first_periods * period;; duration *= 2) {
     const std::size_t end = samples_within(record, duration);
     fit_through(end);

@@ -156,10 +156,8 @@ MotionUnits motion_units(const FittedRecording& fitted) {
   units.measured = unit_of(fitted.series);
   units.displacement = displacement_unit(units.measured, derivative_order(fitted.series.quantity));
   if (!units.displacement.empty()) units.velocity = units.displacement + "/s";
-  if (fitted.find("stiffness"))
-    units.energy = "J";
-  else if (units.displacement == "m")
-    units.energy = "J/kg";
+  if (units.displacement == "m")
+    units.energy = fitted.find("stiffness") ? "J" : "J/kg";
   else if (units.displacement == "rad")
     units.energy = "J/(kg m²)";
   return units;

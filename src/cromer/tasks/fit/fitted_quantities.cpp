@@ -31,6 +31,13 @@ std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, 
   return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
+// Unit of a coefficient times a mass: of no unit of length that is known only where displacements cancel.
+std::string unit_with_mass(const CoefficientInfo& info, std::string_view length) {
+  return length == "m" || info.length == -1
+             ? unit_of(info, Powers::superscript)
+             : unit_of_powers({{"kg", 1}, {length, 1 + info.length}, {"s", info.time - 2}});
+}
+
 // Unit of a parameter that is no coefficient of the law.
 std::string unit_of_parameter(std::string_view name, std::string_view observed, std::string_view length,
                               std::string_view force_unit) {
@@ -236,7 +243,7 @@ std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observ
   return result;
 }
 
-std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body) {
+std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body, std::string_view length) {
   std::vector<Parameter> result;
   if (!body.mass) return result;
   const Quantity m = body.effective_mass();
@@ -247,12 +254,13 @@ std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body) {
       if (!fit.law.has<T>() || info.in_si.empty() || !fitted) continue;
       const Estimate per_mass = info.fitted == FittedAs::square_root ? squared(*fitted) : *fitted;
       const double times = from_fitted(info.fitted, 1.0) * m.value;
-      result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student),
-                        unit_of(info, Powers::superscript)});
+      result.push_back(
+          {std::string(info.in_si), scaled(per_mass, times, u_m, fit.student), unit_with_mass(info, length)});
     }
   });
   if (const Estimate* amplitude = fit.find("drive_amplitude"))
-    result.push_back({"drive_force", scaled(*amplitude, m.value, u_m, fit.student), "N"});
+    result.push_back({"drive_force", scaled(*amplitude, m.value, u_m, fit.student),
+                      length == "m" ? "N" : unit_of_powers({{"kg", 1}, {length, 1}, {"s", -2}})});
   const Estimate* drag = fit.find(Drag::coefficients[0].parameter);
   if (drag && body.disc_diameter) {
     // d = rho S C_d / 2 with S = pi D²/4; rho goes as 1/T.

@@ -37,9 +37,9 @@ std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observ
 /// The parameters in SI, of a body with a mass (else none) and a record of a length or its derivatives: each
 /// term's coefficient (stiffness, damping, drag_constant, …), the force of a harmonic drive and, with a disc,
 /// drag_coefficient: C_d = 2 d/(rho S), where S = pi D^2/4 and rho is the density of dry air at the
-/// temperature. Averaged over a cycle this is 3 pi m q/(2 rho S w), q being the slope of the decay rate
-/// against amplitude.
-std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body);
+/// temperature. `length` is the unit of displacements; of one that is not known no newtons are named.
+/// Averaged over a cycle this is 3 pi m q/(2 rho S w), q being the slope of the decay rate against amplitude.
+std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body, std::string_view length);
 
 /// Which of the parameters are the coefficients of the law, in the order of its terms: those in SI where a
 /// mass gives them, else those per unit mass. drag_coefficient comes last.

@@ -56,6 +56,10 @@ std::string to_known_digits(double value, double relative_error) {
   return shortest(leading_number(fmt::format("{:.{}g}", value, digits)).value_or(LeadingNumber{value}).value);
 }
 
+std::string length_of(const FittedRecording& fitted) {
+  return displacement_unit(unit_of(fitted.series), derivative_order(fitted.series.quantity));
+}
+
 }  // namespace
 
 Body body_of(const FitOptions& options) {
@@ -81,7 +85,7 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted) {
 
 void add_force_parameters(FittedRecording& result, const Body& body) {
   if (is_linear_quantity(result.series.quantity)) {
-    const auto forces = force_parameters(result.fit, body);
+    const auto forces = force_parameters(result.fit, body, length_of(result));
     result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
   } else if (body.mass) {
     result.notices.push_back(Notice{"mass_gives_no_stiffness", {{"column", result.series.column}}});
@@ -108,7 +112,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
     const auto add = [&](const std::vector<Parameter>& more) {
       all.insert(all.end(), more.begin(), more.end());
     };
-    if (has_forces) add(force_parameters(fit, body));
+    if (has_forces) add(force_parameters(fit, body, length_of(result)));
     add(derived_quantities(fit, unit, record.derivative));
     return all;
   };
@@ -119,7 +123,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
 }
 
 std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass) {
-  if (is_recorded(fit.drive.kind) || !fit.law.shares(springs)) return {};
+  if (is_recorded(fit.drive.kind) || !fit.law.shares(springs) || !runs_together(fit.law)) return {};
   const Motion& motion = fit.motion;
   const double exponent = motion.per_mass.hysteresis_exponent;
   const double shorter = two_pi / std::max(motion.angular_frequency(), motion.drive_frequency);

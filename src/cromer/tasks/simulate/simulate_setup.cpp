@@ -110,7 +110,7 @@ Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run)
   const auto refuse = [](std::string_view other) {
     return Error{"hysteresis_with_other", {{"option", other}}};
   };
-  if (law.has<Friction>()) return refuse(o.law.friction != 0 ? "friction" : "static-friction");
+  if (!runs_together(law)) return refuse(o.law.friction != 0 ? "friction" : "static-friction");
   if (o.compensated) return refuse("compensated");
   if (!o.event.empty()) return refuse("event");
   return {};

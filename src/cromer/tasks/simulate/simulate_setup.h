@@ -29,6 +29,9 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& options);
 /// The settings of the method of that name, which must be in the list.
 MethodSettings settings_of(const SimulateOptions& options, std::string_view method);
 
+/// Whether a run can have all the law's terms: hysteresis and friction both remember, and no run has both.
+inline bool runs_together(const Law& law) { return !(law.has<Hysteresis>() && law.has<Friction>()); }
+
 /// The state in which the motion begins.
 State<double> start_of(const SimulateOptions& options);
 
