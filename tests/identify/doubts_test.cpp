@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
@@ -68,6 +69,20 @@ TEST(Doubts, AnAmplitudeThatRisesIsNoFreeSwing) {
   SyntheticRecord beats = viscous_record({.g = 0.02}, even_times(6000, 0.01), 3e-4);
   for (std::size_t i = 0; i < beats.t.size(); ++i) beats.y[i] += 0.012 * std::sin(9.3 * beats.t[i]);
   EXPECT_THAT(doubts_about(beats), testing::Contains(HasSubstr("the amplitude rises")));
+}
+
+TEST(Doubts, ChanceInTheTimesIsNoRise) {
+  // About nine samples in a period, at times of their own.
+  for (unsigned seed = 1; seed <= cases(60u); ++seed) {
+    std::mt19937 random(seed);
+    std::exponential_distribution<double> wait(1 / 0.0774);
+    std::vector<double> t{0};
+    while (t.size() < 800) t.push_back(t.back() + wait(random));
+    const SyntheticRecord record = viscous_record({.g = 0.0055, .velocity = 0}, t, 3e-4, 0, seed);
+    const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
+    ASSERT_EQ(fit.status, FitStatus::converged) << seed;
+    for (const Notice& notice : doubts(record.record(), fit)) EXPECT_NE(notice.code, "amplitude_rises") << seed;
+  }
 }
 
 TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {

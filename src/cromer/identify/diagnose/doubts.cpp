@@ -224,6 +224,16 @@ std::vector<AmplitudeWindow> amplitudes(const Record& record, double period) {
   return amplitude_windows(record, 4 * period, 16);
 }
 
+// How far apart the amplitudes of an even swing may lie by chance, as a share of them, where samples are taken
+// at times of their own: six standard deviations of the mean square of a sinusoid at so many phases.
+double chance_of_times(const Record& record, double window) {
+  const double mean = even_steps(record.t).mean;
+  std::size_t odd = 0;
+  for (std::size_t i = 1; i < record.t.size(); ++i)
+    odd += std::abs(record.t[i] - record.t[i - 1] - mean) > 0.5 * mean;
+  return 10 * odd < record.t.size() ? 0 : 6 / std::sqrt(8 * window / mean);
+}
+
 // The largest rise of the amplitude from an earlier window to a later.
 Notice rise(const Record& record, double period, double noise) {
   const std::vector<AmplitudeWindow> windows = amplitudes(record, period);
@@ -236,7 +246,8 @@ Notice rise(const Record& record, double period, double noise) {
     largest = std::max(largest, window.amplitude);
   }
   // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
-  if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
+  const double least = std::max(0.1, chance_of_times(record, 4 * period)) * largest;
+  if (to.amplitude - from.amplitude < std::max({least, 3 * noise, 2 * record.resolution})) return {};
   const double times = to.amplitude / from.amplitude;
   return Notice{
       "amplitude_rises",
