@@ -280,7 +280,8 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   const bool is_white = noise.correlation.coefficients.empty();
   if (!noise.scale.empty() && is_white && is_filtered(minimum, inverse, noise)) {
     const auto [low, high] = extent_of(noise.scale);
-    fit.notices.push_back(Notice{"noise_is_uneven", {{"times", high / low}}});
+    constexpr double told = 1.1;
+    if (high > told * low) fit.notices.push_back(Notice{"noise_is_uneven", {{"times", high / low}}});
   }
 }
 

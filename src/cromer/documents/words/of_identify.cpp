@@ -159,10 +159,10 @@ constexpr Entry entries[] = {
      "die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere "
      "Zahl ist zu {percent:.0f} % wahrscheinlich, die Bereiche sind dafür geweitet"},
     {"residuals_correlated", clause, "the residuals are correlated ({correlation:.3f} from sample to sample)",
-     "die Reste hängen zusammen ({correlation:.3f} von Messwert zu Messwert)"},
+     "die Residuen sind korreliert ({correlation:.3f} von Messwert zu Messwert)"},
     {"residuals_correlated_apart", clause,
      "the residuals are correlated ({correlation:.3f} at a lag of {samples} samples)",
-     "die Reste hängen zusammen ({correlation:.3f} im Abstand von {samples} Messwerten)"},
+     "die Residuen sind korreliert ({correlation:.3f} im Abstand von {samples} Messwerten)"},
     {"noise_is_uneven", detail,
      "the noise is uneven, up to {times:.2g} times as large at one time as at another: the uncertainties are "
      "those of such noise",
