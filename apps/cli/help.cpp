@@ -44,7 +44,7 @@ void append_wrapped(std::string& out, std::string_view text) {
 
 /// As much of the option's first clause as a line of the terminal holds.
 std::string_view in_short(std::string_view help) {
-  help = help.substr(0, help.find_first_of(";:("));
+  help = help.substr(0, std::min(help.find_first_of(":("), help.find("; ")));
   while (help.ends_with(' ')) help.remove_suffix(1);
   return help;
 }

@@ -22,7 +22,7 @@ namespace {
 constexpr Command commands[] = {
     {"simulate", "run the oscillator by one or more methods", run_simulate},
     {"methods", "list the methods of integration", run_methods},
-    {"modes", "natural frequencies and shapes of a network of masses", run_modes},
+    {"modes", "natural frequencies, damping and shapes of a network or a recording", run_modes},
     {"inspect", "say what is in a recording; convert it", run_inspect},
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},
@@ -30,7 +30,7 @@ constexpr Command commands[] = {
     {"spectrum", "response and shock spectra of a recorded acceleration", run_spectrum},
     {"record", "record from a sensor or a phone as it measures", run_record},
     {"serve", "the lab in the browser, with live recording", run_serve},
-    {"report", "run a study and write its figures and page", run_report},
+    {"report", "a report with figures of your recordings, or of a study", run_report},
 };
 
 std::string overview() {
