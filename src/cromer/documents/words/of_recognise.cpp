@@ -72,12 +72,12 @@ constexpr Entry entries[] = {
      "diese Zeilen folgen dem Gesetz selbst: ihre Stellen zeigen keinen Fehler eines Verfahrens. "
      "{methods:or} ergibt sie, ebenso jedes Verfahren mit genügend kurzen Schritten"},
     {"rows_follow_the_law_nearly", clause,
-     "these rows follow the law itself ({methods:or}) to {percent:.2g} % of the motion, and no method with "
-     "equal steps made them: so does an adaptive method with such a tolerance, or a law that is a little "
-     "different",
-     "diese Zeilen folgen dem Gesetz selbst ({methods:or}) bis auf {percent:.2g} % der Bewegung, und kein "
-     "Verfahren mit gleichen Schritten hat sie gemacht: so tut es ein adaptives Verfahren mit solcher "
-     "Toleranz oder ein wenig anderes Gesetz"},
+     "these rows follow the law itself ({methods:or}) to {percent:.2g} % of the motion, and none of the "
+     "methods known here made them by equal steps: so does another method, an adaptive one with such a "
+     "tolerance, or a law that is a little different",
+     "diese Zeilen folgen dem Gesetz selbst ({methods:or}) bis auf {percent:.2g} % der Bewegung, und keines "
+     "der hier bekannten Verfahren hat sie mit gleichen Schritten gemacht: so tut es ein anderes Verfahren, "
+     "ein adaptives mit solcher Toleranz oder ein wenig anderes Gesetz"},
     {"rows_made_from_other_law", clause,
      "no method made these rows from the law given. From a natural frequency of {frequency:.8g} rad/s and a "
      "damping ratio of {ratio:.5g}, {maker}{same}{others} makes them: check the law, or it is another "
