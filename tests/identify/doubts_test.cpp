@@ -81,7 +81,8 @@ TEST(Doubts, ChanceInTheTimesIsNoRise) {
     const SyntheticRecord record = viscous_record({.g = 0.0055, .velocity = 0}, t, 3e-4, 0, seed);
     const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
     ASSERT_EQ(fit.status, FitStatus::converged) << seed;
-    for (const Notice& notice : doubts(record.record(), fit)) EXPECT_NE(notice.code, "amplitude_rises") << seed;
+    for (const Notice& notice : doubts(record.record(), fit))
+      EXPECT_NE(notice.code, "amplitude_rises") << seed;
   }
 }
 

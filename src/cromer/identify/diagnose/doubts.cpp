@@ -224,8 +224,8 @@ std::vector<AmplitudeWindow> amplitudes(const Record& record, double period) {
   return amplitude_windows(record, 4 * period, 16);
 }
 
-// How far apart the amplitudes of an even swing may lie by chance, as a share of them, where samples are taken
-// at times of their own: six standard deviations of the mean square of a sinusoid at so many phases.
+// How far apart the amplitudes of an even swing may lie by chance, as a share of them, where samples are
+// taken at times of their own: six standard deviations of the mean square of a sinusoid at so many phases.
 double chance_of_times(const Record& record, double window) {
   const double mean = even_steps(record.t).mean;
   std::size_t odd = 0;

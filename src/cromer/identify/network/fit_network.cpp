@@ -571,11 +571,12 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
     if (found.reason == LeastSquaresReason::converged || part <= beginning || watch.interrupted()) break;
   }
   found = *best;
-  for (double duration = first_periods * period;; duration *= 2) {
-    const std::size_t end = samples_within(record, duration);
+  std::size_t end = beginning;
+  for (double duration = 2 * first_periods * period; end < record.t.size() && !watch.interrupted();
+       duration *= 2) {
+    end = samples_within(record, duration);
     fit_through(end);
     if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
-    if (end == record.t.size() || watch.interrupted()) break;
   }
   // Columns have noise of their own.
   for (int round = 0; round < 2 && !watch.interrupted(); ++round) {
