@@ -131,9 +131,14 @@ std::vector<CandidateMaker> all_candidates(const Evidence& evidence, const Traje
   return candidates;
 }
 
-/// Where the fit begins: the guess; where the law is sought, the law that this method turns into the guess.
+/// Where the fit begins: the guess; where the law is sought, the law that this method turns into the guess;
+/// and of a velocity that is ahead, the one a step before.
 Origin start_of(const Maker& maker, const Evidence& evidence) {
   Origin start = evidence.guess;
+  constexpr int rounds = 8;
+  for (int i = 0; i < rounds && maker.velocity_ahead; ++i)
+    if (const Trajectory first = states_made_by(maker, start, 1); first.size() == 1)
+      start.start.v += evidence.guess.start.v - first.v.front();
   if (!evidence.freedom.law || !maker.shows_steps()) return start;
   const double step = start.spacing / static_cast<double>(maker.steps_per_row);
   const auto before = law_before_method(maker.method, maker.settings, step,
@@ -196,9 +201,7 @@ std::vector<CandidateMaker> try_all(const Evidence& evidence, const Watch& watch
   const Trajectory few = first_rows(evidence.rows, rows_to_screen);
   std::vector<CandidateMaker> candidates = all_candidates(evidence, few);
   // At a first look the first row will do as a start, where it shows all of the state.
-  fit_all(candidates, few, evidence, watch, [&](const Maker& maker) {
-    return evidence.freedom.law ? 3 : maker.velocity_ahead ? 1 : 0;
-  });
+  fit_all(candidates, few, evidence, watch, [&](const Maker&) { return evidence.freedom.law ? 3 : 0; });
   keep_nearest(candidates);
   fit_all(candidates, evidence.rows, evidence, watch,
           [&](const Maker&) { return evidence.freedom.law ? 15 : 4; });
