@@ -99,9 +99,10 @@ constexpr Entry entries[] = {
     {"no_memory_for_motion", error, "not enough memory for its spectra",
      "für ihre Spektren reicht der Speicher nicht"},
     {"no_pairs", error,
-     "{--files} pairs: {files} files do not come in pairs; name the two components of each motion one after "
-     "the other",
-     "{--files} pairs: {files} Dateien ergeben keine Paare; bitte die zwei Komponenten jeder Bewegung "
+     "{--files} pairs: {files:file does|files do} not come in pairs; name the two components of each motion "
+     "one after the other",
+     "{--files} pairs: {files:Datei ergibt|Dateien ergeben} keine Paare; bitte die zwei Komponenten jeder "
+     "Bewegung "
      "nacheinander nennen"},
     {"file_of_one_motion", error,
      "{option:option} writes a file of one motion; ask for the motions one after the other",
