@@ -348,6 +348,7 @@ TEST(LabReport, OfAMotionWithoutASpringNamesNoRestPosition) {
   EXPECT_THAT(lab.page.summary, HasSubstr("lab.csv: a driven motion."));
   EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"record", "swings", "residuals"}));
   EXPECT_THAT(lab.text(), Not(HasSubstr("rest position")));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("spring constant")));
 }
 
 TEST(LabReport, OfHysteresisNamesNoFrequencyOfItsOwn) {

@@ -606,7 +606,8 @@ class Part : public LabTold {
     for (const Notice& notice : worst_first(compared_ ? compared_->notices : fitted_.notices))
       if (severity(notice) != Severity::detail) add(words("report_sentence", {{"what", notice}}));
     const bool of_length = !fitted_.series.quantity.empty() && is_linear_quantity(fitted_.series.quantity);
-    if (fitted_.succeeded() && of_length && fitted_.options.mass.empty()) add(words("report_give_mass"));
+    if (fitted_.succeeded() && of_length && fitted_.options.mass.empty() && fitted_.fit.law.shares(springs))
+      add(words("report_give_mass"));
     if (fitted_.succeeded() && of_length && !fitted_.options.disc_diameter) add(words("report_give_disc"));
     if (text.empty()) return;
     heading("report_not_told");
