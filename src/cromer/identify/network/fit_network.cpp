@@ -571,12 +571,16 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
     if (found.reason == LeastSquaresReason::converged || part <= beginning || watch.interrupted()) break;
   }
   found = *best;
+  const auto tell = [&](std::size_t end) {
+    if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
+  };
   std::size_t end = beginning;
+  tell(end);
   for (double duration = 2 * first_periods * period; end < record.t.size() && !watch.interrupted();
        duration *= 2) {
     end = samples_within(record, duration);
     fit_through(end);
-    if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
+    tell(end);
   }
   // Columns have noise of their own.
   for (int round = 0; round < 2 && !watch.interrupted(); ++round) {
