@@ -389,11 +389,10 @@ double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
   return widest;
 }
 
-/// What the normal equations do not tell: with the values that are `held` the others are told, and those that
-/// are `open` might each be held in the place of one of them.
+/// What the normal equations do not tell. Some values must be held for the others to be told; which, is open.
 struct Untold {
-  std::vector<std::size_t> open;
-  std::array<bool, max_parameters> told = all_free;  ///< all but those that are held
+  std::vector<std::size_t> open;                     ///< those that are held, or might be in the place of one
+  std::array<bool, max_parameters> told = all_free;  ///< false of those that are held
 };
 
 Untold untold_of(const NormalEquations& equations, std::size_t sought) {

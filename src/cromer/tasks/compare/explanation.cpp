@@ -19,12 +19,15 @@ std::string with_unit(double value, std::string_view unit) {
   return text;
 }
 
+/// By how much the ratio of amplitudes may be off by noise alone.
+double noise_at_the_end(const ComparedCurve& curve) { return 2 * curve.amplitude_ratio_error; }
+
 /// "the amplitude at the end is 10 % too small"
 Notice amplitude_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return Notice{curve.at_rest ? "both_have_died_down" : "it_still_swings"};
   const double off = 100 * std::abs(curve.amplitude_ratio_end - 1);
   constexpr double right = 0.05;  // [%]
-  const double noise = 100 * 2 * curve.amplitude_ratio_error;
+  const double noise = 100 * noise_at_the_end(curve);
   if (off < noise && noise > right)
     return Notice{"end_is_right_within_noise", {{"noise", rounded(noise, 2)}}};
   if (off < right) return Notice{"end_is_right"};
@@ -32,11 +35,11 @@ Notice amplitude_at_the_end(const ComparedCurve& curve) {
                 {{"off", rounded(off, 2)}}};
 }
 
-/// Whether the amplitude at the end is off by more than one may call right, whatever the noise.
+/// Whether the amplitude at the end is off by more than the noise lets see, and than one may call right.
 bool is_far_off_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return !curve.at_rest;
   constexpr double far = 0.05;
-  return std::abs(curve.amplitude_ratio_end - 1) > std::max(far, 2 * curve.amplitude_ratio_error);
+  return std::abs(curve.amplitude_ratio_end - 1) > std::max(far, noise_at_the_end(curve));
 }
 
 /// What the method adds to the law's own misfit; empty if that is negligible.

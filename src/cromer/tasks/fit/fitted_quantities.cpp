@@ -31,7 +31,8 @@ std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, 
   return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
-// Unit of a coefficient times a mass: of no unit of length that is known only where displacements cancel.
+// Unit of a force's coefficient, the default that of a force itself. Where the unit of length is not known it
+// has newtons only if displacements cancel.
 std::string unit_with_mass(const CoefficientInfo& info, std::string_view length) {
   return length == "m" || info.length == -1
              ? unit_of(info, Powers::superscript)
@@ -259,8 +260,8 @@ std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body, std
     }
   });
   if (const Estimate* amplitude = fit.find("drive_amplitude"))
-    result.push_back({"drive_force", scaled(*amplitude, m.value, u_m, fit.student),
-                      length == "m" ? "N" : unit_of_powers({{"kg", 1}, {length, 1}, {"s", -2}})});
+    result.push_back(
+        {"drive_force", scaled(*amplitude, m.value, u_m, fit.student), unit_with_mass({}, length)});
   const Estimate* drag = fit.find(Drag::coefficients[0].parameter);
   if (drag && body.disc_diameter) {
     // d = rho S C_d / 2 with S = pi D²/4; rho goes as 1/T.

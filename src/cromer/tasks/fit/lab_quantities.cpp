@@ -9,6 +9,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/simulate/laid_over.h"
@@ -56,10 +57,6 @@ std::string to_known_digits(double value, double relative_error) {
   return shortest(leading_number(fmt::format("{:.{}g}", value, digits)).value_or(LeadingNumber{value}).value);
 }
 
-std::string length_of(const FittedRecording& fitted) {
-  return displacement_unit(unit_of(fitted.series), derivative_order(fitted.series.quantity));
-}
-
 }  // namespace
 
 Body body_of(const FitOptions& options) {
@@ -85,7 +82,7 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted) {
 
 void add_force_parameters(FittedRecording& result, const Body& body) {
   if (is_linear_quantity(result.series.quantity)) {
-    const auto forces = force_parameters(result.fit, body, length_of(result));
+    const auto forces = force_parameters(result.fit, body, motion_units(result).displacement);
     result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
   } else if (body.mass) {
     result.notices.push_back(Notice{"mass_gives_no_stiffness", {{"column", result.series.column}}});
@@ -112,7 +109,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
     const auto add = [&](const std::vector<Parameter>& more) {
       all.insert(all.end(), more.begin(), more.end());
     };
-    if (has_forces) add(force_parameters(fit, body, length_of(result)));
+    if (has_forces) add(force_parameters(fit, body, motion_units(result).displacement));
     add(derived_quantities(fit, unit, record.derivative));
     return all;
   };
