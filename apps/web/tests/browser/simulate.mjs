@@ -50,6 +50,17 @@ const slider = (page, option) => page.locator(`[data-option="${option}"]`)
 const button = (page, name) => page.getByRole('button', { name })
 
 {
+  const silent = () => (window.Worker = class extends EventTarget { postMessage() {} terminate() {} })
+  const { page, context } = await open(browser, { watch: silent })
+  await check('before the core has answered nothing is said of the law', async () => {
+    const said = await page.evaluate(() => [document.body.innerText, ...[...document.querySelectorAll('[aria-label]')].map((each) => each.ariaLabel)].join('\n'))
+    assert.match(said, /Set resonance: …/)
+    assert.deepEqual(said.match(/choose a method|no resonance|too much damping|∞|= 0\s/gi) ?? [], [])
+  })
+  await context.close()
+}
+
+{
   const { page, faults, context } = await open(browser)
   await ready(page)
   await check('every slider moves something', async () => {
