@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/model/law_force.h"
 #include "tests/identify/forced_truth.h"
@@ -55,6 +56,28 @@ TEST(ChooseLaw, ASpringThatIsNotSymmetricIsFound) {
     for (double& each : y) each += normal(engine);
     EXPECT_EQ(to_text(choose_law({t, y}, {}).chosen.law), "viscous+quadratic") << seed;
   }
+}
+
+// A zero that creeps bends springs and takes dampings away; no free swing is without any.
+TEST(ChooseLaw, ALawWithoutAnyDampingIsNotChosen) {
+  struct Creeping {
+    double w, size, cycles, damping_ratio, creep, fall;
+  };
+  for (const Creeping& swing : {Creeping{4.1785, 0.024224, 9.44, 0.00155, 0.397, 5.617},
+                                Creeping{10.4508, 0.022324, 12.995, 0.001164, 0.2947, 8.024}})
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+      const std::vector<double> t = even_times(1500, two_pi / swing.w * swing.cycles / 1500);
+      SyntheticRecord record = viscous_record({.w0 = swing.w,
+                                               .g = swing.w * swing.damping_ratio,
+                                               .equilibrium = 0,
+                                               .position = swing.size,
+                                               .velocity = 0},
+                                              t, 0.01 * swing.size, 0, seed);
+      for (std::size_t i = 0; i < t.size(); ++i)
+        record.y[i] += swing.size * swing.creep * (1 - std::exp(-swing.fall * t[i] / t.back()));
+      EXPECT_TRUE(choose_law(record.record(), {}).chosen.law.shares(dissipative_terms))
+          << swing.w << ' ' << seed;
+    }
 }
 
 bool was_tried(const LawChoice& choice, const Law& law) {

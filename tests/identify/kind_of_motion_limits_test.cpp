@@ -78,12 +78,12 @@ TEST(KindOfMotionLimits, ADriveMustBeWorthItsSearch) {
     EXPECT_FALSE(judgement.modes);
     return judgement.kind;
   };
-  // Half of 64 frequencies, or eight about the one that was named.
-  const double all = 2 * std::log(32.0), few = 2 * std::log(8.0);
+  // Half of 64 frequencies. For one that was named nothing was searched, and the free law must be worth more.
+  const double all = 2 * std::log(32.0);
   EXPECT_EQ(kind(overdamped().driven_below(strong - hair, all), false), MotionKind::free);
   EXPECT_EQ(kind(overdamped().driven_below(strong + hair, all), false), MotionKind::driven);
-  EXPECT_EQ(kind(overdamped().driven_below(strong - hair, few), true), MotionKind::free);
-  EXPECT_EQ(kind(overdamped().driven_below(strong + hair, few), true), MotionKind::driven);
+  EXPECT_EQ(kind(overdamped().driven_below(-strong - hair, 0), true), MotionKind::free);
+  EXPECT_EQ(kind(overdamped().driven_below(-strong + hair, 0), true), MotionKind::driven);
   // Two samples are taken for independent at least.
   for (const double independent : {1.0, 2.0}) {
     Fits fits = overdamped();
@@ -91,10 +91,14 @@ TEST(KindOfMotionLimits, ADriveMustBeWorthItsSearch) {
     EXPECT_EQ(kind(fits.driven_below(strong - hair, all, 2), false), MotionKind::free);
     EXPECT_EQ(kind(fits.driven_below(strong + hair, all, 2), false), MotionKind::driven);
   }
-  // One that did not converge is worth nothing.
+  // One that did not converge is worth nothing, unless it was named and has come so far.
   Fits failed = overdamped().driven_below(1000, all);
   failed.driven.status = FitStatus::iteration_limit;
   EXPECT_EQ(failed.judged(record).kind, MotionKind::free);
+  EXPECT_EQ(failed.judged(record, true).kind, MotionKind::free);
+  failed.driven.estimates.emplace_back();
+  EXPECT_EQ(failed.judged(record).kind, MotionKind::free);
+  EXPECT_EQ(failed.judged(record, true).kind, MotionKind::driven);
 }
 
 TEST(KindOfMotionLimits, WhatIsBelowTheRoundingIsWorthNothing) {

@@ -73,6 +73,19 @@ TEST(StickSlip, DampedArcsAgreeWithAFineIntegration) {
   EXPECT_GT(std::abs(exact.v), 0.1) << "it still moves";
 }
 
+// Undamped it keeps the energy from cycle to cycle; friction alone takes it, 2 f / k of the amplitude a turn.
+TEST(StickSlip, EulerCromerAddsNoEnergyAtTheTurns) {
+  const double w = 6, friction = 0.01, start = 0.1;
+  for (const double step : {0.005, 0.0171, 0.03, 0.0507}) {
+    EventLog log{.events = {{.quantity = Event::Quantity::velocity}}};
+    run({.mass = 1, .stiffness = w * w, .friction = friction}, {}, "euler-cromer", 20, {step}, {start, 0},
+        &log);
+    ASSERT_GE(log.found.size(), 37u) << step;
+    const double left = start - 2 * friction / (w * w) * 37;
+    EXPECT_NEAR(std::abs(log.found[36].y.x) / left, 1, w * w * step * step) << step;
+  }
+}
+
 TEST(StickSlip, OneArcOfAFreeMassIsABrakingDistance) {
   // No spring: v0 = 2 m/s, 0.5 m/s^2: 4 s and 4 m.
   const Oscillator<double> sledge{.mass = 2, .stiffness = 0, .friction = 1};

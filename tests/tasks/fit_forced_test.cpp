@@ -9,7 +9,9 @@
 #include <random>
 #include <sstream>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/support/cases.h"
@@ -512,6 +514,49 @@ TEST(FitDriven, TwoSwingsAreNoDriveThatIsAskedFor) {
     EXPECT_FALSE(result->driven);
     EXPECT_EQ(result->options.drive_frequency, asked);
   }
+}
+
+// Within a few thousandths of resonance both lines are one: the transient alone tells that it is driven.
+TEST(FitDriven, ADriveInResonanceThatIsNamedIsThere) {
+  const int all = cases(24);
+  int settled = 0, within = 0;
+  for (int seed = 1; seed <= all; ++seed) {
+    std::mt19937_64 engine(static_cast<unsigned>(seed));
+    const auto among = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(engine);
+    };
+    const double w = 6 * among(1, 2.5), g = w * std::pow(10, among(-2.5, -1.7)), size = among(0.01, 0.03);
+    Motion motion{.position = size * among(-1, 1)};
+    motion.set_angular_frequency(w);
+    motion.set_decay_rate(g);
+    motion.drive_frequency = w * among(0.995, 1.005);
+    const double force = 2 * g * w * size * among(0.5, 1.5), phase = among(-3, 3);
+    motion.cosine = force * std::cos(phase);
+    motion.sine = -force * std::sin(phase);
+    Series series;
+    series.column = "x (m)";
+    series.quantity = "position";
+    const double cycles = among(15, 60);
+    for (int i = 0; i < 1500; ++i) series.t.push_back(two_pi / w * cycles * i / 1500);
+    series.rate = 1 / series.t[1];
+    series.y = observed_motion(motion, Drive::harmonic(), series.t, 0, 0.05 / w);
+    std::normal_distribution<double> normal(0, 0.02 * size);
+    for (double& y : series.y) y += normal(engine);
+    const FitOptions options{
+        .drive_frequency = std::to_string(motion.drive_frequency * among(0.997, 1.003) / two_pi) + " Hz"};
+    auto driven = fit_driven(series, "rig.csv", options, {});
+    ASSERT_TRUE(driven) << seed;
+    const auto result = check_drive(*driven, series, options, {});
+    ASSERT_TRUE(result) << seed;
+    ASSERT_TRUE(result->driven) << seed << ": " << to_text(result->fit.law);
+    if (result->fit.status != FitStatus::converged) continue;
+    ++settled;
+    const Estimate& own = *result->find("angular_frequency");
+    within += own.low <= w && w <= own.high;
+    EXPECT_NEAR(own.value, w, 4.5 * own.standard_error) << seed;
+  }
+  EXPECT_GE(settled, all * 0.95);
+  EXPECT_GE(within, settled * 0.85);
 }
 
 TEST(FitForced, AForceIsPointedAtWhereTheFreeLawDoesNotDescribeTheMotion) {

@@ -17,6 +17,7 @@ class Owning final : public Stepper {
     return stepper_.part(t, h, y);
   }
   double* carried() override { return stepper_.carried(); }
+  double acceleration(double t, const State<double>& y) const override { return stepper_.acceleration(t, y); }
   const MethodInfo& info() const override { return M::info; }
   double zero_spacing() const override { return stepper_.zero_spacing(); }
 

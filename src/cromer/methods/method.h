@@ -31,6 +31,8 @@ struct MethodInfo {
   constexpr bool is_exact() const { return order == 0; }
   /// Chooses its steps by its error estimate.
   constexpr bool is_adaptive() const { return error_order > 0; }
+  /// The position moves through a whole step with the velocity at its end, and no energy is lost.
+  constexpr bool moves_with_last_velocity() const { return symplectic && order == 1; }
   /// Has a formula for one step of a given length.
   constexpr bool takes_fixed_steps() const { return !is_exact() && !is_adaptive(); }
 

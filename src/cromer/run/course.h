@@ -88,6 +88,8 @@ struct Course {
   Status status = Status::reached_end;
   bool interrupted = false;
   bool at_rest = false;  ///< a sliding mass has stopped: the next phase begins
+  double cut_after = 0;  // [s] into the last step, and what was left of it
+  double cut_before = 0;
   double last_step = 0;  // [s] the step that the controller wanted where a phase ended in full swing; else 0
   Counts counts{};
 

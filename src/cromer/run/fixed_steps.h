@@ -170,6 +170,9 @@ class StepperFor {
   /// The acceleration of its own that the method keeps from step to step; nullptr where it keeps none.
   virtual Real* carried() = 0;
 
+  /// The system's.
+  virtual Real acceleration(double t, const State<Real>& y) const = 0;
+
   virtual const MethodInfo& info() const = 0;
 
   /// No two zeros of the velocity lie closer together than this [s]; infinite where the system does not say
@@ -210,6 +213,10 @@ class StepperOf final : public StepperFor<Real> {
       return nullptr;
   }
 
+  Real acceleration(double t, const State<Real>& y) const override {
+    return system_.acceleration(t, y.x, y.v);
+  }
+
   const MethodInfo& info() const override { return M::info; }
 
   double zero_spacing() const override {
@@ -228,6 +235,11 @@ class StepperOf final : public StepperFor<Real> {
 /// shorter step to the next: a method's partial step is as good as its step, so phases and events keep its
 /// order. The stepper has been started where the course stands. A Look of another number than Real is not
 /// asked.
+///
+/// Euler-Cromer moves through a whole step with the velocity at its end. Where the end of a phase cut a step
+/// in two it would move through the first part with the velocity at the cut, which at a turning point is
+/// none: each turn would add (step times frequency) squared / 3 to the energy, in the mean, and nothing else
+/// of the method does. What the first part lacks is added.
 template <class Real, class Look, class Recorder>
 void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look& look, Course<Real>& course,
                          const Recorder& record, const Watch& watch, const Limits& limits,
@@ -237,6 +249,8 @@ void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look
     course.counts.evaluations += stepper.info().evaluations_of(1, trial.newton_iterations);
     return trial;
   };
+  if (course.at_rest && stepper.info().moves_with_last_velocity())
+    course.y.x = course.y.x + course.cut_after * course.cut_before * stepper.acceleration(course.t, course.y);
   course.at_rest = false;
   // An end that is a row but for rounding is that row.
   const double soon = phase_end - same_time * rows.step;
@@ -270,6 +284,8 @@ void take_searched_steps(StepperFor<Real>& stepper, const Rows& rows, const Look
     course.t = whole ? next : course.t + cut.theta * h;
     course.y = cut.y;
     course.at_rest = cut.at_rest;
+    course.cut_after = cut.theta * h;
+    course.cut_before = h - course.cut_after;
     if (cut.stopped) course.status = Status::stopped_by_event;
     if (whole && to_row) ++course.row;
     if ((whole && to_row) || cut.stopped) record(course.t, course.y);

@@ -43,6 +43,7 @@ int direction_from_rest(const S& system, double t, double x) {
 template <FrictionSystem S>
 int stick(const S& system, const Rows& rows, Course<double>& course, AnyRecorder record, const Watch& watch) {
   course.y.v = 0;
+  course.at_rest = false;
   const double x = course.y.x;
   while (course.goes_on(rows)) {
     if (course.row % 1024 == 0 && watch.interrupted()) {

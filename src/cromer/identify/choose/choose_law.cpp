@@ -280,8 +280,8 @@ class LawSearch {
     const LawFit now = candidates_[best_];
     for (std::size_t i = 0; i < term_count && !(now.law == before); ++i) {
       const Law term{std::uint32_t{1} << i}, law = now.law.without(term);
-      if (now.law.contains(term) && before.contains(term) && !springs.contains(term))
-        try_law(law, of_fit(now, law));
+      const bool old = now.law.contains(term) && before.contains(term);
+      if (old && !springs.contains(term) && law.shares(dissipative_terms)) try_law(law, of_fit(now, law));
     }
     settle();
     drop_terms();

@@ -8,8 +8,8 @@
 #include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/second_mode.h"
-#include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/start/driven_start.h"
+#include "cromer/identify/start/two_lines.h"
 
 namespace cromer::core {
 namespace {
@@ -22,62 +22,10 @@ struct ModeStart {
   double decay_rate = 0;         // [1/s]
 };
 
-// Order of the parameters: E, and w, g, A, B of each mode.
-constexpr int first_of[] = {1, 5};
-enum Place { frequency, decay, cosine, sine };
-
-// The model and, in `row`, its derivatives.
-double model_at(const Parameters& p, double s, Parameters& row) {
-  double value = p[0];
-  row[0] = 1;
-  for (const int at : first_of) {
-    const double fall = std::exp(-p[at + decay] * s), phase = p[at + frequency] * s;
-    const double c = fall * std::cos(phase), d = fall * std::sin(phase);
-    const double y = p[at + cosine] * c + p[at + sine] * d;
-    value += y;
-    row[at + frequency] = s * (p[at + sine] * c - p[at + cosine] * d);
-    row[at + decay] = -s * y;
-    row[at + cosine] = c;
-    row[at + sine] = d;
-  }
-  return value;
-}
-
-NormalEquations equations_at(const Record& record, const Parameters& p) {
-  NormalEquations equations{.size = TwoModes::parameters};
-  Parameters row{};
-  for (std::size_t i = 0; i < record.t.size(); ++i) {
-    const double r = record.y[i] - model_at(p, record.t[i] - record.t.front(), row);
-    equations.add_row(std::span(row).first<TwoModes::parameters>(), r);
-  }
-  return equations;
-}
-
-// Equilibrium and amplitudes are linear: those that fit best at the start's frequencies and decay rates.
-std::optional<Parameters> with_amplitudes(const Record& record, const std::array<ModeStart, 2>& start) {
-  Parameters p{};
-  for (std::size_t mode = 0; mode < 2; ++mode) {
-    p[first_of[mode] + frequency] = start[mode].angular_frequency;
-    p[first_of[mode] + decay] = start[mode].decay_rate;
-  }
-  const NormalEquations equations = equations_at(record, p);
-  std::array<bool, max_parameters> linear{};
-  linear[0] = true;
-  for (const int at : first_of) linear[at + cosine] = linear[at + sine] = true;
-  const ScaledCholesky factor(equations.matrix, equations.size, 1e-12, linear);
-  if (!factor.ok()) return std::nullopt;
-  const Parameters step = factor.solve(equations.right);
-  for (int j = 0; j < equations.size; ++j) p[j] += step[j];
-  return p;
-}
-
 TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
   const Parameters& p = minimum.parameters;
   const auto n = static_cast<double>(record.t.size());
-  std::vector<double> residuals;
-  Parameters row{};
-  for (std::size_t i = 0; i < record.t.size(); ++i)
-    residuals.push_back(record.y[i] - model_at(p, record.t[i] - record.t.front(), row));
+  const std::vector<double> residuals = two_lines::residuals(record, p, TwoModes::parameters);
   const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
   TwoModes fit;
   fit.residual = describe_residual(residuals, rho);
@@ -85,18 +33,19 @@ TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
   const SquareMatrix covariance = inverse(minimum.equations.matrix, TwoModes::parameters);
   double widest = 1;
   for (std::size_t mode = 0; mode < 2; ++mode) {
-    const int at = first_of[mode];
-    const double factor = std::min(n, correlation_factor(residuals, rho, p[at + frequency] * h));
+    const int at = two_lines::first_of[mode];
+    const double factor = std::min(n, correlation_factor(residuals, rho, p[at + two_lines::frequency] * h));
     widest = std::max(widest, factor);
     const double variance = factor * std::max(minimum.equations.sum_of_squares / (n - TwoModes::parameters),
                                               record.resolution * record.resolution / 12);
     const double student = student_95(std::max(1.0, n / factor - TwoModes::parameters));
     const auto error = [&](int i) { return std::sqrt(variance * covariance[at + i][at + i]); };
     Mode& found = fit.modes[mode];
-    found.angular_frequency = make_estimate(p[at + frequency], error(frequency), student);
-    found.decay_rate = make_estimate(p[at + decay], error(decay), student);
-    found.amplitude = std::hypot(p[at + cosine], p[at + sine]);
-    found.amplitude_error = std::max(error(cosine), error(sine));
+    found.angular_frequency =
+        make_estimate(p[at + two_lines::frequency], error(two_lines::frequency), student);
+    found.decay_rate = make_estimate(p[at + two_lines::decay], error(two_lines::decay), student);
+    found.amplitude = std::hypot(p[at + two_lines::cosine], p[at + two_lines::sine]);
+    found.amplitude_error = std::max(error(two_lines::cosine), error(two_lines::sine));
   }
   fit.independent_samples = n / widest;
   if (fit.modes[0].amplitude < fit.modes[1].amplitude) std::swap(fit.modes[0], fit.modes[1]);
@@ -110,23 +59,17 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
   Record part = record;
   part.t = record.t.first(std::min(record.t.size(), most_judged));
   part.y = record.y.first(part.t.size());
-  const auto model = [&](const Parameters& p) {
-    const bool possible = p[first_of[0] + frequency] > 0 && p[first_of[1] + frequency] > 0;
-    if (possible) return equations_at(part, p);
-    NormalEquations nowhere;
-    nowhere.sum_of_squares = HUGE_VAL;
-    return nowhere;
-  };
-  LeastSquaresOptions options;
-  options.iteration_limit = 40;
-  options.error_tolerance = 1e-3;
-  options.scale = centred_norm(part.y);
-  options.residuals = static_cast<int>(part.t.size());
+  const double scale = centred_norm(part.y);
   std::optional<LeastSquaresSummary> best;
   for (const auto& start : starts) {
-    const std::optional<Parameters> p = with_amplitudes(part, start);
+    Parameters lines{};
+    for (std::size_t mode = 0; mode < 2; ++mode) {
+      lines[two_lines::first_of[mode] + two_lines::frequency] = start[mode].angular_frequency;
+      lines[two_lines::first_of[mode] + two_lines::decay] = start[mode].decay_rate;
+    }
+    const auto p = two_lines::with_amplitudes(part, lines, TwoModes::parameters);
     if (!p) continue;
-    const LeastSquaresSummary minimum = minimise(model, *p, options);
+    const LeastSquaresSummary minimum = two_lines::fit(part, *p, TwoModes::parameters, scale);
     if (minimum.reason != LeastSquaresReason::converged) continue;
     if (!best || minimum.equations.sum_of_squares < best->equations.sum_of_squares) best = minimum;
   }
@@ -178,7 +121,10 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
     judgement.modes = fit_two_modes(record, {*lines, {own, {steady.angular_frequency, g}}});
   }
   const std::optional<TwoModes>& modes = judgement.modes;
-  const bool drives = driven.status == FitStatus::converged;
+  // In resonance the iteration of a drive that was named may end before the minimum, and leave less all the
+  // same.
+  const bool drives = driven.status == FitStatus::converged ||
+                      (frequency_known && driven.status == FitStatus::iteration_limit && driven.has_values());
 
   double independent = free.independent_samples, least = free.residual.rms;
   if (drives && driven.residual.rms < least)
@@ -187,20 +133,19 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const auto criterion = [&](const auto& fit, double parameters) {
     return bayesian_criterion(std::max(2.0, independent), fit.residual.rms, parameters, record.resolution);
   };
-  // A search over N frequencies costs 2 ln N. N is half the samples where all were searched; the few about
-  // one that was named count as 8.
-  constexpr double few = 8;
-  const auto searched = [](double frequencies) { return 2 * std::log(std::max(1.0, frequencies)); };
-  const double all = 0.5 * static_cast<double>(record.t.size());
+  // A search over N frequencies costs 2 ln N. N is half the samples where all were searched.
+  const double all = 2 * std::log(0.5 * static_cast<double>(record.t.size()));
   const double of_free = criterion(free, free.fitted);
-  const double of_driven =
-      drives ? criterion(driven, driven.fitted) + searched(frequency_known ? few : all) : HUGE_VAL;
-  const double of_modes = modes ? criterion(*modes, TwoModes::parameters) + searched(all) : HUGE_VAL;
-  if (std::min(of_driven, of_modes) > of_free - strong_evidence) return judgement;
+  const double of_driven = drives ? criterion(driven, driven.fitted) + (frequency_known ? 0 : all) : HUGE_VAL;
+  const double of_modes = modes ? criterion(*modes, TwoModes::parameters) + all : HUGE_VAL;
+  // Who names a drive's frequency has seen the drive: it takes evidence to say that there is none.
+  const bool driven_holds = of_driven < of_free + (frequency_known ? strong_evidence : -strong_evidence);
+  const bool modes_hold = of_modes < of_free - strong_evidence;
+  if (!driven_holds && !modes_hold) return judgement;
 
   const bool linear = is_linear(driven.law);
   if (!modes || (drives && !linear && of_driven < of_modes - strong_evidence)) {
-    if (of_driven < of_free - strong_evidence) judgement.kind = MotionKind::driven;
+    if (driven_holds) judgement.kind = MotionKind::driven;
     return judgement;
   }
   const auto& [one, other] = modes->modes;
@@ -210,10 +155,13 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const bool one_lasts = lasts(one, other, duration), other_lasts = lasts(other, one, duration);
   const bool apart = std::abs(one.angular_frequency.value - other.angular_frequency.value) > 0.5 * resolution;
   if (!one_lasts && !other_lasts) {
-    // Two decays at one frequency are one swing that decays in another way than its law.
-    if (apart && shows(one) && shows(other) && of_modes < of_free - strong_evidence)
+    // Two decays at one frequency are one swing that decays in another way than its law, or one in resonance,
+    // where neither line shows how long it lasts.
+    if (apart && shows(one) && shows(other) && modes_hold)
       judgement.kind = MotionKind::two_modes;
-  } else if (drives && of_driven < of_free - strong_evidence) {
+    else if (frequency_known && driven_holds)
+      judgement.kind = MotionKind::driven;
+  } else if (driven_holds) {
     // A drive that was searched is told by its line: it lasts, and the swing's own surely decays faster.
     const Estimate &g = one.decay_rate, &f = other.decay_rate;
     const bool alike = std::abs(g.value - f.value) < 2 * std::hypot(g.standard_error, f.standard_error);

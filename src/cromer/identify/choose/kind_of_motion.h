@@ -8,16 +8,11 @@
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/record.h"
+#include "cromer/identify/start/two_lines.h"
 
 namespace cromer::core {
 
-// Two oscillations at once, each with its own decay: two coupled swings, or a swing and what drives it.
-//
-//   y(t) = E + sum over both of exp(-g s) (A cos(w s) + B sin(w s)),   s from the first sample
-//
-// A linear oscillator under a harmonic drive moves like this too, with no decay of the drive's line: only the
-// decay rates tell the one from the other.
-
+/// One of two oscillations (start/two_lines.h).
 struct Mode {
   Estimate angular_frequency;  // [rad/s] of the damped oscillation
   Estimate decay_rate;         // [1/s] not bounded: below 0 where it grows
@@ -33,7 +28,7 @@ struct TwoModes {
   Residual residual;
   double independent_samples = 0;
 
-  static constexpr int parameters = 9;
+  static constexpr int parameters = two_lines::decaying;
 };
 
 enum class MotionKind {
@@ -51,9 +46,10 @@ struct MotionJudgement {
 /// Compares the free law, the driven one and two decaying modes, all fitted to `record`, by the Bayesian
 /// information criterion of as many samples as the closest leaves independent. Anything but the free law must
 /// be better by more than 6 (strong evidence, see criterion.h), after the price of the search for its
-/// frequency: twice the logarithm of the number of frequencies that were searched, half the samples where the
-/// drive's was not known. A smaller line at a multiple of the larger's frequency is its harmonic and no
-/// mode, unless the drive's frequency is known.
+/// frequency: twice the logarithm of the number of frequencies that were searched, half the samples. Where
+/// the drive's frequency is known, nothing was searched, and the free law must be better than the driven one
+/// by as much. A smaller line at a multiple of the larger's frequency is its harmonic and no mode, unless the
+/// drive's frequency is known.
 MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known);
 

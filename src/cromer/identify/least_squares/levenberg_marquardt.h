@@ -51,6 +51,8 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
   }
   const int n = at.equations.size;
   double lambda = 0;
+  Parameters last{};  // the step before, if it was a full one
+  double last_motion = 0;
   while (at.iterations < options.iteration_limit) {
     ++at.iterations;
 
@@ -73,9 +75,21 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
       step[i] = trial[i] - at.parameters[i];
     }
 
-    double motion = 0;  // how far the step moves the model, as a sum of squares
+    double motion = 0, along = 0;  // how far the step moves the model, as a sum of squares
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) motion += step[i] * at.equations.matrix[i][j] * step[j];
+      for (int j = 0; j < n; ++j) {
+        motion += step[i] * at.equations.matrix[i][j] * step[j];
+        along += last[i] * at.equations.matrix[i][j] * step[j];
+      }
+    // Along a bent valley full steps lie on one line, each the last one times the same ratio (below 0 where
+    // they go to and fro): all that are to come are taken at once. A. C. Aitken, Proc. R. Soc. Edinb. 46, 289
+    // (1926).
+    const double ratio = along / last_motion;
+    const bool all_at_once = lambda == 0 && std::abs(along) > 0.99 * std::sqrt(motion * last_motion) &&
+                             std::abs(ratio) > 0.5 && std::abs(ratio) < 0.99;
+    if (all_at_once)
+      for (int i = 0; i < n; ++i)
+        trial[i] = std::max(at.parameters[i] + step[i] / (1 - ratio), options.lower[i]);
     const double variance = at.equations.sum_of_squares / std::max(1, options.residuals - n);
     const double enough = std::max(options.tolerance * options.tolerance * options.scale * options.scale,
                                    options.error_tolerance * options.error_tolerance * variance);
@@ -87,6 +101,8 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
     const bool unresolved = motion <= 1e-13 * before;
     const double limit = unresolved ? before * (1 + 1e-13) : before;
     const bool better = std::isfinite(equations.sum_of_squares) && equations.sum_of_squares <= limit;
+    last = lambda == 0 && better && !all_at_once ? step : Parameters{};
+    last_motion = last == Parameters{} ? 0 : motion;
     if (better) {
       at.parameters = trial;
       at.equations = equations;

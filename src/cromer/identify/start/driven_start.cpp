@@ -8,6 +8,7 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/pi.h"
+#include "cromer/identify/start/two_lines.h"
 
 namespace cromer::core {
 namespace {
@@ -113,6 +114,66 @@ LinearFit best_linear(NormalEquations equations, double n, const SampledPhasor& 
   return solve(equations, 1e-9);
 }
 
+// A decaying sinusoid and a steady one; the order is that of two_lines.
+struct Lines {
+  double level, w, cosine, sine, g, drive, steady_cosine, steady_sine;
+  double rest = HUGE_VAL;  ///< sum of squares
+};
+
+// Whether the two lie within a fifth of what the record resolves.
+enum class Pair { apart, in_resonance };
+
+// The best on the grid: a swing at each of the frequencies `natural` beside a drive at each of `drives`. In
+// resonance the decay alone tells the two apart.
+Lines best_pair(Pair pair, const std::vector<double>& natural, const std::vector<double>& drives,
+                const EvenSamples& samples) {
+  const double step = samples.step(), T = samples.duration(), resolution = two_pi / T;
+  const auto n = static_cast<double>(samples.y.size());
+  NormalEquations level_alone{.size = 5};
+  for (const double y : samples.y) {
+    const double row[] = {1};
+    level_alone.add_row(row, y);
+  }
+  std::vector<SampledPhasor> driven;
+  for (const double wd : drives) driven.push_back(sampled_phasor(std::polar(1.0, wd * step), samples));
+  Lines best{};
+  const auto is_near = [&](double w, double wd) { return std::abs(w - wd) < 0.2 * resolution; };
+  for (const double w : natural) {
+    const bool resonates =
+        std::any_of(drives.begin(), drives.end(), [&](double wd) { return is_near(w, wd); });
+    if (!(w > 0.2 * resolution) || (pair == Pair::in_resonance && !resonates)) continue;
+    for (double g = (pair == Pair::apart ? slowest : 0.7) / T; g < w; g *= 2.5) {
+      const SampledPhasor decaying = sampled_phasor(std::polar(std::exp(-g * step), w * step), samples);
+      for (std::size_t i = 0; i < drives.size(); ++i) {
+        if (!(drives[i] > 0) || is_near(w, drives[i]) != (pair == Pair::in_resonance)) continue;
+        const LinearFit fit = best_linear(level_alone, n, decaying, driven[i]);
+        const Parameters& x = fit.x;
+        if (fit.rest < best.rest) best = {x[0], w, x[1], x[2], g, drives[i], x[3], x[4], fit.rest};
+      }
+    }
+  }
+  return best;
+}
+
+// Their least squares. In resonance the force follows from differences of what is found here, and the
+// motion's own iteration creeps along a bent valley; from here it need not.
+Lines closest_lines(const Lines& lines, const EvenSamples& samples) {
+  if (!std::isfinite(lines.rest)) return lines;
+  const Parameters start{lines.level, lines.w,     lines.cosine,        lines.sine,
+                         lines.g,     lines.drive, lines.steady_cosine, lines.steady_sine};
+  Record record;
+  record.t = samples.t;
+  record.y = samples.y;
+  const double scale = centred_norm(samples.y);
+  const LeastSquaresSummary found = two_lines::fit(record, start, two_lines::steady, scale);
+  const Parameters& p = found.parameters;
+  // Two that cancel one another are no better a start.
+  const double most = 10 * scale / std::sqrt(static_cast<double>(samples.y.size()));
+  const bool cancel = std::hypot(p[2], p[3]) > most && std::hypot(p[6], p[7]) > most;
+  if (!(p[4] > 0 && p[1] > p[4]) || cancel) return lines;
+  return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], found.equations.sum_of_squares};
+}
+
 }  // namespace
 
 Motion integrated(const Motion& derivative, double pull) {
@@ -163,59 +224,34 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const EvenSamples coarse =
       even_samples(record, std::clamp(needed, most_even_samples, 4 * most_even_samples));
 
-  const double step = coarse.step();
-  NormalEquations level_alone{.size = 5};
-  for (const double y : coarse.y) {
-    const double row[] = {1};
-    level_alone.add_row(row, y);
-  }
-  const auto n = static_cast<double>(coarse.y.size());
-  struct Best {
-    LinearFit fit;
-    double w = 0, g = 0, drive = 0;
-  };
-  const auto search = [&](const std::vector<double>& among) {
-    std::vector<SampledPhasor> driven;
-    for (const double wd : among) driven.push_back(sampled_phasor(std::polar(1.0, wd * step), coarse));
-    Best best;
-    for (const double w : natural) {
-      if (!(w > 0.2 * resolution)) continue;
-      for (double g = slowest / T; g < w; g *= 2.5) {
-        const SampledPhasor decaying = sampled_phasor(std::polar(std::exp(-g * step), w * step), coarse);
-        for (std::size_t i = 0; i < among.size(); ++i) {
-          const double wd = among[i];
-          if (!(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
-          const LinearFit fit = best_linear(level_alone, n, decaying, driven[i]);
-          if (fit.rest < best.fit.rest) best = {fit, w, g, wd};
-        }
-      }
-    }
-    return best;
-  };
-  Best found = search(drives);
-  const double at_drive = n / 2 * (found.fit.x[3] * found.fit.x[3] + found.fit.x[4] * found.fit.x[4]);
-  if (!beside.empty() && at_drive < 0.1 * found.fit.rest)  // nothing is there
-    if (const Best other = search(beside); other.fit.rest < found.fit.rest) found = other;
-  const auto& [best, w_best, g_best, drive_best] = found;
+  Lines found = best_pair(Pair::apart, natural, drives, coarse);
+  const double at_drive = static_cast<double>(coarse.y.size()) / 2 *
+                          (found.steady_cosine * found.steady_cosine + found.steady_sine * found.steady_sine);
+  if (!beside.empty() && at_drive < 0.1 * found.rest)  // nothing is there
+    if (const Lines other = best_pair(Pair::apart, natural, beside, coarse); other.rest < found.rest)
+      found = other;
+  natural.insert(natural.end(), drives.begin(), drives.end());
+  const Lines resonant = best_pair(Pair::in_resonance, natural, drives, coarse);
+  const Lines best = std::min(closest_lines(found, coarse), closest_lines(resonant, coarse),
+                              [](const Lines& one, const Lines& other) { return one.rest < other.rest; });
   if (!std::isfinite(best.rest)) return std::nullopt;
-
-  const double s1 = w_best * w_best + g_best * g_best;
-  const std::complex<double> steady(best.x[3], -best.x[4]);
+  const double s1 = best.w * best.w + best.g * best.g;
+  const std::complex<double> steady(best.steady_cosine, -best.steady_sine);
   const std::complex<double> force =
-      steady * std::complex<double>(s1 - drive_best * drive_best, 2 * g_best * drive_best);
+      steady * std::complex<double>(s1 - best.drive * best.drive, 2 * best.g * best.drive);
   Motion start{.cosine = force.real(),
                .sine = -force.imag(),
-               .drive_frequency = drive_best,
-               .equilibrium = level + best.x[0],
-               .position = best.x[1] + best.x[3],
-               .velocity = w_best * best.x[2] - g_best * best.x[1] + drive_best * best.x[4]};
+               .drive_frequency = best.drive,
+               .equilibrium = level + best.level,
+               .position = best.cosine + best.steady_cosine,
+               .velocity = best.w * best.sine - best.g * best.cosine + best.drive * best.steady_sine};
   start.set_angular_frequency(std::sqrt(s1));
-  start.set_decay_rate(g_best);
+  start.set_decay_rate(best.g);
   for (int d = record.derivative; d > 0; --d) {
-    start = integrated(start, -start.sine / drive_best);
+    start = integrated(start, -start.sine / best.drive);
     const double cosine = start.cosine;
-    start.cosine = -start.sine / drive_best;
-    start.sine = cosine / drive_best;
+    start.cosine = -start.sine / best.drive;
+    start.sine = cosine / best.drive;
   }
   return start;
 }

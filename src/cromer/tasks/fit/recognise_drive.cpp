@@ -244,10 +244,13 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
 
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch) {
-  // A fit that did not converge has found no drive either, if the motion is a free one.
-  const bool searched = options.drive_frequency == "auto";
-  const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
-  if (!(settled || driven.fit.status == FitStatus::iteration_limit) || watch.interrupted()) return driven;
+  // A fit that did not converge, or was refused for noise, has found no drive either, if the motion is a free
+  // one.
+  const bool searched = options.drive_frequency == "auto", refused = driven.parameters.empty();
+  const bool settled = !refused && driven.fit.status == FitStatus::converged;
+  const bool failed =
+      driven.fit.status == FitStatus::iteration_limit || driven.fit.status == FitStatus::too_noisy;
+  if (!(settled || failed) || watch.interrupted()) return driven;
   FitOptions without = options;
   without.drive_frequency.clear();
   without.recognise_drive = false;
@@ -255,7 +258,8 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   without.to = driven.series.t.back();
   Result<FittedRecording> free = fit_series(motion, driven.file, without, watch);
   if (!free || free->parameters.empty() || watch.interrupted()) return driven;
-  if (!settled && free->fit.status != FitStatus::converged) return driven;
+  if (!settled && (free->fit.status != FitStatus::converged || (!refused && drive_helps(driven, *free))))
+    return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes) {
     const std::string unit = unit_of(driven.series);
@@ -270,8 +274,10 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
     name_two_modes(result, *judgement.modes);
     return result;
   }
-  if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))
-    return driven;
+  // Of a drive that was named its size need not be known, where nothing is left to explain.
+  const bool shows = !settled || driven.fit["drive_amplitude"].low > 0 ||
+                     (!searched && driven.fit.residual.autocorrelation <= structured);
+  if (judgement.kind != MotionKind::free && shows) return driven;
   const Notice compared{"free_beside_driven",
                         {{"free", free->fit.residual.rms},
                          {"driven", driven.fit.residual.rms},

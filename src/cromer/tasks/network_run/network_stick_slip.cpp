@@ -75,6 +75,7 @@ bool ContactPhases::breaks_loose(double t, const State<MassVector>& y) const {
 
 void ContactPhases::rest(const Rows& rows, Course<MassVector>& course, const RecordMasses& record,
                          const Watch& watch) {
+  course.at_rest = false;
   while (course.goes_on(rows)) {
     if (course.row % 1024 == 0 && watch.interrupted()) {
       course.interrupted = true;
