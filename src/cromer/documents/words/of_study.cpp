@@ -8,7 +8,10 @@ using enum Use;
 constexpr Entry entries[] = {
     // The study file.
     {"at_place", clause, "{file}:{line}:{column}: {what}", "{file}:{line}:{column}: {what}"},
-    {"not_toml", error, "{why}", "kein gültiges TOML: {why}"},
+    {"not_toml", error,
+     "{why}. A line is name = value, with quotes about all but numbers, true and false: mass = \"217.6 g\"",
+     "kein gültiges TOML: {why}. Eine Zeile ist Name = Wert, mit Anführungszeichen um alles außer Zahlen, "
+     "true und false: mass = \"217.6 g\""},
     {"study_without_task", error, "{file}: there is nothing to do: a study has at least one [[task]]",
      "{file}: nichts ist zu tun: eine Studie hat mindestens eine [[task]]"},
     {"task_without_command", error,

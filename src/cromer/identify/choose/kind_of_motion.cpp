@@ -25,7 +25,7 @@ struct ModeStart {
 TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
   const Parameters& p = minimum.parameters;
   const auto n = static_cast<double>(record.t.size());
-  const std::vector<double> residuals = two_lines::residuals(record, p, TwoModes::parameters);
+  const std::vector<double> residuals = two_lines::residuals(record, p);
   const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
   TwoModes fit;
   fit.residual = describe_residual(residuals, rho);
@@ -67,7 +67,7 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
       lines[two_lines::first_of[mode] + two_lines::frequency] = start[mode].angular_frequency;
       lines[two_lines::first_of[mode] + two_lines::decay] = start[mode].decay_rate;
     }
-    const auto p = two_lines::with_amplitudes(part, lines, TwoModes::parameters);
+    const auto p = two_lines::with_amplitudes(part, lines);
     if (!p) continue;
     const LeastSquaresSummary minimum = two_lines::fit(part, *p, TwoModes::parameters, scale);
     if (minimum.reason != LeastSquaresReason::converged) continue;

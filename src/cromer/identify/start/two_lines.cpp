@@ -1,5 +1,6 @@
 #include "cromer/identify/start/two_lines.h"
 
+#include <array>
 #include <cmath>
 
 namespace cromer::core::two_lines {
@@ -41,23 +42,21 @@ NormalEquations equations_of(const Record& record, const Parameters& p, int size
 
 }  // namespace
 
-std::vector<double> residuals(const Record& record, const Parameters& p, int size) {
-  Parameters all = p;
-  if (size == steady) all[decaying - 1] = 0;
+std::vector<double> residuals(const Record& record, const Parameters& p) {
   std::vector<double> left;
   std::array<double, decaying> row{};
   for (std::size_t i = 0; i < record.t.size(); ++i)
-    left.push_back(record.y[i] - value_at<decaying>(all, record.t[i] - record.t.front(), row));
+    left.push_back(record.y[i] - value_at<decaying>(p, record.t[i] - record.t.front(), row));
   return left;
 }
 
-std::optional<Parameters> with_amplitudes(const Record& record, Parameters p, int size) {
+std::optional<Parameters> with_amplitudes(const Record& record, Parameters p) {
   std::array<bool, max_parameters> linear{};
   linear[0] = true;
   p[0] = 0;
   for (const int at : first_of)
     for (const int i : {at + cosine, at + sine}) linear[i] = true, p[i] = 0;
-  const NormalEquations equations = equations_of(record, p, size);
+  const NormalEquations equations = equations_at<decaying>(record, p);
   const ScaledCholesky factor(equations.matrix, equations.size, 1e-12, linear);
   if (!factor.ok()) return std::nullopt;
   const Parameters step = factor.solve(equations.right);

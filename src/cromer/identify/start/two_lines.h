@@ -7,7 +7,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
@@ -22,12 +21,12 @@ inline constexpr int first_of[] = {1, 5};
 enum Place { frequency, cosine, sine, decay };
 inline constexpr int decaying = 9, steady = 8;
 
-/// What the lines leave of each sample.
-std::vector<double> residuals(const Record& record, const Parameters& p, int size);
+/// What two decaying lines leave of each sample.
+std::vector<double> residuals(const Record& record, const Parameters& p);
 
-/// The same lines with the level and amplitudes that fit best, which are linear. Empty where the record
-/// cannot tell them.
-std::optional<Parameters> with_amplitudes(const Record& record, Parameters p, int size);
+/// The same decaying lines with the level and amplitudes that fit best, which are linear. Empty where the
+/// record cannot tell them.
+std::optional<Parameters> with_amplitudes(const Record& record, Parameters p);
 
 /// Least squares from there; scale as in LeastSquaresOptions.
 LeastSquaresSummary fit(const Record& record, const Parameters& start, int size, double scale);
