@@ -167,11 +167,12 @@ Lines closest_lines(const Lines& lines, const EvenSamples& samples) {
   const double scale = centred_norm(samples.y);
   const LeastSquaresSummary found = two_lines::fit(record, start, two_lines::steady, scale);
   const Parameters& p = found.parameters;
+  const Lines closest{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], found.equations.sum_of_squares};
   // Two that cancel one another are no better a start.
   const double most = 10 * scale / std::sqrt(static_cast<double>(samples.y.size()));
-  const bool cancel = std::hypot(p[2], p[3]) > most && std::hypot(p[6], p[7]) > most;
-  if (!(p[4] > 0 && p[1] > p[4]) || cancel) return lines;
-  return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], found.equations.sum_of_squares};
+  const bool cancel = std::hypot(closest.cosine, closest.sine) > most &&
+                      std::hypot(closest.steady_cosine, closest.steady_sine) > most;
+  return closest.g > 0 && closest.w > closest.g && !cancel ? closest : lines;
 }
 
 }  // namespace
