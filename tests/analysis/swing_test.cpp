@@ -121,7 +121,18 @@ TEST(Swing, ASpringThatGivesWayBeforeCountsAsLinear) {
   EXPECT_EQ(swing.amplitude(0, 0), 0);
 }
 
-TEST(Swing, ASpringThatLiesOnOneSideIsSeenOnTheRight) {
+TEST(Swing, GoesHalfTheWayBetweenItsTurningPoints) {
+  // x^2/2 - 3 x^3/14 is the same at 1 and at -2/3: (r + l)/2 = 9/14 (r^2 + r l + l^2)/3.
+  const Swing<double> swing{{.stiffness = 1, .quadratic = -9.0 / 14}};
+  EXPECT_NEAR(swing.amplitude(1, 0), 5.0 / 6, 1e-14);
+  EXPECT_NEAR(swing.amplitude(-2.0 / 3, 0), 5.0 / 6, 1e-14);
+  EXPECT_NEAR(swing.middle(swing.amplitude(1, 0)), 1.0 / 6, 1e-14);
+  // With only 2 % of its energy left to the top on the right, it still has a frequency.
+  const Swing<double> near_top{{.stiffness = 20.861, .cubic = 30.35, .quadratic = -3.433, .quintic = -63.83}};
+  EXPECT_GT(near_top.angular_frequency(near_top.amplitude(0.82097, 0.6599)), 0.5 * std::sqrt(20.861));
+}
+
+TEST(Swing, ASpringThatGivesWayOnTheLeftIsSeenOnTheRight) {
   // 2 x^2 + k2 x^3/3 = 1/2 v^2: with k2 = 3 at x = 1 there are 3 J/kg.
   const Swing<double> swing{{.stiffness = 4, .quadratic = 3}};
   EXPECT_NEAR(swing.amplitude(0, std::sqrt(6)), 1, 1e-14);

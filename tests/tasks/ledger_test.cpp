@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include <numbers>
 #include <random>
 #include <sstream>
+#include <tuple>
 
 #include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/network_fit/network_fit.h"
@@ -129,7 +131,7 @@ FitOptions under_force(const char* law = "auto") {
   return options;
 }
 
-std::vector<Case> free_cases() {
+auto free_cases() {
   Motion pendulum = swing(0.7, 0.02, 1.1);
   pendulum.law = law_of("viscous+pendulum");
   pendulum.set_angular_frequency(4.4);
@@ -160,7 +162,7 @@ std::vector<Case> free_cases() {
   part.segment = 2.5;
   const Motion plain = swing(1, 0.03);
   const auto decayed = [](double decay, double at) { return std::exp(-decay * std::max(0.0, at)); };
-  return {
+  return std::to_array<Case>({
       {"viscous, with all of the lab", free_swing(plain), lab},
       {"viscous, the last 30 % held out", free_swing(plain), held},
       {"viscous, Monte Carlo", free_swing(plain), trials},
@@ -271,10 +273,10 @@ std::vector<Case> free_cases() {
                          }
                          return rows;
                        }()},
-  };
+  });
 }
 
-std::vector<Case> driven_cases() {
+auto driven_cases() {
   FitOptions at_known;
   at_known.drive_frequency = "1.3 Hz";
   FitOptions sought = of_law("auto");
@@ -301,7 +303,7 @@ std::vector<Case> driven_cases() {
   const std::string driven_velocities =
       file_of(shortly, {noisy(observed_motion(pushed, Drive::harmonic(), shortly, 1, 0.002), 2e-3)},
               "Time (s),Velocity (m/s)");
-  return {
+  return std::to_array<Case>({
       {"driven near resonance", driven_swing(swing(1, 0.2), 0.6, 1.08)},
       {"driven, its frequency known", driven_swing(swing(1, 0.1), 3, 1.3), at_known},
       {"driven, its frequency sought", driven_swing(swing(1, 0.1), 3, 0.7), sought},
@@ -341,11 +343,11 @@ std::vector<Case> driven_cases() {
       {"driven, velocities", driven_velocities, at_known},
       {"driven, shortly", driven_swing(swing(1, 0.1), 3, 1.3, even_times(150, 0.02)), at_known},
       {"driven, with the body's mass", driven_swing(swing(1, 0.1), 3, 1.3, even_times(400, 0.02)), weighed},
-  };
+  });
 }
 
 /// Two lines, each with its decay, and what may be asked of them.
-std::vector<Case> cases_of_two_lines() {
+auto cases_of_two_lines() {
   const std::vector<double> t = even_times(450, 0.05);
   const auto lines = [&](double a, double f, double at, double g = 0.05, double noise = 3e-4) {
     std::vector<double> y;
@@ -363,28 +365,38 @@ std::vector<Case> cases_of_two_lines() {
   begun.velocity = 0;
   FitOptions alone = of_law("auto");
   alone.recognise_drive = false;
-  std::vector<Case> cases;
-  for (const double a : {0.006, 0.02, 0.08, 0.4, 1.0})
-    cases.push_back({fmt::format("a second mode of {}", a), lines(a, 0.05, 9)});
-  for (const double a : {0.01, 0.1, 0.5})
-    cases.push_back({fmt::format("a steady line of {}", a), lines(a, 0, 9)});
-  for (const double f : {0.002, 0.006})
-    cases.push_back({fmt::format("a line that falls by {} a second", f), lines(0.5, f, 9)});
-  cases.push_back({"a steady line, and a swing that lasts", lines(0.7, 0, 9, 0)});
-  cases.push_back({"a steady line, whatever drives it", lines(0.5, 0, 9), alone});
-  cases.push_back({"two modes, named a drive", lines(0.5, 0.05, 9), asking("1.4324 Hz")});
-  cases.push_back({"two modes, sought a drive", lines(0.5, 0.05, 9), asking("auto")});
-  cases.push_back({"two steady lines, named a drive", lines(0.7, 0, 9, 0), asking("1.4324 Hz")});
-  cases.push_back({"two steady lines, sought a drive", lines(0.7, 0, 9, 0), asking("auto")});
-  cases.push_back({"a free swing, named a drive", lines(0, 0, 9), asking("1.4324 Hz")});
-  cases.push_back({"a free swing, sought a drive", lines(0, 0, 9), asking("auto")});
-  cases.push_back({"a free swing, its own frequency named", lines(0, 0, 9), asking("0.955 Hz")});
-  cases.push_back({"a weak drive, named", lines(0.02, 0, 9), asking("1.4324 Hz", "viscous")});
-  cases.push_back({"driven from rest", driven_swing(begun, 1, 1.2, t)});
-  cases.push_back(
-      {"driven from rest, its frequency named", driven_swing(begun, 1, 1.2, t), asking("1.2 Hz")});
-  cases.push_back({"two lines of noise", lines(0.5, 0.05, 9, 0.05, 0.05)});
-  return cases;
+  const auto second_mode = [&](double a) {
+    return Case{fmt::format("a second mode of {}", a), lines(a, 0.05, 9)};
+  };
+  const auto steady = [&](double a) { return Case{fmt::format("a steady line of {}", a), lines(a, 0, 9)}; };
+  const auto falling = [&](double f) {
+    return Case{fmt::format("a line that falls by {} a second", f), lines(0.5, f, 9)};
+  };
+  return std::to_array<Case>({
+      second_mode(0.006),
+      second_mode(0.02),
+      second_mode(0.08),
+      second_mode(0.4),
+      second_mode(1.0),
+      steady(0.01),
+      steady(0.1),
+      steady(0.5),
+      falling(0.002),
+      falling(0.006),
+      {"a steady line, and a swing that lasts", lines(0.7, 0, 9, 0)},
+      {"a steady line, whatever drives it", lines(0.5, 0, 9), alone},
+      {"two modes, named a drive", lines(0.5, 0.05, 9), asking("1.4324 Hz")},
+      {"two modes, sought a drive", lines(0.5, 0.05, 9), asking("auto")},
+      {"two steady lines, named a drive", lines(0.7, 0, 9, 0), asking("1.4324 Hz")},
+      {"two steady lines, sought a drive", lines(0.7, 0, 9, 0), asking("auto")},
+      {"a free swing, named a drive", lines(0, 0, 9), asking("1.4324 Hz")},
+      {"a free swing, sought a drive", lines(0, 0, 9), asking("auto")},
+      {"a free swing, its own frequency named", lines(0, 0, 9), asking("0.955 Hz")},
+      {"a weak drive, named", lines(0.02, 0, 9), asking("1.4324 Hz", "viscous")},
+      {"driven from rest", driven_swing(begun, 1, 1.2, t)},
+      {"driven from rest, its frequency named", driven_swing(begun, 1, 1.2, t), asking("1.2 Hz")},
+      {"two lines of noise", lines(0.5, 0.05, 9, 0.05, 0.05)},
+  });
 }
 
 std::string line_of(const char* kind, const std::string& name, const Estimate& e) {
@@ -454,7 +466,7 @@ struct ModesCase {
   ModesOptions options{};
 };
 
-std::vector<ModesCase> modes_cases() {
+auto modes_cases() {
   const std::vector<TrueMode> three{
       {1.1, 0.01, {0.5, 0.8, 1.0}}, {3.2, 0.015, {1.0, 0.5, -0.8}}, {4.6, 0.02, {0.8, -1.0, 0.4}}};
   const std::vector<TrueMode> near{{0.70, 0.003, {1.0, 1.0}}, {0.73, 0.003, {1.0, -1.0}}};
@@ -469,7 +481,7 @@ std::vector<ModesCase> modes_cases() {
   MadeChannels late = let_go(near, {0.05, 0.04}, 1500, 0.05, 0.01, 6);
   for (auto& channel : late.values) channel.insert(channel.begin(), 60, 0);
   const std::string angle = "Angle {} (rad)";
-  return {
+  return std::to_array<ModesCase>({
       {"two masses under random forces", under_white_forces(two_masses(), 6000, 0.05, 1)},
       {"three masses under random forces", under_white_forces(three, 9000, 0.04, 2)},
       {"three masses, between two frequencies", under_white_forces(three, 6000, 0.04, 3),
@@ -483,7 +495,7 @@ std::vector<ModesCase> modes_cases() {
       {"pendulums let go late", late, angle},
       {"simulated by average acceleration", let_go(near, {0.05, 0.04}, 1500, 0.05, 0.001, 7), angle,
        simulated},
-  };
+  });
 }
 
 std::string entry_of(const ModesCase& each) {
@@ -540,10 +552,10 @@ to = "right"
 stiffness = "?0.031 N m"
 )";
 
-std::vector<NetworkCase> network_cases() {
+auto network_cases() {
   std::string beside = two_pendulums;
   beside += "[[link]]\nfrom = \"left\"\nto = \"right\"\nstiffness = \"?0.01 N m\"\n";
-  return {
+  return std::to_array<NetworkCase>({
       {"two pendulums", two_pendulums},
       {"two pendulums, noisy", two_pendulums, "", 400, 0.05, 0.01},
       {"two pendulums, coarse", two_pendulums, "", 150, 0.19, 1e-3},
@@ -553,7 +565,7 @@ std::vector<NetworkCase> network_cases() {
       {"two pendulums, the end", two_pendulums, "", 600, 0.05, 5e-4, 0, 14},
       {"two pendulums, shortly", two_pendulums, "", 45, 0.04, 1e-4},
       {"two pendulums, two springs side by side", beside},
-  };
+  });
 }
 
 std::string entry_of(const NetworkCase& each) {
@@ -642,13 +654,6 @@ bool same_entry(const std::string& one, const std::string& other) {
 const std::string title =
     "What comes of recordings, and the work that it takes: tests/tasks/ledger_test.cpp makes this file.\n";
 
-/// Cases, made once.
-template <auto make>
-const auto& each_of() {
-  static const auto cases = make();
-  return cases;
-}
-
 /// What the file says of one case, up to the next empty line.
 std::string said_before(const std::string& name) {
   static const std::string all = bytes_of(ledger_file);
@@ -659,7 +664,7 @@ std::string said_before(const std::string& name) {
 
 void expect_as_before(const std::string& name, const std::string& entry) {
   if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
-    const bool is_first = name == each_of<free_cases>().front().name;
+    const bool is_first = name == free_cases().front().name;
     std::ofstream(ledger_file, is_first ? std::ios::trunc : std::ios::app) << (is_first ? title : "") << "\n"
                                                                            << entry;
     return;
@@ -680,38 +685,41 @@ class LedgerOfModes : public LedgerOf {};
 class LedgerOfNetworks : public LedgerOf {};
 
 TEST_P(LedgerOf, FreeSwings) {
-  const Case each = each_of<free_cases>()[GetParam()];
+  const Case each = free_cases()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfDriven, Swings) {
-  const Case each = each_of<driven_cases>()[GetParam()];
+  const Case each = driven_cases()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfTwoLines, Recordings) {
-  const Case each = each_of<cases_of_two_lines>()[GetParam()];
+  const Case each = cases_of_two_lines()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfModes, Recordings) {
-  const ModesCase each = each_of<modes_cases>()[GetParam()];
+  const ModesCase each = modes_cases()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
 TEST_P(LedgerOfNetworks, Swings) {
-  const NetworkCase each = each_of<network_cases>()[GetParam()];
+  const NetworkCase each = network_cases()[GetParam()];
   expect_as_before(each.name, entry_of(each));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOf, testing::Range<std::size_t>(0, each_of<free_cases>().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfDriven,
-                         testing::Range<std::size_t>(0, each_of<driven_cases>().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfTwoLines,
-                         testing::Range<std::size_t>(0, each_of<cases_of_two_lines>().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfModes, testing::Range<std::size_t>(0, each_of<modes_cases>().size()));
-INSTANTIATE_TEST_SUITE_P(Each, LedgerOfNetworks,
-                         testing::Range<std::size_t>(0, each_of<network_cases>().size()));
+/// How many there are, without making one.
+template <auto make>
+auto each_of() {
+  return testing::Range<std::size_t>(0, std::tuple_size_v<decltype(make())>);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOf, each_of<free_cases>());
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfDriven, each_of<driven_cases>());
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfTwoLines, each_of<cases_of_two_lines>());
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfModes, each_of<modes_cases>());
+INSTANTIATE_TEST_SUITE_P(Each, LedgerOfNetworks, each_of<network_cases>());
 
 }  // namespace
 }  // namespace cromer::core

@@ -65,27 +65,19 @@ struct Swing {
   /// Stiffness per unit mass of small swings [1/s^2].
   Real stiffness() const { return per_mass.stiffness + per_mass.pendulum; }
 
-  /// Amplitude to the right [unit] of the swing that passes x [unit] at v [unit/s]: the point where all
-  /// energy is potential. A spring that gives way before that point is taken as linear. A pendulum that
-  /// would go over the top is taken to stop there.
+  /// Amplitude [unit] of the swing that passes x [unit] at v [unit/s]: half the way between its turning
+  /// points, where all energy is potential. A spring that gives way before is taken as linear, one that gives
+  /// way on the left alone as it is on the right. A pendulum that would go over the top is taken to stop
+  /// there.
   Real amplitude(const Real& x, const Real& v) const {
-    using std::abs, std::sqrt;
+    using std::sqrt;
     const Real energy = 0.5 * (v * v) + potential(x);
     const Real linear = sqrt(2.0 * energy / stiffness());
-    const double most = value_of(per_mass.pendulum) != 0 ? std::numbers::pi : HUGE_VAL;
-    if (most < HUGE_VAL && value_of(energy) >= value_of(potential(Real(most)))) return Real(most);
-    Real A = linear;
-    for (int newton = 0; newton < 60; ++newton) {
-      const Real pulled = pull(A);
-      if (!(value_of(pulled) > 0)) return linear;
-      Real step = (potential(A) - energy) / pulled;
-      // At most half of A at once: there is no solution beyond a pendulum's top or a spring's end.
-      if (std::abs(value_of(step)) > 0.5 * value_of(A)) step = Real((value_of(step) > 0 ? 0.5 : -0.5)) * A;
-      A -= step;
-      if (value_of(A) > most) A = Real(most) - 1e-3 * Real(1.0);
-      if (newton > 4 && std::abs(value_of(step)) < 1e-15 * value_of(A)) break;
-    }
-    return value_of(A) < 1e3 * value_of(linear) ? A : linear;
+    const auto right = reach(energy, linear, 1);
+    if (!right) return linear;
+    if (value_of(per_mass.quadratic) == 0) return *right;
+    const auto left = reach(energy, linear, -1);
+    return left ? 0.5 * (*right + *left) : *right;
   }
 
   /// Angular frequency [rad/s] of a swing that goes `a` [unit] > 0 to each side of its middle; NaN where it
@@ -117,6 +109,27 @@ struct Swing {
     // From the turning point on its own side: energies would cancel there.
     return sqrt(share > 0 ? 2.0 * mean_over(Real(c + u), Real(c + a), force) / (a + u)
                           : -2.0 * mean_over(Real(c - a), Real(c + u), force) / (a - u));
+  }
+
+  /// How far the swing goes to the right (side 1) or the left (-1) of 0, beginning at `linear`; empty where
+  /// the spring gives way before.
+  std::optional<Real> reach(const Real& energy, const Real& linear, double side) const {
+    using std::abs;
+    const double most = value_of(per_mass.pendulum) != 0 ? std::numbers::pi : HUGE_VAL;
+    if (most < HUGE_VAL && value_of(energy) >= value_of(potential(Real(side * most)))) return Real(most);
+    Real A = linear;
+    for (int newton = 0; newton < 60; ++newton) {
+      const Real pulled = side * pull(side * A);
+      if (!(value_of(pulled) > 0)) return std::nullopt;
+      Real step = (potential(side * A) - energy) / pulled;
+      // At most half of A at once: there is no solution beyond a pendulum's top or a spring's end.
+      if (abs(value_of(step)) > 0.5 * value_of(A)) step = Real((value_of(step) > 0 ? 0.5 : -0.5)) * A;
+      A -= step;
+      if (value_of(A) > most) A = Real(most) - 1e-3 * Real(1.0);
+      if (newton > 4 && abs(value_of(step)) < 1e-15 * value_of(A)) break;
+    }
+    if (value_of(A) < 1e3 * value_of(linear)) return A;
+    return std::nullopt;
   }
 
   /// Whether a spring beside the linear one acts.
