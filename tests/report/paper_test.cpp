@@ -255,6 +255,17 @@ TEST(Paper, AWideTableStaysBetweenTheMargins) {
   EXPECT_EQ(sheets.size(), 1u);
 }
 
+TEST(Paper, BesideALongNameNumbersStayInOneLine) {
+  TableBlock table;
+  table.header = {"recording", "frequency", "decay rate at the start", "decay rate at the end"};
+  table.rows = {{"spring_with_a_full_disc_that_beats_0.1419kg_driven_at_1.207hz.csv", "1.22224 ± 0.00018 Hz",
+                 "0.0566 ± 0.0015 1/s", "0.0197 ± 0.0007 1/s"}};
+  table.text_columns = {0};
+  const auto printed = lines(sheets_of_blocks({table})[0]);
+  for (std::size_t c = 1; c < 4; ++c) EXPECT_EQ(count(printed, table.rows[0][c]), 1u) << table.rows[0][c];
+  EXPECT_THAT(printed, Contains(testing::EndsWith("_"))) << "broken between its words";
+}
+
 TEST(Paper, AHeadingNeverStandsAloneAtTheFoot) {
   const std::vector<Block> followers = {long_paragraph(3), figure(1, 1), table_of(40), Code{"a\nb\nc", "So:"},
                                         Code{"a\nb\nc", ""}};

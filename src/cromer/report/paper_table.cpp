@@ -17,6 +17,7 @@ constexpr std::string_view row_line = "#DFE3E8";
 struct ColumnNeed {
   double least = 0, most = 0;   // its longest word, its longest line
   double unbroken_numbers = 0;  // as `least`, but numbers are one word
+  double broken_words = 0;      // numbers are one word, and long words are broken
 };
 
 /// Lines of each column, and whether the cell belongs to the one above.
@@ -91,6 +92,8 @@ class PaperTable {
       }
       if (is_text(table_, c))
         need.unbroken_numbers = std::max(need.least, std::min(need.most, narrowest_words));
+      need.broken_words =
+          is_text(table_, c) ? std::min(need.unbroken_numbers, narrowest_words) : need.unbroken_numbers;
     }
   }
 
@@ -116,6 +119,8 @@ class PaperTable {
       for (std::size_t c = 0; c < columns_; ++c) widths_[c] = needs_[c].most * room() / most;
     else if (fits())
       share(&ColumnNeed::unbroken_numbers, &ColumnNeed::most);
+    else if (sum(&ColumnNeed::broken_words) <= room())
+      share(&ColumnNeed::broken_words, &ColumnNeed::unbroken_numbers);
     else if (sum(&ColumnNeed::least) <= room())
       share(&ColumnNeed::least, &ColumnNeed::most);
     else

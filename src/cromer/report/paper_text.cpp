@@ -159,15 +159,15 @@ double PaperText::longest_word() const {
   return longest;
 }
 
-/// Pieces of a word that is wider than the room, broken behind a blank, slash or hyphen near the end if there
-/// is one.
+/// Pieces of a word that is wider than the room, broken behind a blank, slash, hyphen or underscore near the
+/// end if there is one.
 std::vector<PaperText::Word> PaperText::broken(const Word& word, double room) const {
   std::vector<Word> pieces{{{}, word.blank, 0}};
   const auto end_piece = [&] {
     Word& full = pieces.back();
     PaperRun rest = full.runs.back();
     std::string& text = full.runs.back().text.text;
-    const std::size_t at = text.find_last_of(" /-") + 1;  // 0 where there is none
+    const std::size_t at = text.find_last_of(" /-_") + 1;  // 0 where there is none
     Word next;
     if (at > text.size() / 2 && at < text.size()) {
       rest.text.text = text.substr(at);
