@@ -378,6 +378,12 @@ TEST_F(WriteReport, TakesNoFileForAFolder) {
   }
 }
 
+TEST_F(WriteReport, SaysThatAFolderCannotBeMade) {
+  const auto made = make_folder("/proc/cromer/report");
+  ASSERT_FALSE(made);
+  EXPECT_THAT(in_words(made.error()), testing::HasSubstr("/proc/cromer/report"));
+}
+
 TEST_F(WriteReport, SaysBeforeWhichFigureItIsInterrupted) {
   stops_ = true;
   const auto made = written("", {&stop_, {}});

@@ -286,7 +286,7 @@ class FolderInWaiting {
 Result<void> make_folder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  for (std::filesystem::path part = folder; failed && !part.empty(); part = part.parent_path())
+  for (std::filesystem::path part = folder; failed && part.has_relative_path(); part = part.parent_path())
     if (std::error_code none; std::filesystem::is_regular_file(part, none))
       return Error{"file_is_no_folder", {{"file", part.string()}}};
   if (failed) return Error{"folder_not_made", {{"folder", folder}, {"why", failed.message()}}};
