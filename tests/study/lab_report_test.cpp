@@ -287,6 +287,24 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
 }
 
+TEST(LabReport, ShowsForwardEulerUntilItLeavesTheSpring) {
+  // x'' = -36 x + 1500 x^3 - 0.05 x' has an end at 15.5 cm.
+  const auto slope = [](double x, double v) { return -36 * x + 1500 * x * x * x - 0.05 * v; };
+  const double h = 1e-3;
+  std::vector<double> path{0.12};
+  for (double x = path[0], v = 0; path.size() < 30000; path.push_back(x)) {
+    v += 0.5 * h * slope(x, v);
+    x += h * v;
+    v = (v + 0.5 * h * (-36 * x + 1500 * x * x * x)) / (1 + 0.025 * h);
+  }
+  const auto x = [&](double t) {
+    return path[std::min(path.size() - 1, static_cast<std::size_t>(std::llround(t / h)))];
+  };
+  const Made lab = report({{"lab.csv", recorded(x, 25)}});
+  EXPECT_THAT(lab.text(), HasSubstr("before forward Euler goes to where the spring gives way"));
+  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"position", "energy", "phase"}));
+}
+
 TEST(LabReport, OfAnUnknownLengthNamesNoJoulesAndNoMetres) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 0.02);

@@ -8,11 +8,14 @@
 #include <string_view>
 #include <utility>
 
+#include "cromer/analysis/swing.h"
 #include "cromer/base/ascii.h"
 #include "cromer/figures/panels.h"
+#include "cromer/run/keep.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/simulate/run_law.h"
 
 namespace cromer::core {
 namespace {
@@ -32,7 +35,9 @@ class Part : public LabTold {
         forward_(methods_ + ".1"),
         cromer_(methods_ + ".2"),
         exact_(id_ + "_exact.1"),
-        toml_(toml) {}
+        toml_(toml) {
+    if (fitted_.succeeded() && simulates()) steps_ = steps_until_it_leaves();
+  }
 
   void write(const std::vector<TypedOption>& options) {
     if (fitted_.wrong_input) return refused();
@@ -440,6 +445,38 @@ class Part : public LabTold {
     toml_.figure(figure);
   }
 
+  long long steps_of_most_periods() const {
+    return static_cast<long long>(std::floor(swings(most_periods) / step()));
+  }
+
+  /// A free swing by forward Euler ends where a spring gives way, or a pendulum goes over its top: what
+  /// follows is no swing.
+  long long steps_until_it_leaves() const {
+    const long long steps = steps_of_most_periods();
+    const Parameter* at = named(fitted_.derived, "at_amplitude");
+    if (fitted_.driven || !at) return steps;
+    const Motion& motion = fitted_.fit.motion;
+    KeepEvery keep(1, Steps{steps});
+    run_law({.oscillator = motion.per_mass,
+             .method = "forward-euler",
+             .interval = {0, static_cast<double>(steps) * step()},
+             .start = {motion.position, motion.velocity},
+             .control = step()},
+            keep);
+    const Trajectory run = keep.take();
+    const Swing<double> swing{motion.per_mass};
+    const auto is_within = [&](std::size_t i) {
+      const double grown = std::exp(std::max(0.0, -motion.decay_rate()) * run.t[i]);
+      const double share = std::abs(run.x[i]) / (grown * at->estimate.value);
+      return share <= 1 || (share <= most_times_as_far && swing.pull(run.x[i]) * run.x[i] > 0);
+    };
+    std::size_t within = 0;
+    while (within < run.size() && is_within(within)) ++within;
+    return std::clamp<long long>(static_cast<long long>(within) - 1, 1, steps);
+  }
+
+  double until() const { return std::stod(fmt::format("{:.12g}", static_cast<double>(steps_) * step())); }
+
   // Forward Euler and Euler-Cromer beside the exact motion.
   void simulation() {
     const auto of = [&](const std::string& task, std::string_view method) {
@@ -492,10 +529,12 @@ class Part : public LabTold {
 
   void methods() {
     heading("report_methods");
+    const std::string ends = words("report_leaves", {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}});
     paragraph(words("report_methods_text",
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},
                      {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
+              (steps_ < steps_of_most_periods() ? " " + ends : "") +
               of_method(forward_, words("forward-euler")) + of_method(cromer_, words("euler-cromer")));
     const bool length = si() == "m" || si() == "m/s";
     const Motion& motion = fitted_.fit.motion;
@@ -615,6 +654,7 @@ class Part : public LabTold {
   }
 
   std::string methods_, forward_, cromer_, exact_;  ///< runs of the two methods, and without one
+  long long steps_ = 0;                             ///< of the two methods
   StudyWriter& toml_;
 };
 

@@ -60,8 +60,9 @@ class LabTold {
   }
 
  protected:
-  /// The steps that a period has in the simulations of the two methods, and how many periods they last.
-  static constexpr double steps_per_period = 200, most_periods = 10, drawn_periods = 5;
+  /// The steps that a period has in the simulations of the two methods, how many periods they last, and how
+  /// often as far as the law they may swing.
+  static constexpr double steps_per_period = 200, most_periods = 10, drawn_periods = 5, most_times_as_far = 3;
 
   std::string words(std::string_view code, std::vector<NoticeValue> values = {}) const {
     Notice notice{std::string(code)};
@@ -203,11 +204,6 @@ class LabTold {
   bool simulates() const { return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0; }
 
   double step() const { return std::stod(fmt::format("{:.2g}", period_ / steps_per_period)); }
-
-  double until() const {
-    const double steps = std::floor(swings(most_periods) / step());
-    return std::stod(fmt::format("{:.12g}", steps * step()));
-  }
 
   bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
 

@@ -256,6 +256,11 @@ constexpr Entry entries[] = {
      "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in "
      "einer Periode, "
      "neben {reference}."},
+    {"report_leaves", clause,
+     "They end at {t}, before forward Euler goes to where the spring gives way, or three times as far as the "
+     "law.",
+     "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder dreimal so "
+     "weit wie das Gesetz."},
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
