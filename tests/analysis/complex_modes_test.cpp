@@ -153,5 +153,64 @@ TEST(EffectiveNetwork, OfForwardEulerIsItsClosedForm) {
   EXPECT_FALSE(none.modes[1].decay_rate || none.modes[1].angular_frequency);
 }
 
+TEST(EffectiveNetwork, BeyondTheLimitEachModeHasBothItsEigenvalues) {
+  // Euler-Cromer on two masses whose dampers tie the modes: the fast one has two real eigenvalues, of which
+  // the larger grows.
+  const LinearNetwork network{2, {1, 1}, {50, -30, -30, 30}, {0.6, -0.1, -0.1, 0.1}};
+  const double h = 0.5;
+  const auto step = [&](const std::vector<double>& z) {
+    std::vector<double> next(4);
+    for (std::size_t i = 0; i < 2; ++i) {
+      next[2 + i] = z[2 + i];
+      for (std::size_t j = 0; j < 2; ++j)
+        next[2 + i] -=
+            h * h * network.stiffness[2 * i + j] * z[j] + h * network.damping[2 * i + j] * z[2 + j];
+    }
+    for (std::size_t i = 0; i < 2; ++i) next[i] = z[i] + next[2 + i];
+    return next;
+  };
+  const EffectiveNetwork found = effective_network(complex_modes(network), 2, h, step);
+  ASSERT_GT(found.spectral_radius, 10);
+  const auto product = [](const EffectiveOscillator& mode) {
+    return Complex128(mode.eigenvalues[0].re, mode.eigenvalues[0].im) *
+           Complex128(mode.eigenvalues[1].re, mode.eigenvalues[1].im);
+  };
+  EXPECT_TRUE(found.modes[0].stable());
+  EXPECT_FALSE(found.modes[1].stable());
+  EXPECT_EQ(found.modes[1].spectral_radius, found.spectral_radius);
+  EXPECT_FALSE(found.modes[1].decay_rate);
+  // The determinant of the map is 1 - tr(C) h + det(C) h^2.
+  const Complex128 all = product(found.modes[0]) * product(found.modes[1]);
+  EXPECT_NEAR(std::abs(all - (1 - 0.7 * h + 0.05 * h * h)), 0, 1e-12);
+}
+
+TEST(EffectiveNetwork, OfModesThatCreepEachHasTwoEigenvalues) {
+  // Forward Euler multiplies by 1 + z h for each z of the network, real or not.
+  const LinearNetwork network{2, {1, 2}, {3, -1, -1, 4}, {9, -2, -2, 1}};
+  const double h = 0.01;
+  const auto modes = complex_modes(network);
+  const EffectiveNetwork found = effective_network(modes, 2, h, [&](const std::vector<double>& z) {
+    std::vector<double> next = z;
+    for (std::size_t i = 0; i < 2; ++i) {
+      next[i] += z[2 + i];
+      for (std::size_t j = 0; j < 2; ++j)
+        next[2 + i] -=
+            (h * h * network.stiffness[2 * i + j] * z[j] + h * network.damping[2 * i + j] * z[2 + j]) /
+            network.mass[i];
+    }
+    return next;
+  });
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto has = [&](const Complex128& z) {
+      const auto& of = found.modes[j].eigenvalues;
+      return std::any_of(of.begin(), of.end(), [&](const auto& each) {
+        return std::abs(Complex128(each.re, each.im) - (1.0 + z * h)) < 1e-12;
+      });
+    };
+    EXPECT_TRUE(has(modes[j].first)) << j;
+    EXPECT_TRUE(has(modes[j].second)) << j;
+  }
+}
+
 }  // namespace
 }  // namespace cromer::core

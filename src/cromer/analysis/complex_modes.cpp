@@ -166,32 +166,55 @@ EffectiveNetwork effective_network(
     return effective;
   }
   const std::vector<EigenPair> pairs = eigen_pairs(map, n);
+  std::size_t swinging = 0;
+  for (const EigenPair& pair : pairs) {
+    effective.spectral_radius = std::max(effective.spectral_radius, std::abs(pair.value));
+    swinging += pair.value.imag() > 0;
+  }
 
   // The best match of all first. Of eigenvalues alike in shape (a carried acceleration has them too) the one
-  // nearest to the mode's own.
+  // nearest to the mode's own, and sooner a large one: what a method carries dies down.
   struct Match {
     double score;
     std::size_t mode, pair;
   };
   std::vector<Match> matches;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    effective.spectral_radius = std::max(effective.spectral_radius, std::abs(pairs[k].value));
-    for (std::size_t j = 0; j < n; ++j)
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::complex<double> z = pairs[k].value;
+      const double off =
+          std::min(std::abs(z - std::exp(modes[j].first * h)), std::abs(z - std::exp(modes[j].second * h)));
       matches.push_back({modal_assurance(modes[j].shape, pairs[k].shape) -
-                             0.25 * std::abs(pairs[k].value - std::exp(modes[j].first * h)),
+                             0.25 * (std::min(1.0, off) - std::min(1.0, std::abs(z))),
                          j, k});
-  }
+    }
   std::stable_sort(matches.begin(), matches.end(),
                    [](const Match& a, const Match& b) { return a.score > b.score; });
-  std::vector<bool> found(n), taken(pairs.size());
-  for (const Match& match : matches) {
-    if (found[match.mode] || taken[match.pair]) continue;
-    found[match.mode] = taken[match.pair] = true;
-    const std::complex<double> z = pairs[match.pair].value;
-    EffectiveOscillator& result = effective.modes[match.mode];
-    result.eigenvalues = {{z.real(), z.imag()}, {z.real(), -z.imag()}};
-    result.spectral_radius = std::abs(z);
-    if (z.imag() > 0) {
+
+  // Each mode takes one that swings, with its conjugate, or two real ones.
+  std::vector<std::vector<std::complex<double>>> taken(n);
+  std::vector<bool> is_taken(pairs.size());
+  std::size_t creeping = 0;
+  const std::size_t most_creeping = n - std::min(n, swinging);
+  for (const bool begins : {true, false})
+    for (const Match& match : matches) {
+      std::vector<std::complex<double>>& own = taken[match.mode];
+      const std::complex<double> z = pairs[match.pair].value;
+      const bool swings = z.imag() > 0;
+      if (is_taken[match.pair] || own.size() > 1 || (swings && !own.empty())) continue;
+      if (!swings && own.empty() && !(begins && creeping < most_creeping)) continue;
+      creeping += !swings && own.empty();
+      is_taken[match.pair] = true;
+      own.push_back(z);
+      if (swings) own.push_back(std::conj(z));
+    }
+  for (std::size_t j = 0; j < n; ++j) {
+    EffectiveOscillator& result = effective.modes[j];
+    for (const std::complex<double>& z : taken[j]) {
+      result.eigenvalues.push_back({z.real(), z.imag()});
+      result.spectral_radius = std::max(result.spectral_radius, std::abs(z));
+    }
+    if (const std::complex<double> z = taken[j].empty() ? 0 : taken[j].front(); z.imag() > 0) {
       result.decay_rate = -std::log(std::abs(z)) / h;
       result.angular_frequency = std::arg(z) / h;
     }
