@@ -276,6 +276,33 @@ TEST(ModalMotion, what_moves_from_the_first_sample_on_keeps_all_samples) {
   }
 }
 
+TEST(ModalMotion, a_swing_that_passes_to_another_mass_is_no_still_beginning) {
+  // Of two pendulums one is let go: while it swings, the other hardly moves yet.
+  const std::vector<TrueMode> pendulums{{0.7068, 7e-4, {1.0, 1.0}}, {0.729, 7e-4, {1.0, -1.0}}};
+  for (const double seconds : {20.0, 30.0, 40.0, 80.0})
+    for (const double noise : {1e-3, 0.02}) {
+      const auto samples = static_cast<std::size_t>(seconds / 0.05);
+      EXPECT_EQ(still_samples(let_go(pendulums, {0.05, -0.05}, samples, 0.05, noise, 4).record()), 0u)
+          << seconds << ' ' << noise;
+    }
+}
+
+TEST(ModalMotion, a_pendulum_that_another_moves_has_no_still_beginning) {
+  // The left one is let go at 0.1 rad; the right one, of which alone there is a record, hardly moves at
+  // first.
+  const double h = 2e-3, w2 = 19.6, tie = 0.62, damping = 0.012;
+  double left = 0.1, right = 0, v_left = 0, v_right = 0;
+  MadeChannels made{{{}}, 0.02};
+  for (int i = 0; i < 30000; ++i) {
+    if (i % 10 == 0) made.values[0].push_back(1e-4 * std::round(1e4 * right));
+    const double a = -w2 * std::sin(left) - tie * (left - right) - damping * v_left,
+                 b = -w2 * std::sin(right) - tie * (right - left) - damping * v_right;
+    left += h * (v_left += h * a);
+    right += h * (v_right += h * b);
+  }
+  EXPECT_EQ(find_modes(made.record()).still, 0u);
+}
+
 TEST(ModalMotion, gaps_stay_where_they_are_behind_a_still_beginning) {
   const MadeChannels channels = let_go(two_masses(), {1, 1}, 100, 0.02, 0, 0);
   ModalRecord record = channels.record();

@@ -11,9 +11,12 @@ namespace {
 // Variances of a channel's first samples and of the others, for every number of them.
 class SplitVariance {
  public:
-  explicit SplitVariance(std::span<const double> values) : origin_(values.front()), sums_{0}, squares_{0} {
+  explicit SplitVariance(std::span<const double> values)
+      : origin_(values.front()), sums_{0}, squares_{0}, steps_{0} {
     for (const double value : values) {
       const double y = value - origin_;
+      steps_.push_back(steps_.back() + std::pow(sums_.size() > 1 ? y - last_ : 0, 2));
+      last_ = y;
       sums_.push_back(sums_.back() + y);
       squares_.push_back(squares_.back() + y * y);
     }
@@ -21,6 +24,12 @@ class SplitVariance {
 
   double before(std::size_t k) const { return between(0, k); }
   double after(std::size_t k) const { return between(k, sums_.size() - 1); }
+  /// Whether the first k vary no more than from sample to sample: no swing is seen in them.
+  bool is_noise_before(std::size_t k) const {
+    constexpr double most = 3;
+    const auto n = static_cast<double>(k);
+    return before(k) <= most * std::max(steps_[k] / (2 * (n - 1)), 1e-12 * squares_.back() / n);
+  }
   double mean(std::size_t from, std::size_t to) const {
     return origin_ + (sums_[to] - sums_[from]) / static_cast<double>(to - from);
   }
@@ -39,8 +48,8 @@ class SplitVariance {
     return std::max((squares_[to] - squares_[from]) / n - mean * mean, 1e-12 * squares_.back() / n);
   }
 
-  double origin_;
-  std::vector<double> sums_, squares_;
+  double origin_, last_ = 0;
+  std::vector<double> sums_, squares_, steps_;  // of the first k; steps: squared, from sample to sample
 };
 
 // How far a window of samples departs from the motion after it, followed back.
@@ -85,7 +94,7 @@ std::size_t still_samples(const ModalRecord& record) {
   std::size_t best = 0;
   double most = 0;
   for (std::size_t k = fewest; k < last; ++k) {
-    bool still = false;
+    bool still = false, swings = false;
     double gain = whole;
     const auto size = static_cast<double>(k);
     for (const SplitVariance& channel : channels) {
@@ -94,10 +103,12 @@ std::size_t still_samples(const ModalRecord& record) {
         gain = -1;
         break;
       }
-      still = still || before < quiet * after;
+      const bool is_quiet = before < quiet * after;
+      still = still || is_quiet;
+      swings = swings || !(is_quiet || channel.is_noise_before(k));
       gain -= size * std::log(before) + (n - size) * std::log(after);
     }
-    if (still && gain > most) most = gain, best = k;
+    if (still && !swings && gain > most) most = gain, best = k;
   }
   if (best == 0 || std::any_of(channels.begin(), channels.end(),
                                [&](const SplitVariance& channel) { return channel.shifts_within(best); }))
@@ -116,14 +127,19 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
   Eigenvalues eigenvalues;
   for (const MeasuredMode& mode : modes) eigenvalues.push_back(mode.eigenvalue);
   const ModalRecord after = from_sample(record, first);
-  const Eigen::MatrixXd left = DecayBasis(record, values_of(record), eigenvalues).residuals();
+  const Eigen::MatrixXd values = values_of(record);
+  const Eigen::MatrixXd left = DecayBasis(record, values, eigenvalues).residuals();
   const Eigen::MatrixXd left_after = DecayBasis(after, values_of(after), eigenvalues).residuals();
-  constexpr double more = 3;
+  constexpr double more = 3, mostly = 0.5;
   const auto begin = static_cast<Eigen::Index>(first);
-  for (Eigen::Index c = 0; c < left.cols(); ++c)
-    if (left.col(c).head(begin).norm() / std::sqrt(static_cast<double>(begin)) >
-        more * left_after.col(c).norm() / std::sqrt(static_cast<double>(left_after.rows())))
+  for (Eigen::Index c = 0; c < left.cols(); ++c) {
+    const Eigen::VectorXd before = values.col(c).head(begin);
+    const double off = left.col(c).head(begin).norm();
+    if (off / std::sqrt(static_cast<double>(begin)) >
+            more * left_after.col(c).norm() / std::sqrt(static_cast<double>(left_after.rows())) &&
+        off > mostly * (before.array() - before.mean()).matrix().norm())
       return true;
+  }
   return false;
 }
 

@@ -11,13 +11,14 @@ namespace cromer::core {
 
 /// The samples before the motion begins: before the place at which the channels' variances most likely change
 /// (D. V. Hinkley, Biometrika 57, 1 (1970)), before the last tenth and the last fewest_modal_samples, where
-/// one channel has less than a quarter of what follows, and on to the first sample that leaves the noise
-/// before it by five standard deviations. 0 where there is no such place, fewer than eight samples, or a mean
-/// that moves on in them as at a turning point.
+/// one channel has less than a quarter of what follows and every other, too, or noise alone, and on to the
+/// first sample that leaves the noise before it by five standard deviations. 0 where there is no such place,
+/// fewer than eight samples, or a mean that moves on in them as at a turning point.
 std::size_t still_samples(const ModalRecord& record);
 
 /// Whether the samples before `first` are no part of the free motion after it, in these modes: fitted
-/// together with the motion, they leave a residual rms above three times the motion's own.
+/// together with the motion, they leave a residual rms above three times the motion's own, and above half of
+/// what they vary by: a small swing whose frequency depends on its amplitude leaves less.
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes);
 
 /// How many of a free decay's first samples, at most six periods of its slowest mode, belong to a release
