@@ -196,6 +196,14 @@ TEST(Catalogue, NamesEachMethodTermAndNumberOfAFit) {
   });
 }
 
+TEST(Words, CallTheDecayRateAPartWhereOtherTermsChangeIt) {
+  for (const char* law :
+       {"viscous+drag", "viscous+friction", "viscous+cubic", "viscous+pendulum", "viscous+van-der-pol"})
+    EXPECT_TRUE(is_viscous_part(law_of(law), "decay_rate")) << law;
+  EXPECT_FALSE(is_viscous_part(law_of("viscous"), "decay_rate"));
+  EXPECT_FALSE(is_viscous_part(law_of("viscous+drag"), "drag"));
+}
+
 TEST(Catalogue, NamesOnlyOptionsThatThereAre) {
   // What apps/cli and studies have beside the tables of the tasks.
   std::set<std::string> known{"output",       "plot",           "json",    "quiet",    "verbose",

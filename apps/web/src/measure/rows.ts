@@ -23,7 +23,9 @@ export const wantsMass = (fit: Pick<Fit, 'parameters' | 'units'>, mass: string):
 /// A live fit has no Reynolds number.
 export function rowsOf(fit: Pick<Fit, 'law' | 'coefficients' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
   const row = (key: string, estimate: Estimate | undefined) => rowOf(key, estimate, words)
-  const rows = fit.coefficients.flatMap((key) => row(key, fit.parameters[key]))
+  // Beside other terms the swing dies down at another rate.
+  const named = (key: string) => (key === 'decay_rate' && fit.law !== 'viscous' ? 'viscous_part' : key)
+  const rows = fit.coefficients.flatMap((key) => row(key, fit.parameters[key]).map((each) => ({ ...each, name: words.quantities[named(key)]?.[0] ?? each.name })))
   rows.push(...row('frequency', fit.derived.frequency))
   for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...row(key, fit.parameters[key]))
   if (fit.law === 'viscous') rows.push(...qualityOf(fit.derived.quality_factor, words, row('quality_factor', fit.derived.quality_factor)))

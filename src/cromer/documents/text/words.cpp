@@ -35,8 +35,7 @@ std::string_view term_of(const Law& law, std::string_view parameter) {
 }
 
 bool is_viscous_part(const Law& law, std::string_view parameter) {
-  const bool others = law.shares(dampings.without(law_with<Viscous>)) || law.shares(bounding_terms);
-  return others && parameter == Viscous::coefficients[0].parameter;
+  return !is_linear(law) && parameter == Viscous::coefficients[0].parameter;
 }
 
 bool are_apart(const Estimate& one, const Estimate& other) {

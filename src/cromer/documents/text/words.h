@@ -19,7 +19,7 @@ const Parameter* named(const std::vector<Parameter>& list, std::string_view name
 /// The term of the law that a parameter belongs to, as a formula; "" for others.
 std::string_view term_of(const Law& law, std::string_view parameter);
 
-/// Of several terms that damp, the decay rate is the viscous one's alone.
+/// Where the law is not linear the parameter of the viscous term is not the rate of the swing.
 bool is_viscous_part(const Law& law, std::string_view parameter);
 
 /// Whether the 95 % intervals have nothing in common.

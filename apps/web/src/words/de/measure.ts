@@ -173,6 +173,7 @@ export const measure: typeof en = {
     hysteresis_gamma: ['Hysterese', 'γ'],
     angular_frequency: ['Kreisfrequenz', 'ω₀'],
     decay_rate: ['Abklingrate', 'γ'],
+    viscous_part: ['viskoser Anteil der Abklingrate', 'γ'],
     drag: ['Widerstand / Masse', 'd/m'],
     frequency: ['Frequenz', 'f'],
     quality_factor: ['Güte', 'Q'],

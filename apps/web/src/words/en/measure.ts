@@ -171,6 +171,7 @@ export const measure = {
     hysteresis_gamma: ['hysteresis', 'γ'],
     angular_frequency: ['angular frequency', 'ω₀'],
     decay_rate: ['decay rate', 'γ'],
+    viscous_part: ['viscous part of the decay rate', 'γ'],
     drag: ['drag / mass', 'd/m'],
     frequency: ['frequency', 'f'],
     quality_factor: ['quality factor', 'Q'],
