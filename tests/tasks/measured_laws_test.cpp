@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
@@ -49,6 +52,15 @@ TEST(MeasuredLaws, TheSpringConstantIsTheStaticOne) {
     EXPECT_LT(result->fit.residual.rms, residuals[run - 1]);
     EXPECT_NEAR(result->find("stiffness")->value, 3.226, 0.015 * 3.226);
   }
+}
+
+TEST(MeasuredLaws, NoLawIsTriedTwice) {
+  const auto result = fitted("pendulum-phyphox/RawData_converted_from_xls.csv", {});
+  SKIP_WITHOUT_FIT(result);
+  std::vector<std::string> laws;
+  for (const Candidate& each : result->candidates) laws.push_back(to_text(each.law));
+  std::sort(laws.begin(), laws.end());
+  EXPECT_EQ(std::adjacent_find(laws.begin(), laws.end()), laws.end());
 }
 
 TEST(MeasuredLaws, APendulumOnFilm) {

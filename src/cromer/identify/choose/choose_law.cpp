@@ -207,10 +207,11 @@ class LawSearch {
   // Two at a time, also where there is one thread: what a pair leaves to beat is the same everywhere. The
   // progress goes from one share to another.
   template <class Start>
-  void try_laws(std::vector<Law> laws, const Start& start_of, double from = 0, double to = 0) {
-    laws.erase(std::remove_if(laws.begin(), laws.end(),
-                              [&](const Law& law) { return tried(law) || too_many_terms(law); }),
-               laws.end());
+  void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {
+    std::vector<Law> laws;
+    for (const Law& law : wanted)
+      if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
+        laws.push_back(law);
     for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); i += 2) {
       std::optional<LawFit> one, other;
       const auto fit_one = [&] { one = rough_fit(laws[i], start_of(laws[i]), watch_); };
@@ -312,7 +313,7 @@ class LawSearch {
       for (const Law& addition :
            {law_with<Drag>, law_with<Friction>, law_with<Cubic>, law_with<OddQuadratic>})
         if (!base.law.contains(addition)) laws.push_back(base.law.with(addition));
-      try_laws(std::move(laws), [&](const Law& law) { return of_fit(base, law); });
+      try_laws(laws, [&](const Law& law) { return of_fit(base, law); });
       settle();
       drop_terms();
       if (best_ == before) return;
@@ -330,7 +331,7 @@ class LawSearch {
                          ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
                          : base.law.with(addition));
     }
-    try_laws(std::move(laws), [&](const Law& law) {
+    try_laws(laws, [&](const Law& law) {
       const bool recorded = is_recorded(options_.drive.kind);
       if (!recorded || !law.contains(law_with<OddQuadratic, Quintic>))
         return nearer_start(base, law, beginning, round);
