@@ -228,6 +228,18 @@ TEST(NetworkRun, EndsEarlyWithAMessage) {
   EXPECT_EQ(in_words(unstable.notices[0]), "euler-cromer with a step of 0.4 s is unstable on this network");
 }
 
+TEST(NetworkRun, EndsWhereItsEnergyOverflows) {
+  Network network = chain(2);
+  network.links[0].law.cubic = 50;
+  const NetworkRun run = run_of(network, {.method = {"forward-euler"}, .step = 0.3, .until = 100});
+  EXPECT_EQ(run.outcome.status, Status::not_finite);
+  for (const double energy : run.states.energy) EXPECT_TRUE(std::isfinite(energy));
+  ASSERT_FALSE(run.states.t.empty());
+  EXPECT_EQ(run.outcome.t, run.states.t.back());
+  ASSERT_EQ(run.states.x[1].size(), run.states.t.size());
+  EXPECT_EQ(run.last[1].x, run.states.x[1].back());
+}
+
 TEST(NetworkRun, RefusesWhatItCannotDo) {
   const auto refusal = [](const Network& network, const SimulateOptions& options) {
     const auto run = run_network(network, "n.toml", options);

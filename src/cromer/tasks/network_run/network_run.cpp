@@ -269,6 +269,23 @@ void add_stability(NetworkRun& run, const SimulateOptions& options) {
       run.notices.push_back(notice);
 }
 
+/// As of a single mass: the run ends at the last kept state whose energy is a number.
+void end_before_overflow(NetworkRun& run, long long every) {
+  NetworkStates& kept = run.states;
+  std::size_t size = 0;
+  while (size < kept.t.size() && std::isfinite(kept.energy[size])) ++size;
+  if (size == kept.t.size() || size == 0) return;
+  kept.t.resize(size);
+  kept.energy.resize(size);
+  for (auto* of : {&kept.x, &kept.v})
+    for (std::vector<double>& values : *of) values.resize(size);
+  for (InnerForce& each : kept.inner) each.force.resize(size);
+  run.outcome.status = Status::not_finite;
+  run.outcome.t = kept.t.back();
+  run.outcome.step = static_cast<long long>(size - 1) * every;
+  for (std::size_t i = 0; i < run.last.size(); ++i) run.last[i] = {kept.x[i].back(), kept.v[i].back()};
+}
+
 }  // namespace
 
 bool is_option_of_networks(std::string_view option) {
@@ -287,6 +304,7 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   const State<MassVector>& last = record.last();
   for (std::size_t i = 0; i < network.masses.size(); ++i)
     run.last.push_back({last.x.first[i], last.v.first[i]});
+  end_before_overflow(run, options.every);
   run.message = early_end(run.outcome);
   const double spacing = run.step * static_cast<double>(options.every);
   constexpr std::size_t few_states = 8;  // the sums over them are no integrals
