@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/identify/modal/decay_fit.h"
 #include "cromer/identify/modal/modal_analysis.h"
 #include "cromer/identify/modal/still_beginning.h"
 #include "tests/identify/modal_records.h"
@@ -301,6 +302,19 @@ TEST(ModalMotion, a_pendulum_that_another_moves_has_no_still_beginning) {
     right += h * (v_right += h * b);
   }
   EXPECT_EQ(find_modes(made.record()).still, 0u);
+}
+
+TEST(ModalMotion, no_mode_is_faster_than_half_the_rate) {
+  // Begun at an alias, least squares ends there: at even times it is the same motion.
+  const std::vector<TrueMode> two = two_masses();
+  const MadeChannels made = let_go(two, {0.3, 0.1}, 800, 0.05, 0.001, 3);
+  const ModalRecord record = made.record();
+  const double rate = 2 * std::numbers::pi / record.step;
+  const auto found =
+      fit_eigenvalues(record, values_of(record),
+                      {two[0].eigenvalue(), two[1].eigenvalue() + std::complex<double>(0, 5 * rate)});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR((*found)[1].imag(), two[1].eigenvalue().imag(), 1e-3);
 }
 
 TEST(ModalMotion, gaps_stay_where_they_are_behind_a_still_beginning) {

@@ -299,6 +299,14 @@ TEST(Steps, OfAClockThatJittersAreAsExactAsLeastSquares) {
   EXPECT_LE(far, clocks / 8);
 }
 
+TEST(Steps, AShortLastOneIsNoRounding) {
+  std::vector<double> t;
+  for (int i = 0; i < 667; ++i) t.push_back(std::round(3000 * i) / 1e5);
+  t.push_back(20);  // 0.02 s after 19.98 s
+  EXPECT_FALSE(describe_steps(t).clock);
+  EXPECT_NEAR(describe_steps(t).rate, 667 / 20.0, 1e-6);
+}
+
 TEST(Steps, OfFewTimes) {
   EXPECT_EQ(describe_steps(std::vector<double>{}).rate, 0);
   EXPECT_EQ(describe_steps(std::vector<double>{7}).rate, 0);

@@ -201,6 +201,10 @@ double rounding_of(std::span<const double> t, double step) {
   const double rounding = lengths[1].length - lengths[0].length;
   for (const Length& each : lengths)
     if (std::fabs(each.length - rounding * std::nearbyint(each.length / rounding)) > 2 * noise) return 0;
+  // A simulation's last step may be a shorter one.
+  const bool only_last =
+      lengths.size() == 2 && lengths[0].count == 1 && t.back() - t[t.size() - 2] < lengths[1].length - noise;
+  if (only_last) return 0;
   // A whole step more, now and then, is a missing sample.
   const bool whole = rounding > 0.9 * lengths[0].length;
   if (whole && 10 * lengths[1].count < t.size()) return 0;

@@ -185,7 +185,14 @@ std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eige
   };
   const LeastSquaresSummary summary = minimise(model, parameters, options);
   if (summary.reason != LeastSquaresReason::converged) return std::nullopt;
-  return eigenvalues_of(summary.parameters, start.size());
+  Eigenvalues found = eigenvalues_of(summary.parameters, start.size());
+  // Above half the rate: at even times the same motion as below it, at others none that was looked for.
+  for (std::complex<double>& each : found) {
+    if (!(std::abs(each.imag()) > two_pi / (2 * record.step))) continue;
+    if (!record.times.empty()) return std::nullopt;
+    each.imag(std::abs(std::remainder(each.imag(), two_pi / record.step)));
+  }
+  return found;
 }
 
 Periodogram periodogram(const Eigen::MatrixXd& values, double step, std::size_t padding) {
