@@ -271,8 +271,9 @@ TEST(FitMany, WhatIsSaidOfSeveralRunsIsSaidOnce) {
   folder.write("runs.csv", text);
   for (const char* command : {"fit", "inspect"}) {
     const Finished end = folder.run({command, "runs.csv"});
-    EXPECT_THAT(end.err, HasSubstr("runs 1, 2 and 3: column \"Position\" has no unit: m is assumed; another "
-                                   "is written in brackets behind the name\n"));
+    EXPECT_THAT(end.err,
+                HasSubstr("runs 1, 2 and 3: column \"Position\" has no unit: m is assumed; the header "
+                          "can name another, in brackets behind the column's name\n"));
     EXPECT_EQ(end.err.find("is assumed"), end.err.rfind("is assumed"));
   }
 }

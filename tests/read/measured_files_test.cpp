@@ -49,8 +49,10 @@ std::vector<Known> measured_files() {
             0.4182,
             {"column \"velocity\": 1 missing value, the first in line 11887",
              "column \"acceleration\": 3 missing values, the first in line 11885",
-             "column \"position\" has no unit: m is assumed; another is written in brackets behind the name",
-             "column \"time\" has no unit: s is assumed; another is written in brackets behind the name"}},
+             "column \"position\" has no unit: m is assumed; the header can name another, in brackets behind "
+             "the column's name",
+             "column \"time\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
       Known{"spring-disc-pasco/molla_dura_discopieno_0.1223kg.csv",
             0,
             "PASCO Capstone, UTF-8 with BOM, semicolon, comma",
@@ -100,8 +102,10 @@ std::vector<Known> measured_files() {
             {"4206 at 30.0 Hz, 140.225 s, 0 gaps, 0 outliers"},
             0.4143889733848767,
             0.1686570972713174,
-            {"column \"x\" has no unit: m is assumed; another is written in brackets behind the name",
-             "column \"t\" has no unit: s is assumed; another is written in brackets behind the name"}},
+            {"column \"x\" has no unit: m is assumed; the header can name another, in brackets behind the "
+             "column's name",
+             "column \"t\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
       Known{"pendulum-tracker/8051.txt",
             0,
             "Tracker, UTF-8, tab, point",
@@ -110,22 +114,24 @@ std::vector<Known> measured_files() {
             {"4123 at 30.0 Hz, 137.458 s, 0 gaps, 0 outliers"},
             0.24835480730132775,
             -0.03877977880587191,
-            {"column \"x\" has no unit: m is assumed; another is written in brackets behind the name",
-             "column \"t\" has no unit: s is assumed; another is written in brackets behind the name"}},
-      Known{
-          "pendulum-plain/lab1_data.txt",
-          0,
-          "plain, UTF-8, blanks, point",
-          {"1 column 1: time 2330", "1 column 2:  2330", "1 column 3:  2330"},
-          "",
-          {"2330 at 20.0 Hz, 116.409 s, 0 gaps, 0 outliers"},
-          0.7020338666008175,
-          -0.12161902326134658,
-          {"the first column runs evenly upward: it is taken as the time in seconds",
-           "no column is known to be a position, angle or velocity: of \"column "
-           "2\", \"column 3\", \"column 2\" is taken; --column names another",
-           "column \"column 2\" has no unit: its values are taken as they are",
-           "column \"column 1\" has no unit: s is assumed; another is written in brackets behind the name"}},
+            {"column \"x\" has no unit: m is assumed; the header can name another, in brackets behind the "
+             "column's name",
+             "column \"t\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
+      Known{"pendulum-plain/lab1_data.txt",
+            0,
+            "plain, UTF-8, blanks, point",
+            {"1 column 1: time 2330", "1 column 2:  2330", "1 column 3:  2330"},
+            "",
+            {"2330 at 20.0 Hz, 116.409 s, 0 gaps, 0 outliers"},
+            0.7020338666008175,
+            -0.12161902326134658,
+            {"the first column runs evenly upward: it is taken as the time in seconds",
+             "no column is known to be a position, angle or velocity: of \"column "
+             "2\", \"column 3\", \"column 2\" is taken; --column names another",
+             "column \"column 2\" has no unit: its values are taken as they are",
+             "column \"column 1\" has no unit: s is assumed; the header can name another, in brackets behind "
+             "the column's name"}},
       Known{"pendulum-plain/encoder_comma_space.csv",
             0,
             "plain, UTF-8, comma, point",
@@ -134,8 +140,10 @@ std::vector<Known> measured_files() {
             {"13604 at 99.6 Hz, 136.563 s, 0 gaps, 0 outliers"},
             1.6441001553786583,
             0,
-            {"column \"angle\" has no unit: rad is assumed; another is written in brackets behind the name",
-             "column \"time\" has no unit: s is assumed; another is written in brackets behind the name"}},
+            {"column \"angle\" has no unit: rad is assumed; the header can name another, in brackets behind "
+             "the column's name",
+             "column \"time\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
       Known{"pendulum-plain/two_sensors_alternating.txt",
             0,
             "plain, UTF-8, tab, point",
@@ -216,7 +224,8 @@ std::vector<Known> measured_files() {
             0.013,
             0.018,
             {"column \"Pendolo\" has no unit: its values are taken as they are",
-             "column \"Tempo\" has no unit: s is assumed; another is written in brackets behind the name"}},
+             "column \"Tempo\" has no unit: s is assumed; the header can name another, in brackets behind "
+             "the column's name"}},
       Known{"ground-motion/elcentro_chopra.csv",
             0,
             "plain, UTF-8, comma, point",
@@ -225,7 +234,8 @@ std::vector<Known> measured_files() {
             {"1560 at 50 Hz, 31.1800 s, 0 gaps, 0 outliers"},
             0,
             0,
-            {"column \"time\" has no unit: s is assumed; another is written in brackets behind the name"}},
+            {"column \"time\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
       Known{"ground-motion/RSN753_LOMAP_CLS000-hor1.AT2",
             0,
             "PEER, UTF-8, blanks, point",
@@ -290,9 +300,11 @@ std::vector<Known> measured_files() {
             {"1001 at 500 Hz, 2.00000 s, 0 gaps, 0 outliers"},
             3.236790061330015,
             -0.030127249708722107,
-            {"column \"angular_velocity\" has no unit: rad/s is assumed; another is written in brackets "
-             "behind the name",
-             "column \"time\" has no unit: s is assumed; another is written in brackets behind the name"}},
+            {"column \"angular_velocity\" has no unit: rad/s is assumed; the header can name another, in "
+             "brackets "
+             "behind the column's name",
+             "column \"time\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}},
       Known{"silverbox/silverbox_train.csv",
             610.3515625,
             "plain, UTF-8, comma, point",
@@ -336,7 +348,8 @@ std::vector<Known> measured_files() {
             0,
             -1.2718,
             {"column \"theoretical\" has no unit: its values are taken as they are",
-             "column \"t\" has no unit: s is assumed; another is written in brackets behind the name"}}};
+             "column \"t\" has no unit: s is assumed; the header can name another, in brackets behind the "
+             "column's name"}}};
 }
 
 using testing::Contains;
@@ -432,8 +445,8 @@ TEST(MeasuredFiles, TheLongRunsHaveNoOutliersButRoundingSteps) {
   EXPECT_TRUE(series->outliers.empty());
   EXPECT_DOUBLE_EQ(series->resolution, 1e-4);
   EXPECT_THAT(in_words(series->notices),
-              Contains(HasSubstr(
-                  "\"position\" has no unit: m is assumed; another is written in brackets behind the name")));
+              Contains(HasSubstr("\"position\" has no unit: m is assumed; the header can name another, in "
+                                 "brackets behind the column's name")));
 }
 
 }  // namespace

@@ -61,10 +61,10 @@ TEST(Series, WithoutAMotionItSaysSo) {
 TEST(Series, MissingAndUnknownUnitsAreSaid) {
   EXPECT_THAT(in_words(series("t (s),q\n0,5\n1,6\n2,5\n", "q").notices),
               ElementsAre("column \"q\" has no unit: its values are taken as they are"));
-  EXPECT_THAT(
-      in_words(series("t,x (px)\n0,5\n1,6\n2,5\n").notices),
-      ElementsAre("unit \"px\" of column \"x\" is not known: its values are taken as they are",
-                  "column \"t\" has no unit: s is assumed; another is written in brackets behind the name"));
+  EXPECT_THAT(in_words(series("t,x (px)\n0,5\n1,6\n2,5\n").notices),
+              ElementsAre("unit \"px\" of column \"x\" is not known: its values are taken as they are",
+                          "column \"t\" has no unit: s is assumed; the header can name another, in brackets "
+                          "behind the column's name"));
   EXPECT_THAT(in_words(series("t (s),x (m)\n0,5\n1,6\n2,5\n").notices), IsEmpty());
   EXPECT_EQ(unit_of(series("t (s),x (px)\n0,5\n1,6\n2,5\n")), "px");
   EXPECT_EQ(unit_of(series("t (s),q (kg)\n0,5\n1,6\n2,5\n")), "kg");

@@ -73,9 +73,9 @@ TEST(TakeSeries, PrefersPositionsThenAngles) {
 }
 
 TEST(TakeSeries, UnknownUnitsAndNamesAreSaid) {
-  EXPECT_THAT(
-      in_words(series("t,x\n0,1.5\n1,2\n2,1\n").notices),
-      Contains(HasSubstr("\"x\" has no unit: m is assumed; another is written in brackets behind the name")));
+  EXPECT_THAT(in_words(series("t,x\n0,1.5\n1,2\n2,1\n").notices),
+              Contains(HasSubstr("\"x\" has no unit: m is assumed; the header can name another, in brackets "
+                                 "behind the column's name")));
   EXPECT_THAT(in_words(series("t,x (au)\n0,1.5\n1,2\n2,1\n").notices), Contains(HasSubstr("unit \"au\"")));
   const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
   EXPECT_EQ(s.column, "column 2");

@@ -175,8 +175,8 @@ constexpr Entry entries[] = {
      "Abklingrate sind kaum geweitet"},
     {"uncertainties_widened", detail,
      "{correlated}: the uncertainties are widened to those of {independent_samples:.0f} independent samples",
-     "{correlated}: die Unsicherheiten sind geweitet, wie von {independent_samples:.0f} unabhängigen "
-     "Messwerten"},
+     "{correlated}: die Unsicherheiten sind auf die von {independent_samples:.0f} unabhängigen "
+     "Messwerte geweitet"},
 
     // The choice of a law.
     {"laws_compared_on_a_part", detail,

@@ -355,16 +355,34 @@ void put_residuals(NetworkFit& fit, const NetworkMotions& motions, const Paramet
   }
 }
 
-/// Whether neighbours are alike, as those of a motion are and those of noise are not.
-bool is_smooth(std::span<const double> residual) {
-  double products = 0, squares = 0;
-  for (std::size_t n = 1; n < residual.size(); ++n) {
-    const double product = residual[n] * residual[n - 1];
+/// Of samples `lag` apart, without those that are missing.
+struct Correlation {
+  double value = 0, pairs = 0;
+};
+
+Correlation correlation_of(std::span<const double> residual, std::size_t lag) {
+  double products = 0, squares = 0, pairs = 0;
+  for (std::size_t n = lag; n < residual.size(); ++n) {
+    const double product = residual[n] * residual[n - lag];
     if (std::isnan(product)) continue;
     products += product;
     squares += residual[n] * residual[n];
+    ++pairs;
   }
-  return products > 0.5 * squares;
+  return {squares > 0 ? products / squares : 0, pairs};
+}
+
+/// Whether neighbours are alike, as those of a motion are and those of noise are not.
+bool is_smooth(std::span<const double> residual) { return correlation_of(residual, 1).value > 0.5; }
+
+/// Whether no sample says anything of the next two: a motion's would, however few there are in its period.
+bool is_white(std::span<const double> residual) {
+  constexpr double most = 3;  // standard deviations
+  const auto is_none = [&](std::size_t lag) {
+    const auto [value, pairs] = correlation_of(residual, lag);
+    return std::abs(value) * std::sqrt(pairs) < most;
+  };
+  return is_none(1) && is_none(2);
 }
 
 /// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
@@ -496,12 +514,18 @@ Parameters start_values(const NetworkMotions& motions, const std::vector<SoughtV
   return p;
 }
 
-/// Half of each column is accounted for, or nine tenths where what is left of it is no noise.
+/// Half of each column is accounted for, or nine tenths where what is left of it is no noise. Where it is
+/// white, half of one column is enough: the others are mostly noise, and the law says all of them that can be
+/// said.
 bool explains(const std::vector<FittedColumn>& columns) {
   constexpr double beside_noise = 0.5, beside_motion = 0.9;
-  return std::all_of(columns.begin(), columns.end(), [](const FittedColumn& column) {
+  const auto is_told = [](const FittedColumn& column) {
     return column.explained > (is_smooth(column.residual) ? beside_motion : beside_noise);
-  });
+  };
+  return std::any_of(columns.begin(), columns.end(), is_told) &&
+         std::all_of(columns.begin(), columns.end(), [&](const FittedColumn& column) {
+           return is_told(column) || is_white(column.residual);
+         });
 }
 
 }  // namespace
