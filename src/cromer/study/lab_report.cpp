@@ -8,10 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "cromer/analysis/swing.h"
 #include "cromer/base/ascii.h"
 #include "cromer/figures/panels.h"
-#include "cromer/run/keep.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -456,23 +454,8 @@ class Part : public LabTold {
     const Parameter* at = named(fitted_.derived, "at_amplitude");
     if (fitted_.driven || !at) return steps;
     const Motion& motion = fitted_.fit.motion;
-    KeepEvery keep(1, Steps{steps});
-    run_law({.oscillator = motion.per_mass,
-             .method = "forward-euler",
-             .interval = {0, static_cast<double>(steps) * step()},
-             .start = {motion.position, motion.velocity},
-             .control = step()},
-            keep);
-    const Trajectory run = keep.take();
-    const Swing<double> swing{motion.per_mass};
-    const auto is_within = [&](std::size_t i) {
-      const double grown = std::exp(std::max(0.0, -motion.decay_rate()) * run.t[i]);
-      const double share = std::abs(run.x[i]) / (grown * at->estimate.value);
-      return share <= 1 || (share <= most_times_as_far && swing.pull(run.x[i]) * run.x[i] > 0);
-    };
-    std::size_t within = 0;
-    while (within < run.size() && is_within(within)) ++within;
-    return std::clamp<long long>(static_cast<long long>(within) - 1, 1, steps);
+    return steps_within_swing(motion.per_mass, {motion.position, motion.velocity}, at->estimate.value,
+                              most_times_as_far, step(), steps);
   }
 
   double until() const { return std::stod(fmt::format("{:.12g}", static_cast<double>(steps_) * step())); }

@@ -360,7 +360,7 @@ struct Correlation {
   double value = 0, pairs = 0;
 };
 
-Correlation correlation_of(std::span<const double> residual, std::size_t lag) {
+Correlation lagged_correlation(std::span<const double> residual, std::size_t lag) {
   double products = 0, squares = 0, pairs = 0;
   for (std::size_t n = lag; n < residual.size(); ++n) {
     const double product = residual[n] * residual[n - lag];
@@ -373,13 +373,13 @@ Correlation correlation_of(std::span<const double> residual, std::size_t lag) {
 }
 
 /// Whether neighbours are alike, as those of a motion are and those of noise are not.
-bool is_smooth(std::span<const double> residual) { return correlation_of(residual, 1).value > 0.5; }
+bool is_smooth(std::span<const double> residual) { return lagged_correlation(residual, 1).value > 0.5; }
 
 /// Whether no sample says anything of the next two: a motion's would, however few there are in its period.
 bool is_white(std::span<const double> residual) {
   constexpr double most = 3;  // standard deviations
   const auto is_none = [&](std::size_t lag) {
-    const auto [value, pairs] = correlation_of(residual, lag);
+    const auto [value, pairs] = lagged_correlation(residual, lag);
     return std::abs(value) * std::sqrt(pairs) < most;
   };
   return is_none(1) && is_none(2);

@@ -270,7 +270,7 @@ void add_stability(NetworkRun& run, const SimulateOptions& options) {
 }
 
 /// As of a single mass: the run ends at the last kept state whose energy is a number.
-void end_before_overflow(NetworkRun& run, long long every) {
+void cut_at_overflow(NetworkRun& run, long long every) {
   NetworkStates& kept = run.states;
   std::size_t size = 0;
   while (size < kept.t.size() && std::isfinite(kept.energy[size])) ++size;
@@ -304,7 +304,7 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   const State<MassVector>& last = record.last();
   for (std::size_t i = 0; i < network.masses.size(); ++i)
     run.last.push_back({last.x.first[i], last.v.first[i]});
-  end_before_overflow(run, options.every);
+  cut_at_overflow(run, options.every);
   run.message = early_end(run.outcome);
   const double spacing = run.step * static_cast<double>(options.every);
   constexpr std::size_t few_states = 8;  // the sums over them are no integrals

@@ -35,4 +35,9 @@ struct LawRun {
 /// each kind of drive: a task that called solve by itself would compile them again.
 Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch = {});
 
+/// How many steps, 1 to `most`, forward Euler takes of this swing before it goes to where a spring gives way
+/// or a pendulum is over its top, or `times` as far as its amplitude (> 0), which negative damping lets grow.
+long long steps_within_swing(const Oscillator<double>& law, const State<double>& start, double amplitude,
+                             double times, double step, long long most);
+
 }  // namespace cromer::core
