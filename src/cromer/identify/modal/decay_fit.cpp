@@ -186,11 +186,12 @@ std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eige
   const LeastSquaresSummary summary = minimise(model, parameters, options);
   if (summary.reason != LeastSquaresReason::converged) return std::nullopt;
   Eigenvalues found = eigenvalues_of(summary.parameters, start.size());
-  // Above half the rate: at even times the same motion as below it, at others none that was looked for.
+  // The conjugate is the same motion, and at even times so is what lies above half the rate; at others none
+  // was looked for there.
   for (std::complex<double>& each : found) {
-    if (!(std::abs(each.imag()) > two_pi / (2 * record.step))) continue;
-    if (!record.times.empty()) return std::nullopt;
-    each.imag(std::abs(std::remainder(each.imag(), two_pi / record.step)));
+    const double below = std::abs(std::remainder(each.imag(), two_pi / record.step));
+    if (!record.times.empty() && std::abs(each.imag()) > two_pi / (2 * record.step)) return std::nullopt;
+    each.imag(record.times.empty() ? below : std::abs(each.imag()));
   }
   return found;
 }
