@@ -13,10 +13,11 @@ class SplitVariance {
  public:
   explicit SplitVariance(std::span<const double> values)
       : origin_(values.front()), sums_{0}, squares_{0}, steps_{0} {
+    double last = 0;
     for (const double value : values) {
       const double y = value - origin_;
-      steps_.push_back(steps_.back() + std::pow(sums_.size() > 1 ? y - last_ : 0, 2));
-      last_ = y;
+      steps_.push_back(steps_.back() + std::pow(y - last, 2));
+      last = y;
       sums_.push_back(sums_.back() + y);
       squares_.push_back(squares_.back() + y * y);
     }
@@ -48,7 +49,7 @@ class SplitVariance {
     return std::max((squares_[to] - squares_[from]) / n - mean * mean, 1e-12 * squares_.back() / n);
   }
 
-  double origin_, last_ = 0;
+  double origin_;
   std::vector<double> sums_, squares_, steps_;  // of the first k; steps: squared, from sample to sample
 };
 
