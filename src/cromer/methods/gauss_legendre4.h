@@ -53,7 +53,8 @@ struct GaussLegendre4 {
     const auto to_first = [&](const auto& k1, const auto& k2) { return h * (0.25 * k1 + near * k2); };
     const auto to_second = [&](const auto& k1, const auto& k2) { return h * (far * k1 + 0.25 * k2); };
 
-    const auto residual = [&](const std::array<Unknown<Real, 2>, 2>& a) {
+    // Left to itself a compiler finds it too large to inline, and steps take half as long again.
+    const auto residual = [&](const std::array<Unknown<Real, 2>, 2>& a) __attribute__((always_inline)) {
       const Unknown<Real, 2> v1 = y.v + to_first(a[0], a[1]), v2 = y.v + to_second(a[0], a[1]);
       const Unknown<Real, 2> x1 = y.x + to_first(v1, v2), x2 = y.x + to_second(v1, v2);
       return std::array<Unknown<Real, 2>, 2>{a[0] - system.acceleration(t + (0.5 - off) * h, x1, v1),
