@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
@@ -113,6 +114,13 @@ std::vector<double> sample_jacobian(const Motion& motion, const Record& record) 
   return rows;
 }
 
+// Whether two frequencies come apart by half a turn from one sample to the next: a period can be lost there.
+bool part_in_a_gap(std::span<const double> t, double one, double other) {
+  double longest = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) longest = std::max(longest, t[i] - t[i - 1]);
+  return std::abs(one - other) * longest > pi;
+}
+
 LawFit fit_from(const StartValues& start, const Record& record, const LawFitOptions& options,
                 const Watch& watch) {
   LawFit fit;
@@ -159,9 +167,9 @@ LawFit fit_from(const StartValues& start, const Record& record, const LawFitOpti
   set_status(fit, minimum.bounded.reason);
   // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.
   constexpr double as_good = 12;
-  if (start.rival > 0 && start.rival_excess * fit.independent_samples < as_good)
-    fit.notices.push_back(Notice{"periods_in_gaps_unsure",
-                                 {{"rival", start.rival}, {"frequency", motion.angular_frequency()}}});
+  if (start.rival > 0 && start.rival_excess * fit.independent_samples < as_good &&
+      part_in_a_gap(record.t, start.rival, w0))
+    fit.notices.push_back(Notice{"periods_in_gaps_unsure", {{"rival", start.rival}, {"frequency", w0}}});
   if (const auto refusal = refuse_fit(record, fit)) refuse(fit, *refusal);
   return fit;
 }
