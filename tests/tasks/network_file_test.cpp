@@ -98,6 +98,14 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(with("", "mass = 1", "damping = -0.1\n")),
             "n.toml:8:11: damping: it must not be negative, not -0.1 kg/s");
   EXPECT_EQ(refusal(with("", "mass = 1", "damping = -0.1\nvan_der_pol = 2\n")), "");
+  EXPECT_EQ(refusal(with("", "mass = 1", "friction = 0.3\nstatic_friction = 0.2\n")),
+            "n.toml:9:19: static_friction: it must be at least friction (0.3 N), not 0.2 N");
+  EXPECT_EQ(refusal(with("", "mass = 1", "friction = 0.3\nstatic_friction = 0.3\n")), "");
+  EXPECT_EQ(refusal(with("", "mass = 1\ndrive_amplitude = 2")),
+            "n.toml:4:19: drive_amplitude needs a drive_frequency; of a constant force it is 0");
+  EXPECT_EQ(refusal(with("", "mass = 1\ndrive_amplitude = 2\ndrive_frequency = 0")), "");
+  EXPECT_EQ(refusal(with("", "mass = 1\ndrive_amplitude = 2\ndrive_frequncy = 3")),
+            "n.toml:5:18: \"drive_frequncy\" is not known here; did you mean \"drive_frequency\"?");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"card\"\nstiffness = 1\n")),
             "n.toml:8:1: there is no mass \"card\"; did you mean \"cart\"?");
   EXPECT_EQ(refusal(with("[[link]]\nfrom = \"cart\"\nto = \"cart\"\nstiffness = 1\n")),

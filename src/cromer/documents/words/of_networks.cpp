@@ -34,6 +34,13 @@ constexpr Entry entries[] = {
      "der [[link]] verbindet „{name}“ mit sich selbst: bitte zwei Enden angeben"},
     {"link_without_term", error, "the link has no force: give it a term, such as stiffness = \"20 N/m\"",
      "der [[link]] hat keine Kraft: bitte einen Term angeben, etwa stiffness = \"20 N/m\""},
+    {"amplitude_without_frequency", error,
+     "drive_amplitude needs a drive_frequency; of a constant force it is 0",
+     "drive_amplitude braucht eine drive_frequency; bei einer festen Kraft ist sie 0"},
+    {"static_friction_below_friction", error,
+     "static_friction: it must be at least friction ({friction} {unit}), not {static_friction} {unit}",
+     "static_friction: das muss mindestens friction sein ({friction} {unit}), nicht {static_friction} "
+     "{unit}"},
     // Options.
     {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
@@ -129,6 +136,13 @@ constexpr Entry entries[] = {
      "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
     {"network_not_converged", error, "the fit has not converged after {iterations:iteration|iterations}",
      "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert"},
+    {"network_leaves_a_motion", wrong_if_ignored,
+     "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
+     "or "
+     "a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",
+     "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert zu "
+     "Messwert; eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
+     "Unsicherheiten ist nicht zu trauen"},
     {"network_value_may_be_zero", worth_knowing, "{what} may be 0: its interval holds 0",
      "{what} kann 0 sein: 0 liegt in seinem Intervall"},
     // Modes.

@@ -68,8 +68,11 @@ ReadMass read_mass(TomlReader& toml) {
   take_value(toml, {"velocity", &mass.start.v, read.angle ? "rad/s" : "m/s"});
   take_value(toml,
              {"drive_amplitude", &mass.drive.amplitude, read.angle ? "N m" : "N", "", Range::not_negative});
-  take_value(toml, {"drive_frequency", &mass.drive.frequency, "rad/s", "", Range::not_negative});
+  const bool has_frequency =
+      take_value(toml, {"drive_frequency", &mass.drive.frequency, "rad/s", "", Range::not_negative});
   take_value(toml, {"drive_phase", &mass.drive.phase, "rad"});
+  if (mass.drive.amplitude > 0 && !has_frequency && toml.knows_all())
+    toml.fail("drive_amplitude", Notice{"amplitude_without_frequency"});
   if (weighs == read.angle && (weighs || toml.knows_all()))
     toml.fail(Notice{weighs ? "mass_and_inertia" : "mass_or_inertia", {{"name", mass.name}}});
   return read;
@@ -128,7 +131,13 @@ ReadLink read_link(TomlReader& toml, bool angles) {
                                                  {{"rule", constraint(Range::not_negative)},
                                                   {"value", law.damping},
                                                   {"unit", unit_of(Viscous::coefficients[0])}}}}}});
-  take_value(toml, {"static_friction", &law.static_friction, angles ? "N m" : "N", "", Range::not_negative});
+  const std::string force = angles ? "N m" : "N";
+  if (take_value(toml, {"static_friction", &law.static_friction, force, "", Range::not_negative}) &&
+      law.static_friction < law.friction)
+    toml.fail(
+        "static_friction",
+        Notice{"static_friction_below_friction",
+               {{"static_friction", law.static_friction}, {"friction", law.friction}, {"unit", force}}});
   take_value(toml, {"hysteresis_exponent", &law.hysteresis_exponent, "", "", Range::at_least_one});
   if (!any && toml.knows_all()) toml.fail(Notice{"link_without_term"});
   return read;
