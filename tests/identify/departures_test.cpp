@@ -314,10 +314,7 @@ bool has_line(std::size_t n, double a, double w, double times = 30, double decay
   const std::vector<double> t = even_times(n, 0.1);
   for (std::size_t i = 0; i < n; ++i) r[i] = a * std::cos(w * t[i] + 0.3);
   r = noisy(r, 1);
-  LawFit fit;
-  fit.names = {"decay_rate"};
-  fit.estimates = {{decay_rate, 0, decay_rate, decay_rate}};
-  return leaves_a_line({t, r}, fit, r, 6, times);
+  return leaves_a_line(t, r, decay_rate, 6, times);
 }
 
 TEST(LeavesALine, AboutTheFrequencyAndNowhereElse) {
@@ -335,13 +332,10 @@ double stands_out(std::size_t n, double w, double decay_rate) {
   std::vector<double> r(n);
   for (std::size_t i = 0; i < n; ++i)
     r[i] = std::cos(0.7 * static_cast<double>(i * i)) + 0.3 * std::cos(6 * t[i]);
-  LawFit fit;
-  fit.names = {"decay_rate"};
-  fit.estimates = {{decay_rate, 0, decay_rate, decay_rate}};
   double low = 0, high = 1000;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    (leaves_a_line({t, r}, fit, r, w, middle) ? low : high) = middle;
+    (leaves_a_line(t, r, decay_rate, w, middle) ? low : high) = middle;
   }
   return low;
 }

@@ -267,7 +267,7 @@ TEST(Diagnosed, WhatSpeaksAgainstAFit) {
            << widening(fit, record.t.size()) << second_modes(record, fit, "m");
       const std::vector<double> residuals = residuals_of(fit, record);
       said << wandering_share(record, residuals) << wandering_zero(record, residuals, "m")
-           << leaves_a_line(record, fit, residuals, fit.swing_frequency().value, 6);
+           << leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value, 6);
       if (const auto decay = mean_decay(fit, record))
         said << decay->amplitude << decay->rate.value << decay->rate.standard_error;
     }

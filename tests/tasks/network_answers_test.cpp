@@ -151,7 +151,8 @@ TEST(NetworkAnswers, OfUnits) {
     for (const char* unit : units) {
       std::string file = "[[mass]]\nname = \"a\"\n";
       if (key != "mass" && key != "inertia") file += angles ? "inertia = 1\n" : "mass = 1\n";
-      const std::string line = key + " = \"2 " + unit + "\"\n";
+      const std::string line =
+          key + " = \"2 " + unit + "\"\n" + (key == "drive_amplitude" ? "drive_frequency = 0\n" : "");
       file += (of_mass ? line : "") + "[[link]]\nto = \"a\"\nquintic = 1\n" +
               (of_mass || key == "quintic" ? "" : line);
       if (key == "quintic") file.replace(file.find("quintic = 1\n"), 12, line);

@@ -193,17 +193,17 @@ Notice turning_over(const Record& record) {
   return Notice{"turns_over_at_first", {{"turns", turns}, {"time", record.t[last]}}};
 }
 
-bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, double w,
+bool leaves_a_line(std::span<const double> t, std::span<const double> residuals, double decay_rate, double w,
                    double times) {
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
-  const DampedPhasor phasor({record.t.first(n), residuals.first(n), 0, 0});
-  const double resolution = 2 * pi / (record.t[n - 1] - record.t.front());
+  const DampedPhasor phasor({t.first(n), residuals.first(n), 0, 0});
+  const double resolution = 2 * pi / (t[n - 1] - t.front());
   const auto power = [&](double at) {
     const DampedPhasor::Linear line = phasor.best_linear(at, 0);
     return line.cosine * line.cosine + line.sine * line.sine;
   };
-  const double reach = std::max(3 * resolution, 3 * fit.decay_rate().value);
+  const double reach = std::max(3 * resolution, 3 * decay_rate);
   double top = 0;
   for (int k = -12; k <= 12; ++k)
     if (const double at = w + reach * k / 12; at > 0) top = std::max(top, power(at));
@@ -301,7 +301,7 @@ Notice steadiness(const Record& record, const LawFit& fit, double period) {
 
 // A motion of a step or two, whose decay the noise does not blur into view.
 Notice coarseness(const Record& record, const LawFit& fit, std::string_view unit) {
-  if (!(record.resolution > 0) || fit.residual.rms > 0.36 * record.resolution) return {};
+  if (!(record.resolution > 0) || !is_rounding(fit.residual.rms, record.resolution)) return {};
   const auto [low, high] = extent_of(record.y);
   const double levels = std::round((high - low) / record.resolution) + 1;
   if (levels > 4) return {};
@@ -315,16 +315,6 @@ bool exceeds_noise(const Record& record, const Residual& left, double noise, dou
       two_pi / angular_frequency * static_cast<double>(record.t.size() - 1) / duration;
   return samples_per_period >= 12 && left.autocorrelation > 0.5 &&
          left.rms > std::max(2 * noise, record.resolution) && !is_arithmetic(left.rms, record.y);
-}
-
-// What a wrong law leaves dies down with the motion, unlike noise: so many times from the first quarter to
-// the last, of correlated noise more.
-bool shrinks(std::span<const double> residuals, double times) {
-  const auto squares = [](std::span<const double> part) {
-    return std::inner_product(part.begin(), part.end(), part.begin(), 0.0);
-  };
-  const std::size_t quarter = residuals.size() / 4;
-  return squares(residuals.first(quarter)) > times * squares(residuals.last(quarter));
 }
 
 Notice not_described(const LawFit& fit, double noise, bool only_law) {
@@ -358,7 +348,7 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
     say(Notice{"law_over_a_stop", {{"law", to_text(fit.law)}, {"rms", fit.residual.rms}, {"unit", unit}}});
     return found;
   }
-  const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
+  const bool line = leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value);
   const Notice zero = wandering_zero(record, residuals, unit);
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
@@ -383,14 +373,14 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
   if (fit.residual.rms <= record.resolution) return false;
   if (is_recorded(fit.drive.kind) || !fit.find("angular_frequency")) return !fit.residual.white;
-  if (fit.residual.autocorrelation > 0.2 && shrinks(residuals, fit.residual.autocorrelation < 0.5 ? 2 : 4))
+  if (fit.residual.autocorrelation > 0.2 && dies_down(residuals, fit.residual.autocorrelation < 0.5 ? 2 : 4))
     return true;
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,
   // whose power is not the same on both sides, does so often, and would be taken for terms.
   const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
   for (const double w : {fit.swing_frequency().value, fit.motion.drive_frequency})
     for (int multiple = 1; w > 0 && multiple <= 3; ++multiple)
-      if (leaves_a_line(record, fit, residuals, multiple * w, times)) return true;
+      if (leaves_a_line(record.t, residuals, fit.decay_rate().value, multiple * w, times)) return true;
   return false;
 }
 

@@ -41,10 +41,10 @@ Notice few_samples(const Record& record, double angular_frequency);
 /// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
 Notice turning_over(const Record& record);
 
-/// True if the residuals have a line about this angular frequency [rad/s], the swing's own or the drive's
-/// or a multiple of them: more than `times` the median power on either side. A wrong law leaves such a
-/// line, noise does not.
-bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals,
+/// True if the residuals at times t have a line about this angular frequency [rad/s], that of a swing which
+/// decays at a rate [1/s], or of a drive, or a multiple of them: more than `times` the median power on either
+/// side. A wrong law leaves such a line, noise does not.
+bool leaves_a_line(std::span<const double> t, std::span<const double> residuals, double decay_rate,
                    double angular_frequency, double times = 30);
 
 /// What speaks against the fit; empty where nothing is suspicious. Looked for are the departures above, an

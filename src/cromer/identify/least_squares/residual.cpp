@@ -225,6 +225,16 @@ bool is_arithmetic(double rms, std::span<const double> y) {
   return rms < 1e-9 * (high - low);
 }
 
+bool is_rounding(double rms, double resolution) { return rms <= 0.36 * resolution; }
+
+bool dies_down(std::span<const double> r, double times) {
+  const std::size_t quarter = r.size() / 4;
+  const auto squares = [](std::span<const double> part) {
+    return dot(part.data(), part.data(), part.size());
+  };
+  return squares(r.first(quarter)) > times * squares(r.last(quarter));
+}
+
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho,
                            const SampleGrid& grid) {
   Residual result;

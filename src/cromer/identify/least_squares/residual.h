@@ -53,6 +53,14 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
 /// billionth of its motion, and nothing is learnt from them.
 bool is_arithmetic(double rms, std::span<const double> y);
 
+/// Residuals of this rms are what rounding values to steps of `resolution` makes: 1/sqrt(12) of a step, and
+/// up to a quarter more.
+bool is_rounding(double rms, double resolution);
+
+/// What a wrong law leaves dies down with the motion, unlike noise: its squares are more than so many times
+/// as large in the first quarter as in the last. Of correlated noise they are so by chance more often.
+bool dies_down(std::span<const double> r, double times);
+
 /// Autocorrelations of `r` (about its mean) at lags 0 to `lags` < r.size(), the biased estimate: 1 at lag 0.
 /// All 0 after it where r is constant.
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags);

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/record.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/linear_network.h"
@@ -94,11 +96,11 @@ class EquationsOfMotion {
     double size = 0;  ///< the value whose term alone would be as large as the accelerations
   };
 
-  /// Empty if the record does not determine them.
-  std::vector<Guess> solved() const {
+  /// By windows of so many slowest periods. Empty if the record does not determine them.
+  std::vector<Guess> solved(double periods) const {
     const std::size_t samples = record_.t.size();
     const double step = (record_.t.back() - record_.t.front()) / static_cast<double>(samples - 1);
-    const auto wanted = static_cast<std::size_t>(std::max(12.0, 2 * period_ / step));
+    const auto wanted = static_cast<std::size_t>(std::max(12.0, periods * period_ / step));
     const std::size_t length = std::min(samples, wanted), hop = std::max<std::size_t>(1, length / 4);
     NormalEquations sums;
     sums.size = static_cast<int>(sought_.size() + network_.masses.size());
@@ -385,6 +387,28 @@ bool is_white(std::span<const double> residual) {
   return is_none(1) && is_none(2);
 }
 
+/// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
+/// one dies down as the whole does, or swings as a mode does.
+double times_noise(const FittedColumn& column, const std::vector<ComplexMode>& modes,
+                   std::span<const double> t, std::span<const double> y) {
+  constexpr double least = 2, deaths = 4;
+  std::vector<double> times, left, values;
+  for (std::size_t n = 0; n < y.size(); ++n)
+    if (!std::isnan(y[n])) {
+      times.push_back(t[n]);
+      left.push_back(column.residual[n]);
+      values.push_back(y[n]);
+    }
+  const double noise = noise_of(left);
+  if (!is_smooth(left) || column.rms <= least * noise || is_arithmetic(column.rms, values)) return 0;
+  const auto swings_in = [&](const ComplexMode& mode) {
+    const LinearLaw<double> law = mode.law();
+    return leaves_a_line(times, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
+  };
+  const bool remains = dies_down(left, deaths) || std::any_of(modes.begin(), modes.end(), swings_in);
+  return remains ? column.rms / noise : 0;
+}
+
 /// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
 /// all columns and modes.
 double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
@@ -514,6 +538,19 @@ Parameters start_values(const NetworkMotions& motions, const std::vector<SoughtV
   return p;
 }
 
+/// Whether a motion is left of a column's beginning: the values are not the right ones, or the law is not.
+bool leaves_motion(const NetworkMotions& motions, const Parameters& p, const NetworkRecord& record,
+                   std::size_t samples) {
+  const Positions x = motions.at(p, samples);
+  for (std::size_t i = 0; i < motions.masses(); ++i) {
+    std::vector<double> left;
+    for (std::size_t n = 0; n < samples; ++n)
+      left.push_back(record.y[i][n] - p[motions.state(i) + 2] - x[i][n]);
+    if (is_smooth(left)) return true;
+  }
+  return false;
+}
+
 /// Half of each column is accounted for, or nine tenths where what is left of it is no noise. Where it is
 /// white, half of one column is enough: the others are mostly noise, and the law says all of them that can be
 /// said.
@@ -553,10 +590,12 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   const std::size_t parameters = sought.size() + 3 * network.masses.size();
   const bool long_enough = samples >= 3 * parameters && record.t.back() - record.t.front() >= 1.5 * period;
   const NetworkRecord lively = lively_part(record, spreads);
-  const auto guesses_of = [&](const NetworkRecord& part) {
-    return EquationsOfMotion(network, sought, part, spreads, period).solved();
+  // Wide windows let little noise through, and narrow ones the fast modes.
+  constexpr double windows[] = {2, 1, 0.5};
+  const auto guesses_of = [&](const NetworkRecord& part, double window) {
+    return EquationsOfMotion(network, sought, part, spreads, period).solved(window);
   };
-  auto guesses = long_enough ? guesses_of(lively) : std::vector<EquationsOfMotion::Guess>{};
+  auto guesses = long_enough ? guesses_of(lively, windows[0]) : std::vector<EquationsOfMotion::Guess>{};
   if (guesses.empty()) {
     fit.status = FitStatus::too_short;
     return fit;
@@ -583,16 +622,20 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   constexpr double first_periods = 3;
   const std::size_t beginning = samples_within(record, first_periods * period);
   std::optional<LeastSquaresSummary> best;
-  for (std::size_t part = lively.t.size();; part = std::max(part / 2, beginning)) {
-    if (best) guesses = guesses_of(first_samples(record, part));
-    if (!guesses.empty()) {
-      found.parameters = start_values(motions, sought, guesses, record, spreads, period);
-      fit_through(beginning);
-      const bool closer = !best || found.equations.sum_of_squares < best->equations.sum_of_squares;
-      if (closer) best = found;
+  bool is_found = false;
+  for (const double window : windows)
+    for (std::size_t part = lively.t.size(); !is_found; part = std::max(part / 2, beginning)) {
+      if (best) guesses = guesses_of(first_samples(record, part), window);
+      if (!guesses.empty()) {
+        found.parameters = start_values(motions, sought, guesses, record, spreads, period);
+        fit_through(beginning);
+        const bool closer = !best || found.equations.sum_of_squares < best->equations.sum_of_squares;
+        if (closer) best = found;
+        is_found = watch.interrupted() || (found.reason == LeastSquaresReason::converged &&
+                                           !leaves_motion(motions, found.parameters, record, beginning));
+      }
+      if (part <= beginning) break;
     }
-    if (found.reason == LeastSquaresReason::converged || part <= beginning || watch.interrupted()) break;
-  }
   found = *best;
   const auto tell = [&](std::size_t end) {
     if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
@@ -615,6 +658,9 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   put_residuals(fit, motions, found.parameters, record, spreads);
   if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
 
+  const std::vector<ComplexMode> modes = complex_modes(linearised(fit.network));
+  for (std::size_t i = 0; i < fit.columns.size(); ++i)
+    fit.columns[i].times_noise = times_noise(fit.columns[i], modes, record.t, record.y[i]);
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
   fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
                : explains(fit.columns)   ? FitStatus::converged

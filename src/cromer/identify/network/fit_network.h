@@ -33,6 +33,7 @@ struct FittedColumn {
   std::vector<double> residual{};   ///< measured less fitted; NaN where missing
   double rms = 0;                   ///< of these
   double explained = 0;             ///< 1 - rms^2/variance of the column
+  double times_noise = 0;  ///< rms over the noise from sample to sample, where a motion is left; else 0
 };
 
 struct NetworkFit {

@@ -113,6 +113,15 @@ Notice why_no_success(const FittedNetwork& result) {
 }
 
 void add_doubts(FittedNetwork& result) {
+  const auto& columns = result.fit.columns;
+  const auto most = std::max_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
+    return a.times_noise < b.times_noise;
+  });
+  if (most != columns.end() && most->times_noise > 0)
+    result.notices.push_back(
+        Notice{"network_leaves_a_motion",
+               {{"column", result.channels.each[static_cast<std::size_t>(most - columns.begin())].column},
+                {"times", most->times_noise}}});
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
     if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
