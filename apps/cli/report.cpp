@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "cromer/base/ascii.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
@@ -199,7 +200,7 @@ int run_report(const Arguments& arguments) {
   if (const std::string name = without_ending(options.folder); !name.empty())
     return refuse(fmt::format("-o {0}: a report is a folder or a PDF; write -o {1} or -o {1}.pdf",
                               options.folder, name));
-  if (options.folder.ends_with(".pdf")) {
+  if (lower(options.folder).ends_with(".pdf")) {
     pdf = options.folder;
     options.folder.erase(pdf.size() - 4);
     if (options.folder.empty() || options.folder.ends_with('/'))

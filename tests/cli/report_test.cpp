@@ -299,10 +299,10 @@ TEST(ReportOfRecordings, OptionsGoOverTheFrontsFile) {
   EXPECT_THAT(folder.read("one/index.html"), HasSubstr("<html lang=\"de\">"));
   const Finished of_both = folder.run({"report", "swing.csv", "--front", "front.toml", "--title", "Over it",
                                        "--author", "B. Student", "--course", "Mechanics", "--text",
-                                       "By hand.", "--language", "en", "-o", "two.pdf"});
+                                       "By hand.", "--language", "en", "-o", "two.PDF"});
   ASSERT_EQ(of_both.status, 0) << of_both.err;
-  EXPECT_EQ(of_both.out, "two.pdf\n");
-  EXPECT_TRUE(folder.read("two.pdf").starts_with("%PDF-"));
+  EXPECT_EQ(of_both.out, "two.PDF\n");
+  EXPECT_TRUE(folder.read("two.PDF").starts_with("%PDF-"));
   const std::string english = folder.read("two/study.toml");
   EXPECT_THAT(english,
               HasSubstr("\ntitle = \"Over it\"\nbyline = \"B. Student · Mechanics\"\nsummary = \"swing.csv: "

@@ -387,6 +387,37 @@ TEST(LabReport, OfAFailedFitSaysWhyAndDrawsTheRecording) {
   EXPECT_TRUE(lab.page.key_figures.empty());
 }
 
+// Who reads the summary alone learns there that one mass stands for two.
+TEST(LabReport, OneMassForUnlikeRunsIsSaidInTheSummary) {
+  std::string bytes = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
+  const std::vector<Motion> runs{decaying(0.1, 6), decaying(0.1, 7)};
+  for (int i = 0; i < 1000; ++i) {
+    const std::string t = shortest(0.02 * i);
+    for (const Motion& x : runs) bytes += (&x == &runs[0] ? "" : ",") + t + ',' + shortest(x(0.02 * i));
+    bytes += '\n';
+  }
+  const Made lab = report({{"two.csv", bytes}}, {{"mass", "0.2 kg"}});
+  ASSERT_EQ(lab.recordings.size(), 2u);
+  EXPECT_THAT(lab.page.summary, HasSubstr("and one mass is used for all"));
+}
+
+// Rounding is no law's fault.
+TEST(LabReport, OfCoarseValuesNamesTheRounding) {
+  std::string bytes = "Time (s),Position (m)\n";
+  for (int i = 0; i < 3000; ++i)
+    bytes += shortest(0.005 * i) + ',' + shortest(std::round(decaying(0.02)(0.005 * i) * 100) / 100) + '\n';
+  const std::string text = report({{"lab.csv", bytes}}).text();
+  EXPECT_THAT(text, HasSubstr("no more than rounding them to steps of 1 cm makes"));
+  EXPECT_THAT(text, Not(HasSubstr("there is a pattern in it")));
+}
+
+TEST(LabReport, OfATurningBodyHasAMomentOfInertia) {
+  std::string bytes = "Time (s),Angular velocity (rad/s)\n";
+  for (int i = 0; i < 1500; ++i)
+    bytes += shortest(0.02 * i) + ',' + shortest(decaying(0.05)(0.02 * i)) + '\n';
+  EXPECT_THAT(report({{"gyro.csv", bytes}}).text(), HasSubstr("I x''"));
+}
+
 TEST(LabReport, OfSeveralHasATableAndEachByItself) {
   const Made lab = report({{"one.csv", recorded(decaying(0.1), 30)},
                            {"two.csv", recorded([](double t) { return 0.01 * t; }, 10)}});

@@ -23,6 +23,12 @@ std::string typed(const Quantity& mass) {
   return mass.uncertainty > 0 ? fmt::format("{} ± {} kg", value, shortest(mass.uncertainty)) : value + " kg";
 }
 
+/// Whether a notice belongs beside the numbers of the summary: without it they would be misread.
+bool qualifies(std::string_view code) {
+  return code == "beats_at_first" || code == "one_mass_for_unlike_runs" ||
+         code == "one_mass_for_unlike_files";
+}
+
 /// One recording's part of the study.
 class Part : public LabTold {
  public:
@@ -82,8 +88,7 @@ class Part : public LabTold {
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     for (const Notice& notice : fitted_.notices)
-      if (notice.code == "beats_at_first")
-        lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
+      if (qualifies(notice.code)) lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
     if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
     if (const Notice doubt = first_doubt(); !doubt.empty())
@@ -216,7 +221,15 @@ class Part : public LabTold {
             : words("report_law_asked", {{"law", in_braces("law")}, {"terms", in_braces("law_terms")}});
     text += " `" + equation() + "`. ";
     const Residual& residual = fitted_.fit.residual;
-    text += words(residual.white ? "report_white" : "report_not_white", {{"rms", rms()}});
+    const double step = fitted_.series.resolution;
+    const LengthUnit length = length_unit(step);
+    const bool is_length = si() == "m";
+    text += words(residual.white                    ? "report_white"
+                  : is_rounding(residual.rms, step) ? "report_rounding"
+                                                    : "report_not_white",
+                  {{"rms", rms()},
+                   {"step", is_length ? step / length.metres : step},
+                   {"unit", is_length ? length.symbol : si()}});
     paragraph(text);
     const std::string several = fitted_.candidates.size() > 1 ? words("report_of_several_laws") : "";
     paragraph(words("report_how", {{"several", several}}));
@@ -512,7 +525,8 @@ class Part : public LabTold {
 
   void methods() {
     heading("report_methods");
-    const std::string ends = words("report_leaves", {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}});
+    const std::string ends = words(
+        "report_leaves", {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}, {"times", most_times_as_far}});
     paragraph(words("report_methods_text",
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},

@@ -180,7 +180,7 @@ class LabTold {
       if (!fitted_.fit.law.has<T>()) return;
       sum += std::string(sum.empty() ? "" : " + ") + std::string(T::info.formula);
     });
-    const bool turns = fitted_.series.quantity == "angle";
+    const bool turns = units_.displacement == "rad";
     return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
                        !fitted_.driven                                 ? "0"
                        : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"

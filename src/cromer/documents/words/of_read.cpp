@@ -185,8 +185,7 @@ constexpr Entry entries[] = {
      "column \"{column}\" has no unit: {unit} is assumed; the header can name another, in brackets behind "
      "the column's name",
      "die Spalte „{column}“ hat keine Einheit: {unit} wird angenommen; die Kopfzeile kann eine andere "
-     "nennen, in "
-     "Klammern hinter dem Namen der Spalte"},
+     "nennen, in Klammern hinter dem Namen der Spalte"},
     {"unit_not_known", worth_knowing,
      "unit \"{unit}\" of column \"{column}\" is not known: its values are taken as they are",
      "die Einheit „{unit}“ der Spalte „{column}“ ist unbekannt: ihre Werte gelten, wie sie sind"},

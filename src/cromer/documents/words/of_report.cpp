@@ -124,6 +124,11 @@ constexpr Entry entries[] = {
      "either the noise is not independent from sample to sample, or the law does not tell all.",
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder "
      "ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
+    {"report_rounding", clause,
+     "What it leaves of the measured values is {rms} (root mean square), no more than rounding them to steps "
+     "of {step:.3g}{unit: } makes. Rounding leaves a pattern of its own.",
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), nicht mehr, als Runden auf Schritte "
+     "von {step:.3g}{unit: } ausmacht. Runden hinterlässt ein eigenes Muster."},
     {"report_how", clause,
      "The law was integrated and fitted to all samples in use by least squares, its start "
      "included{several}.",
@@ -257,10 +262,11 @@ constexpr Entry entries[] = {
      "einer Periode, "
      "neben {reference}."},
     {"report_leaves", clause,
-     "They end at {t}, before forward Euler goes to where the spring gives way, or three times as far as the "
-     "law.",
-     "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder dreimal so "
-     "weit wie das Gesetz."},
+     "They end at {t}, before forward Euler goes to where the spring gives way, or {times:g} times as far as "
+     "the law.",
+     "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder "
+     "{times:g}-mal "
+     "so weit wie das Gesetz."},
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
