@@ -39,8 +39,8 @@ constexpr Entry entries[] = {
      "drive_amplitude braucht eine drive_frequency; bei einer festen Kraft ist sie 0"},
     {"static_friction_below_friction", error,
      "static_friction: it must be at least friction ({friction} {unit}), not {static_friction} {unit}",
-     "static_friction: das muss mindestens friction sein ({friction} {unit}), nicht {static_friction} "
-     "{unit}"},
+     "static_friction: das muss mindestens friction sein ({friction} {unit}), nicht "
+     "{static_friction} {unit}"},
     // Options.
     {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
@@ -138,8 +138,7 @@ constexpr Entry entries[] = {
      "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert"},
     {"network_leaves_a_motion", wrong_if_ignored,
      "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
-     "or "
-     "a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",
+     "or a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",
      "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert zu "
      "Messwert; eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
      "Unsicherheiten ist nicht zu trauen"},

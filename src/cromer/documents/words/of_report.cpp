@@ -265,8 +265,7 @@ constexpr Entry entries[] = {
      "They end at {t}, before forward Euler goes to where the spring gives way, or {times:g} times as far as "
      "the law.",
      "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder "
-     "{times:g}-mal "
-     "so weit wie das Gesetz."},
+     "{times:g}-mal so weit wie das Gesetz."},
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},

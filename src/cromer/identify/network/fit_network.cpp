@@ -390,7 +390,7 @@ bool is_white(std::span<const double> residual) {
 /// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
 /// one dies down as the whole does, or swings as a mode does.
 double times_noise(const FittedColumn& column, const std::vector<ComplexMode>& modes,
-                   std::span<const double> t, std::span<const double> y) {
+                   std::span<const double> t, std::span<const double> y, double resolution) {
   constexpr double least = 2, deaths = 4;
   std::vector<double> times, left, values;
   for (std::size_t n = 0; n < y.size(); ++n)
@@ -400,7 +400,9 @@ double times_noise(const FittedColumn& column, const std::vector<ComplexMode>& m
       values.push_back(y[n]);
     }
   const double noise = noise_of(left);
-  if (!is_smooth(left) || column.rms <= least * noise || is_arithmetic(column.rms, values)) return 0;
+  if (!is_smooth(left) || column.rms <= std::max(least * noise, resolution) ||
+      is_arithmetic(column.rms, values))
+    return 0;
   const auto swings_in = [&](const ComplexMode& mode) {
     const LinearLaw<double> law = mode.law();
     return leaves_a_line(times, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
@@ -660,7 +662,8 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
 
   const std::vector<ComplexMode> modes = complex_modes(linearised(fit.network));
   for (std::size_t i = 0; i < fit.columns.size(); ++i)
-    fit.columns[i].times_noise = times_noise(fit.columns[i], modes, record.t, record.y[i]);
+    fit.columns[i].times_noise = times_noise(fit.columns[i], modes, record.t, record.y[i],
+                                             record.resolution.empty() ? 0 : record.resolution[i]);
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
   fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
                : explains(fit.columns)   ? FitStatus::converged

@@ -24,6 +24,7 @@ struct SoughtValue {
 struct NetworkRecord {
   std::span<const double> t;
   std::vector<std::span<const double>> y;  ///< one column for each mass, as long as t
+  std::vector<double> resolution{};        ///< rounding step of each column; none: not rounded
 };
 
 /// What was found of a mass, and what is left of its column.

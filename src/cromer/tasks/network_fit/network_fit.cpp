@@ -163,7 +163,10 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
 
   if (auto good = leave_stillness_out(result, options); !good) return good.error();
   NetworkRecord record{result.channels.t, {}};
-  for (const Channel& channel : result.channels.each) record.y.emplace_back(channel.y);
+  for (const Channel& channel : result.channels.each) {
+    record.y.emplace_back(channel.y);
+    record.resolution.push_back(channel.resolution);
+  }
   std::vector<SoughtValue> sought;
   for (const OpenValue& each : network.open) sought.push_back(each.value);
   result.fit = fit_network(network.network, sought, record, watch);
