@@ -172,10 +172,11 @@ SquareMatrix normal_matrix(std::span<const double> jacobian, int size) {
 }
 
 // Degrees of freedom of variances that are sums over stretches, each of as many as it has samples
-// (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946)).
+// (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946)); none where they are not wanted, or noise is even.
 std::vector<double> degrees_along(std::span<const double> jacobian, int size, const Noise& noise,
-                                  const SquareMatrix& inverse_matrix) {
+                                  const SquareMatrix& inverse_matrix, bool wanted) {
   std::vector<double> degrees;
+  if (!wanted || noise.stretch == 0) return degrees;
   const auto each = static_cast<double>(noise.stretch);
   for (int a = 0; a < size; ++a) {
     double all = 0, squares = 0;
@@ -196,11 +197,35 @@ std::vector<double> degrees_along(std::span<const double> jacobian, int size, co
   return degrees;
 }
 
+// Of the noise, where a fit of `size` parameters has taken so much away from the sum of squares.
+double variance_of(const Noise& noise, int size, double taken) {
+  const auto n = static_cast<double>(noise.samples);
+  return noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken});
+}
+
+// How much wider than its sums an estimate's variance is, in a fit of `size` parameters.
+struct Spread {
+  double widening = 1, degrees = 0;
+};
+
+Spread spread_of(const FilteredSums& sums, int a, int size, const Noise& noise,
+                 const std::vector<double>& along, bool with_degrees) {
+  const auto n = static_cast<double>(noise.samples);
+  const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
+  Spread result{.widening = wide / factor};
+  if (!with_degrees) return result;
+  std::vector<double> slope;
+  for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
+  const double known = 2 / noise.correlation.log_variance(slope, n);
+  result.degrees = std::min({n / wide, known, along.empty() ? n : along[static_cast<std::size_t>(a)]}) *
+                   std::max(0.0, 1 - size / n);
+  return result;
+}
+
 // The degrees of freedom cost twice what the covariance does.
 EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& noise, double resolution,
                        bool with_degrees) {
   const SquareMatrix matrix = normal_matrix(jacobian, size), inverse_matrix = inverse(matrix, size);
-  const auto n = static_cast<double>(noise.samples);
   EstimateNoise result;
   if (!std::isfinite(inverse_matrix[0][0])) {
     for (int a = 0; a < size; ++a) result.covariance[a][a] = HUGE_VAL;
@@ -212,21 +237,13 @@ EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& 
   double taken = 0;
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
-  const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
-                                   resolution * resolution / 12);
-  const std::vector<double> along = with_degrees && noise.stretch > 0
-                                        ? degrees_along(jacobian, size, noise, inverse_matrix)
-                                        : std::vector<double>{};
+  const double variance = std::max(variance_of(noise, size, taken), resolution * resolution / 12);
+  const std::vector<double> along = degrees_along(jacobian, size, noise, inverse_matrix, with_degrees);
   Parameters widening{};  // beyond that of the sums
   for (int a = 0; a < size; ++a) {
-    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
-    widening[a] = wide / factor;
-    if (!with_degrees) continue;
-    std::vector<double> slope;
-    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
-    const double known = 2 / noise.correlation.log_variance(slope, n);
-    result.degrees[a] = std::min({n / wide, known, along.empty() ? n : along[static_cast<std::size_t>(a)]}) *
-                        std::max(0.0, 1 - size / n);
+    const Spread spread = spread_of(sums, a, size, noise, along, with_degrees);
+    widening[a] = spread.widening;
+    result.degrees[a] = spread.degrees;
   }
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b)
@@ -428,6 +445,24 @@ std::vector<double> scale_along(const SampleGrid& grid, std::span<const double> 
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution) {
   return estimate(jacobian, size, noise, resolution, true);
+}
+
+SumNoise noise_of_sums(std::span<const double> effects, int size, const Noise& noise, bool with_degrees) {
+  SquareMatrix identity{};
+  for (int a = 0; a < size; ++a) identity[a][a] = 1;
+  const FilteredSums sums = filtered_sums(noise, effects, size, identity, with_degrees);
+  const std::vector<double> along = degrees_along(effects, size, noise, identity, with_degrees);
+  Parameters squares{};
+  for (std::size_t i = 0; i < effects.size(); i += static_cast<std::size_t>(size))
+    for (int a = 0; a < size; ++a)
+      squares[a] += effects[i + static_cast<std::size_t>(a)] * effects[i + static_cast<std::size_t>(a)];
+  SumNoise result;
+  for (int a = 0; a < size; ++a) {
+    const auto [widening, degrees] = spread_of(sums, a, 1, noise, along, with_degrees);
+    result.variance[a] = variance_of(noise, 1, sums.all[a][a] / squares[a]) * sums.all[a][a] * widening;
+    result.degrees[a] = degrees;
+  }
+  return result;
 }
 
 Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,

@@ -40,110 +40,160 @@ class ChannelNoise {
     noise_.sum_of_squares *= n / std::max(1.0, n - static_cast<double>(parameters));
   }
 
-  // The estimate of a quantity to which each sample contributes its part.
-  Estimate estimate(double value, const Eigen::MatrixXd& parts) const {
-    const double square = parts.squaredNorm();
-    const Eigen::MatrixXd column = parts / square;
-    const EstimateNoise known =
-        estimate_noise({column.data(), static_cast<std::size_t>(column.size())}, 1, noise_);
-    return make_estimate(value, std::sqrt(known.covariance[0][0]), student_95(known.degrees[0]));
+  // Estimates of quantities: what each sample contributes to one stands in its column.
+  std::vector<Estimate> estimates(const std::vector<double>& values, const Eigen::MatrixXd& parts) const {
+    const SumNoise known = of_sums(parts, true);
+    std::vector<Estimate> result;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      result.push_back(make_estimate(values[i], std::sqrt(known.variance[i]), student_95(known.degrees[i])));
+    return result;
+  }
+  std::vector<double> standard_errors(const Eigen::MatrixXd& parts) const {
+    std::vector<double> result;
+    for (Eigen::Index first = 0; first < parts.cols(); first += max_parameters) {
+      const Eigen::Index columns = std::min<Eigen::Index>(max_parameters, parts.cols() - first);
+      const SumNoise known = of_sums(parts.middleCols(first, columns), false);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(columns); ++i)
+        result.push_back(std::sqrt(known.variance[i]));
+    }
+    return result;
   }
 
  private:
+  SumNoise of_sums(const Eigen::MatrixXd& parts, bool with_degrees) const {
+    const Eigen::MatrixXd rows = parts.transpose();
+    return noise_of_sums({rows.data(), static_cast<std::size_t>(rows.size())}, static_cast<int>(parts.cols()),
+                         noise_, with_degrees);
+  }
+
   Noise noise_;
 };
 
-// A mode, and its largest amplitude in standard errors.
-struct DecayingMode {
-  MeasuredMode mode;
-  double certainty = 0;
-};
-
-std::vector<DecayingMode> describe_decay(const ModalRecord& record, const Eigen::MatrixXd& values,
-                                         const Eigen::VectorXd& weight, const Eigenvalues& eigenvalues) {
-  const Eigen::MatrixXd weighted = values * weight.asDiagonal();
-  const DecayBasis basis(record, weighted, eigenvalues);
-  const auto modes = static_cast<Eigen::Index>(eigenvalues.size());
-  const Eigen::Index channels = values.cols(), samples = values.rows();
-  const ChannelNoise noise(record, basis.residuals(), weighted - basis.residuals(),
-                           2 * modes + channels * basis.columns());
-
-  // The Jacobian by the eigenvalues, the amplitudes following, channel after channel.
-  Eigen::MatrixXd jacobian(samples * channels, 2 * modes);
-  std::vector<Eigen::MatrixXd> following;  // d amplitudes / d eigenvalues, of each channel
-  for (Eigen::Index c = 0; c < channels; ++c) {
-    const Eigen::MatrixXd derivatives = basis.derivatives(c);
-    jacobian.middleRows(c * samples, samples) = basis.projected_out(derivatives);
-    following.push_back(-basis.coordinates(derivatives));
-  }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  // Each parameter as a sum over the samples: a column each.
-  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(2 * modes).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd inverse =
-      triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes, 2 * modes));
-  const Eigen::MatrixXd parts =
-      qr.householderQ() * (Eigen::MatrixXd::Identity(jacobian.rows(), 2 * modes) * inverse.transpose());
-
-  const double duration = record.time(record.samples() - 1) - record.time(0);
-  std::vector<DecayingMode> result;
-  for (Eigen::Index j = 0; j < modes; ++j) {
-    const double w = eigenvalues[static_cast<std::size_t>(j)].imag(),
-                 rate = -eigenvalues[static_cast<std::size_t>(j)].real();
-    const double natural = std::hypot(w, rate), ratio = rate / natural;
-    const auto combined = [&](double by_w, double by_rate) -> Eigen::MatrixXd {
-      return by_w * parts.col(2 * j) + by_rate * parts.col(2 * j + 1);
-    };
-    MeasuredMode mode;
-    mode.eigenvalue = {-rate, w};
-    mode.lifetimes = rate * duration;
-    mode.frequency = noise.estimate(natural / two_pi, combined(w / natural, ratio) / two_pi);
-    mode.damping_ratio =
-        noise.estimate(ratio, combined(-ratio * w / (natural * natural), (1 - ratio * ratio) / natural));
-
-    Eigen::Index reference = 0;
-    const auto own = [&](Eigen::Index c) { return basis.amplitude(c, j) / weight(c); };
-    for (Eigen::Index c = 1; c < channels; ++c)
-      if (std::abs(own(c)) > std::abs(own(reference))) reference = c;
-    // What each sample contributes to the complex amplitude of a channel.
-    const auto contributions = [&](Eigen::Index c) {
-      Eigen::MatrixXcd sum(samples * channels, 1);
-      const Eigen::RowVectorXd cosine = following[static_cast<std::size_t>(c)].row(2 * j),
-                               sine = following[static_cast<std::size_t>(c)].row(2 * j + 1);
-      sum.real() = parts * cosine.transpose();
-      sum.imag() = -(parts * sine.transpose());
-      sum.block(c * samples, 0, samples, 1).real() += basis.dual(2 * j);
-      sum.block(c * samples, 0, samples, 1).imag() -= basis.dual(2 * j + 1);
-      return Eigen::MatrixXcd(sum / weight(c));
-    };
-    const Eigen::MatrixXcd of_reference = contributions(reference);
-    const std::complex<double> largest = own(reference);
-    const Eigen::MatrixXd along = (std::conj(largest) / std::abs(largest) * of_reference).real();
-    const double certainty = std::abs(largest) / noise.estimate(std::abs(largest), along).standard_error;
-    for (Eigen::Index c = 0; c < channels; ++c) {
-      const std::complex<double> component = own(c) / own(reference);
-      mode.shape.push_back(component);
-      if (c == reference) {
-        mode.shape_error.emplace_back(0);
-        continue;
-      }
-      const Eigen::MatrixXcd each = (contributions(c) - component * of_reference) / own(reference);
-      mode.shape_error.emplace_back(noise.estimate(component.real(), each.real()).standard_error,
-                                    noise.estimate(component.imag(), each.imag()).standard_error);
+// What least squares tell of eigenvalues: how sure each is, and each as a mode with its errors, which take
+// much longer.
+class DecayEstimates {
+ public:
+  DecayEstimates(const ModalRecord& record, const Eigen::MatrixXd& values, const Eigen::VectorXd& weight,
+                 const Eigenvalues& eigenvalues)
+      : eigenvalues_(eigenvalues),
+        weight_(weight),
+        basis_(record, values * weight.asDiagonal(), eigenvalues),
+        noise_(record, basis_.residuals(), values * weight.asDiagonal() - basis_.residuals(),
+               2 * modes() + values.cols() * basis_.columns()),
+        duration_(record.time(record.samples() - 1) - record.time(0)) {
+    // The Jacobian by the eigenvalues, the amplitudes following, channel after channel.
+    const Eigen::Index samples = values.rows();
+    Eigen::MatrixXd jacobian(samples * channels(), 2 * modes());
+    for (Eigen::Index c = 0; c < channels(); ++c) {
+      const Eigen::MatrixXd derivatives = basis_.derivatives(c);
+      jacobian.middleRows(c * samples, samples) = basis_.projected_out(derivatives);
+      following_.push_back(-basis_.coordinates(derivatives));
     }
-    result.push_back({std::move(mode), certainty});
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
+    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(2 * modes()).triangularView<Eigen::Upper>();
+    const Eigen::MatrixXd inverse =
+        triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes(), 2 * modes()));
+    parts_ =
+        qr.householderQ() * (Eigen::MatrixXd::Identity(jacobian.rows(), 2 * modes()) * inverse.transpose());
+    Eigen::MatrixXd along(parts_.rows(), modes());
+    for (Eigen::Index j = 0; j < modes(); ++j) {
+      const std::complex<double> largest = own(reference_of(j), j);
+      along.col(j) = (std::conj(largest) / std::abs(largest) * contributions(reference_of(j), j)).real();
+    }
+    errors_ = noise_.standard_errors(along);
   }
-  return result;
-}
 
-// One swing whose frequency or damping changes with its amplitude looks like two on top of each other.
-bool is_double(const DecayingMode& mode, const std::vector<DecayingMode>& all) {
-  return std::any_of(all.begin(), all.end(), [&](const DecayingMode& other) {
-    const double width = std::abs(mode.mode.eigenvalue.real()) + std::abs(other.mode.eigenvalue.real());
-    return other.certainty > mode.certainty &&
-           std::abs(other.mode.eigenvalue.imag() - mode.mode.eigenvalue.imag()) < width / 2 &&
-           modal_assurance(mode.mode.shape, other.mode.shape) > 0.9;
-  });
-}
+  // A mode's largest amplitude in standard errors.
+  double certainty(std::size_t mode) const {
+    const auto j = static_cast<Eigen::Index>(mode);
+    return std::abs(own(reference_of(j), j)) / errors_[mode];
+  }
+
+  // One swing whose frequency or damping changes with its amplitude looks like two on top of each other.
+  bool is_double(std::size_t mode) const {
+    const auto shape = [&](std::size_t of) { return shape_of(static_cast<Eigen::Index>(of)); };
+    for (std::size_t other = 0; other < eigenvalues_.size(); ++other) {
+      const std::complex<double> difference = eigenvalues_[other] - eigenvalues_[mode];
+      const double width = std::abs(eigenvalues_[mode].real()) + std::abs(eigenvalues_[other].real());
+      if (certainty(other) > certainty(mode) && std::abs(difference.imag()) < width / 2 &&
+          modal_assurance(shape(mode), shape(other)) > 0.9)
+        return true;
+    }
+    return false;
+  }
+
+  MeasuredMode described(std::size_t mode) const {
+    const auto j = static_cast<Eigen::Index>(mode);
+    const double w = eigenvalues_[mode].imag(), rate = -eigenvalues_[mode].real();
+    const double natural = std::hypot(w, rate), ratio = rate / natural;
+    const auto combined = [&](double by_w, double by_rate) -> Eigen::VectorXd {
+      return by_w * parts_.col(2 * j) + by_rate * parts_.col(2 * j + 1);
+    };
+    Eigen::MatrixXd of_both(parts_.rows(), 2);
+    of_both << combined(w / natural, ratio) / two_pi,
+        combined(-ratio * w / (natural * natural), (1 - ratio * ratio) / natural);
+    const std::vector<Estimate> both = noise_.estimates({natural / two_pi, ratio}, of_both);
+    MeasuredMode result{.frequency = both[0], .damping_ratio = both[1]};
+    result.eigenvalue = {-rate, w};
+    result.lifetimes = rate * duration_;
+    result.shape = shape_of(j);
+
+    const Eigen::Index reference = reference_of(j);
+    const Eigen::VectorXcd of_reference = contributions(reference, j);
+    Eigen::MatrixXd of_shape(parts_.rows(), 2 * channels());
+    for (Eigen::Index c = 0; c < channels(); ++c) {
+      const std::complex<double> component = result.shape[static_cast<std::size_t>(c)];
+      const Eigen::VectorXcd each = (contributions(c, j) - component * of_reference) / own(reference, j);
+      of_shape.col(2 * c) = each.real();
+      of_shape.col(2 * c + 1) = each.imag();
+    }
+    const std::vector<double> errors = noise_.standard_errors(of_shape);
+    for (std::size_t c = 0; c < result.shape.size(); ++c)
+      result.shape_error.emplace_back(errors[2 * c], errors[2 * c + 1]);
+    result.shape_error[static_cast<std::size_t>(reference)] = 0;
+    return result;
+  }
+
+ private:
+  Eigen::Index modes() const { return static_cast<Eigen::Index>(eigenvalues_.size()); }
+  Eigen::Index channels() const { return weight_.size(); }
+  std::complex<double> own(Eigen::Index channel, Eigen::Index mode) const {
+    return basis_.amplitude(channel, mode) / weight_(channel);
+  }
+  // The channel that moves most.
+  Eigen::Index reference_of(Eigen::Index mode) const {
+    Eigen::Index reference = 0;
+    for (Eigen::Index c = 1; c < channels(); ++c)
+      if (std::abs(own(c, mode)) > std::abs(own(reference, mode))) reference = c;
+    return reference;
+  }
+  std::vector<std::complex<double>> shape_of(Eigen::Index mode) const {
+    std::vector<std::complex<double>> shape;
+    for (Eigen::Index c = 0; c < channels(); ++c)
+      shape.push_back(own(c, mode) / own(reference_of(mode), mode));
+    return shape;
+  }
+  // What each sample contributes to the complex amplitude of a channel.
+  Eigen::VectorXcd contributions(Eigen::Index channel, Eigen::Index mode) const {
+    const Eigen::MatrixXd& following = following_[static_cast<std::size_t>(channel)];
+    const Eigen::RowVectorXd cosine = following.row(2 * mode), sine = following.row(2 * mode + 1);
+    const Eigen::Index samples = parts_.rows() / channels();
+    Eigen::VectorXcd sum(parts_.rows());
+    sum.real() = parts_ * cosine.transpose();
+    sum.imag() = -(parts_ * sine.transpose());
+    sum.segment(channel * samples, samples).real() += basis_.dual(2 * mode);
+    sum.segment(channel * samples, samples).imag() -= basis_.dual(2 * mode + 1);
+    return sum / weight_(channel);
+  }
+  const Eigenvalues& eigenvalues_;
+  const Eigen::VectorXd& weight_;
+  DecayBasis basis_;
+  ChannelNoise noise_;
+  double duration_;
+  std::vector<Eigen::MatrixXd> following_;  // d amplitudes / d eigenvalues, of each channel
+  Eigen::MatrixXd parts_;                   // each parameter as a sum over the samples: a column each
+  std::vector<double> errors_;              // of each mode's largest amplitude
+};
 
 // Those that change their size over the record; all where none does.
 Eigenvalues changing_of(const ModalRecord& record, const Eigenvalues& eigenvalues) {
@@ -183,16 +233,22 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
       eigenvalues.erase(eigenvalues.begin() + basis.weakest_mode());
       continue;
     }
-    std::vector<DecayingMode> found = describe_decay(record, values, weight, eigenvalues);
+    const DecayEstimates found(record, values, weight, eigenvalues);
     // What moves stays in the fit, known or not: the others would take its motion for noise.
     constexpr double moves = 4, sure = 6, known = 0.01;
-    eigenvalues.clear();
-    for (const DecayingMode& each : found)
-      if (each.certainty > moves && !is_double(each, found)) eigenvalues.push_back(each.mode.eigenvalue);
-    if (eigenvalues.size() < found.size()) continue;
-    for (DecayingMode& each : found)
-      if (each.certainty > sure && each.mode.frequency.standard_error < known * each.mode.frequency.value)
-        result.modes.push_back(std::move(each.mode));
+    Eigenvalues moving;
+    for (std::size_t j = 0; j < eigenvalues.size(); ++j)
+      if (found.certainty(j) > moves && !found.is_double(j)) moving.push_back(eigenvalues[j]);
+    if (moving.size() < eigenvalues.size()) {
+      eigenvalues = std::move(moving);
+      continue;
+    }
+    for (std::size_t j = 0; j < eigenvalues.size(); ++j) {
+      if (!(found.certainty(j) > sure)) continue;
+      MeasuredMode mode = found.described(j);
+      if (mode.frequency.standard_error < known * mode.frequency.value)
+        result.modes.push_back(std::move(mode));
+    }
     break;
   }
   std::sort(result.modes.begin(), result.modes.end(), [](const MeasuredMode& a, const MeasuredMode& b) {

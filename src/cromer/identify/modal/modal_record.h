@@ -32,10 +32,10 @@ struct ModalRecord {
 struct MeasuredMode {
   Estimate frequency;  // [Hz] size of the eigenvalue over 2 pi
   Estimate damping_ratio;
-  std::vector<std::complex<double>> shape;        ///< by channel; the largest component is 1
-  std::vector<std::complex<double>> shape_error;  ///< standard errors of its real and imaginary parts
-  std::complex<double> eigenvalue{};              // [1/s]
-  int order = 0;                                  ///< of the model that it is taken from; 0 of a free decay
+  std::vector<std::complex<double>> shape{};        ///< by channel; the largest component is 1
+  std::vector<std::complex<double>> shape_error{};  ///< standard errors of its real and imaginary parts
+  std::complex<double> eigenvalue{};                // [1/s]
+  int order = 0;                                    ///< of the model that it is taken from; 0 of a free decay
   double lifetimes = 0;  ///< decay times 1/(damping ratio times angular frequency) that the record holds;
                          ///< negative of a mode that grows
 };
