@@ -54,11 +54,12 @@ NetworkFile file_of(const std::string& text) {
 }
 
 /// A recording of two columns that beat.
-std::string beats(const std::string& first = "Angle 1 (rad)", const std::string& second = "Angle 2 (rad)") {
+std::string beats(const std::string& first = "Angle 1 (rad)", const std::string& second = "Angle 2 (rad)",
+                  double drift = 0) {
   std::string text = "Time (s)," + first + "," + second + "\n";
   for (int n = 0; n < 1500; ++n) {
     const double t = 0.02 * n, one = std::cos(4.43 * t), other = std::cos(4.6 * t);
-    text += std::to_string(t) + "," + std::to_string(0.1 * (one + other)) + "," +
+    text += std::to_string(t * (1 + drift * t)) + "," + std::to_string(0.1 * (one + other)) + "," +
             std::to_string(0.1 * (one - other)) + "\n";
   }
   return text;
@@ -197,6 +198,17 @@ TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {
     EXPECT_NEAR(k.value, truth[l], 3 * k.standard_error) << l;
     EXPECT_LT(k.standard_error, 1e-4 * truth[l]) << l;
   }
+}
+
+TEST(NetworkFit, SaysThatTheClockDrifts) {
+  const auto says_so = [](double drift) {
+    const auto result = fitted(beats("Angle 1 (rad)", "Angle 2 (rad)", drift), file_of(pendulums()));
+    EXPECT_TRUE(result.ok());
+    return result && std::any_of(result->notices.begin(), result->notices.end(),
+                                 [](const Notice& each) { return each.code == "clock_drifts"; });
+  };
+  EXPECT_TRUE(says_so(2e-4));  // 0.8 % from the first third to the last
+  EXPECT_FALSE(says_so(0));
 }
 
 TEST(NetworkFit, SaysWhatIsWrong) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cromer/notice.h"
 #include "cromer/quantity.h"
 
 namespace cromer::core {
@@ -63,5 +64,9 @@ struct StabilityPole {
 /// Gives the record the times [s] of its samples, which rise strictly, at least two: the step is the mean of
 /// those that are no gaps, and a gap is longer than 1.75 medians.
 void set_times(ModalRecord& record, const std::vector<double>& t);
+
+/// Says by what share the steps between samples are longer in the last third than in the first, gaps left
+/// out; empty unless the difference is significant, and more than a twentieth of a percent.
+Notice drifting_clock(const ModalRecord& record);
 
 }  // namespace cromer::core

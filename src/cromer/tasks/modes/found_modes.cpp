@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/pi.h"
@@ -39,29 +40,6 @@ Result<Channels> moving_channels(const Recording& recording, const ModesOptions&
   if (const std::size_t left_out = leave_out_incomplete(channels); left_out > 0)
     notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", left_out}}});
   return channels;
-}
-
-/// By what share the steps of the last third are longer than those of the first, gaps left out; 0 unless the
-/// difference is significant.
-double clock_drift(const ModalRecord& record) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < record.times.size(); ++i)
-    if (const double step = record.times[i] - record.times[i - 1]; step < 1.75 * record.step)
-      steps.push_back(step);
-  const std::size_t third = steps.size() / 3;
-  if (third < 20) return 0;
-  const auto mean_of = [&](std::size_t from) {
-    double sum = 0, square = 0;
-    for (std::size_t i = from; i < from + third; ++i) sum += steps[i], square += steps[i] * steps[i];
-    const double mean = sum / static_cast<double>(third);
-    return std::pair{mean, std::sqrt(std::max(0.0, square / static_cast<double>(third) - mean * mean) /
-                                     static_cast<double>(third))};
-  };
-  const auto [first, first_error] = mean_of(0);
-  const auto [last, last_error] = mean_of(steps.size() - third);
-  const double drift = last / first - 1;
-  constexpr double least = 5e-4;
-  return std::abs(drift) > std::max(least, 5 * std::hypot(first_error, last_error) / first) ? drift : 0;
 }
 
 /// The frequencies [Hz] of peaks that stand out as a mode's would, but belong to no mode and no line.
@@ -151,8 +129,7 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
   for (const Channel& each : channels->each) result.names.push_back(each.column);
   if (record.channels.size() == 1)
     result.notices.push_back(Notice{"one_channel", {{"column", result.names.front()}}});
-  if (const double drift = clock_drift(record); drift != 0)
-    result.notices.push_back(Notice{"clock_drifts", {{"percent", 100 * drift}}});
+  if (Notice drifts = drifting_clock(record); !drifts.empty()) result.notices.push_back(std::move(drifts));
 
   ModalSettings settings;
   settings.from = options.from_frequency.value_or(0) / two_pi;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "cromer/identify/modal/modal_analysis.h"
 #include "cromer/identify/modal/still_beginning.h"
@@ -162,6 +163,11 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
   result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
 
   if (auto good = leave_stillness_out(result, options); !good) return good.error();
+  if (result.channels.t.size() >= fewest_modal_samples) {
+    ModalRecord clock;
+    set_times(clock, result.channels.t);
+    if (Notice drifts = drifting_clock(clock); !drifts.empty()) result.notices.push_back(std::move(drifts));
+  }
   NetworkRecord record{result.channels.t, {}};
   for (const Channel& channel : result.channels.each) {
     record.y.emplace_back(channel.y);
