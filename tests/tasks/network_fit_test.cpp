@@ -200,6 +200,51 @@ TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {
   }
 }
 
+/// How often the noise what is left of the worst column is, by the notice; 0 without one.
+double times_left(const NetworkSwings& swings) {
+  std::string bytes = "Time (s),Angle 1 (rad),Angle 2 (rad)\n";
+  for (std::size_t n = 0; n < swings.t.size(); ++n)
+    bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
+  const auto result = fitted(bytes, file_of(pendulums()));
+  EXPECT_TRUE(result && result->succeeded());
+  if (!result) return 0;
+  for (const Notice& notice : result->notices)
+    if (notice.code == "network_leaves_a_motion") return std::get<double>(notice.values[1].value);
+  return 0;
+}
+
+TEST(NetworkFit, NamesAMotionThatALawLeaves) {
+  const auto truth = [](double cubic, double drag) {
+    Network network{.angles = true};
+    network.masses = {{.name = "left", .mass = 0.05, .start = {0.12, 0}}, {.name = "right", .mass = 0.05}};
+    network.links = {{ground, 0, {.stiffness = 0.981, .damping = 6e-4, .drag = drag, .cubic = cubic}},
+                     {ground, 1, {.stiffness = 0.992, .damping = 8e-4}},
+                     {0, 1, {.stiffness = 0.031}}};
+    return network;
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_GT(times_left(swings_of(truth(-9, 0), 2000, 0.02, 5e-4, seed)), 4) << seed;
+    EXPECT_GT(times_left(swings_of(truth(0, 5e-3), 2000, 0.02, 1e-4, seed)), 2) << seed;
+    EXPECT_EQ(times_left(swings_of(truth(0, 0), 2000, 0.02, 5e-4, seed)), 0) << seed;
+  }
+  // Noise that hangs together is no motion; nor is rounding.
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    NetworkSwings swings = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0, 3e-4);
+    for (auto& column : swings.y) {
+      double noise = 0;
+      for (double& each : column) each += noise = 0.95 * noise + normal(random);
+    }
+    EXPECT_EQ(times_left(swings), 0) << seed;
+  }
+  NetworkSwings coarse = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
+  EXPECT_EQ(times_left(coarse), 0);
+  for (auto& column : coarse.y)
+    for (double& each : column) each = std::round(each * 100) / 100;
+  EXPECT_EQ(times_left(coarse), 0);
+}
+
 TEST(NetworkFit, SaysThatTheClockDrifts) {
   const auto says_so = [](double drift) {
     const auto result = fitted(beats("Angle 1 (rad)", "Angle 2 (rad)", drift), file_of(pendulums()));

@@ -7,11 +7,9 @@
 #include <optional>
 
 #include "cromer/analysis/complex_modes.h"
-#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
-#include "cromer/identify/record.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/linear_network.h"
@@ -387,30 +385,6 @@ bool is_white(std::span<const double> residual) {
   return is_none(1) && is_none(2);
 }
 
-/// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
-/// one dies down as the whole does, or swings as a mode does.
-double times_noise(const FittedColumn& column, const std::vector<ComplexMode>& modes,
-                   std::span<const double> t, std::span<const double> y, double resolution) {
-  constexpr double least = 2, deaths = 4;
-  std::vector<double> times, left, values;
-  for (std::size_t n = 0; n < y.size(); ++n)
-    if (!std::isnan(y[n])) {
-      times.push_back(t[n]);
-      left.push_back(column.residual[n]);
-      values.push_back(y[n]);
-    }
-  const double noise = noise_of(left);
-  if (!is_smooth(left) || column.rms <= std::max(least * noise, resolution) ||
-      is_arithmetic(column.rms, values))
-    return 0;
-  const auto swings_in = [&](const ComplexMode& mode) {
-    const LinearLaw<double> law = mode.law();
-    return leaves_a_line(times, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
-  };
-  const bool remains = dies_down(left, deaths) || std::any_of(modes.begin(), modes.end(), swings_in);
-  return remains ? column.rms / noise : 0;
-}
-
 /// By how much correlated residuals widen the variance of what lives at the network's frequencies: most of
 /// all columns and modes.
 double widening_of(const NetworkFit& fit, const NetworkRecord& record) {
@@ -633,8 +607,9 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
         fit_through(beginning);
         const bool closer = !best || found.equations.sum_of_squares < best->equations.sum_of_squares;
         if (closer) best = found;
-        is_found = watch.interrupted() || (found.reason == LeastSquaresReason::converged &&
-                                           !leaves_motion(motions, found.parameters, record, beginning));
+        is_found = (found.reason == LeastSquaresReason::converged &&
+                    !leaves_motion(motions, found.parameters, record, beginning)) ||
+                   watch.interrupted();
       }
       if (part <= beginning) break;
     }
@@ -660,10 +635,6 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   put_residuals(fit, motions, found.parameters, record, spreads);
   if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
 
-  const std::vector<ComplexMode> modes = complex_modes(linearised(fit.network));
-  for (std::size_t i = 0; i < fit.columns.size(); ++i)
-    fit.columns[i].times_noise = times_noise(fit.columns[i], modes, record.t, record.y[i],
-                                             record.resolution.empty() ? 0 : record.resolution[i]);
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
   fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
                : explains(fit.columns)   ? FitStatus::converged

@@ -24,7 +24,6 @@ struct SoughtValue {
 struct NetworkRecord {
   std::span<const double> t;
   std::vector<std::span<const double>> y;  ///< one column for each mass, as long as t
-  std::vector<double> resolution{};        ///< rounding step of each column; none: not rounded
 };
 
 /// What was found of a mass, and what is left of its column.
@@ -34,7 +33,6 @@ struct FittedColumn {
   std::vector<double> residual{};   ///< measured less fitted; NaN where missing
   double rms = 0;                   ///< of these
   double explained = 0;             ///< 1 - rms^2/variance of the column
-  double times_noise = 0;  ///< rms over the noise from sample to sample, where a motion is left; else 0
 };
 
 struct NetworkFit {

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "cromer/analysis/complex_modes.h"
+#include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/modal/modal_analysis.h"
 #include "cromer/identify/modal/still_beginning.h"
+#include "cromer/model/linear_network.h"
 #include "cromer/read/in_file.h"
 
 namespace cromer::core {
@@ -113,16 +117,44 @@ Notice why_no_success(const FittedNetwork& result) {
   }
 }
 
+/// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
+/// one dies down as the whole does, or swings as a mode does.
+double times_noise(const FittedNetwork& result, std::size_t column, const std::vector<ComplexMode>& modes) {
+  constexpr double least = 2, deaths = 4, smooth = 0.5;
+  const Channel& channel = result.channels.each[column];
+  std::vector<double> t, left, values;
+  for (std::size_t n = 0; n < channel.y.size(); ++n)
+    if (!std::isnan(channel.y[n])) {
+      t.push_back(result.channels.t[n]);
+      left.push_back(result.fit.columns[column].residual[n]);
+      values.push_back(channel.y[n]);
+    }
+  const double noise = noise_of(left), rms = result.fit.columns[column].rms;
+  if (autocorrelations(left, 1)[1] < smooth || rms <= std::max(least * noise, channel.resolution) ||
+      is_arithmetic(rms, values))
+    return 0;
+  const auto swings_in = [&](const ComplexMode& mode) {
+    const LinearLaw<double> law = mode.law();
+    return leaves_a_line(t, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
+  };
+  const bool remains = dies_down(left, deaths) || std::any_of(modes.begin(), modes.end(), swings_in);
+  return remains ? rms / noise : 0;
+}
+
+/// Which column shows most that the network leaves a motion; empty where none does.
+Notice motion_left(const FittedNetwork& result) {
+  if (!result.succeeded()) return {};
+  const std::vector<ComplexMode> modes = complex_modes(linearised(result.fit.network));
+  std::size_t worst = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < result.fit.columns.size(); ++i)
+    if (const double times = times_noise(result, i, modes); times > most) most = times, worst = i;
+  if (most == 0) return {};
+  return Notice{"network_leaves_a_motion", {{"column", result.channels.each[worst].column}, {"times", most}}};
+}
+
 void add_doubts(FittedNetwork& result) {
-  const auto& columns = result.fit.columns;
-  const auto most = std::max_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
-    return a.times_noise < b.times_noise;
-  });
-  if (most != columns.end() && most->times_noise > 0)
-    result.notices.push_back(
-        Notice{"network_leaves_a_motion",
-               {{"column", result.channels.each[static_cast<std::size_t>(most - columns.begin())].column},
-                {"times", most->times_noise}}});
+  if (Notice left = motion_left(result); !left.empty()) result.notices.push_back(std::move(left));
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
     if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
@@ -169,10 +201,7 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
     if (Notice drifts = drifting_clock(clock); !drifts.empty()) result.notices.push_back(std::move(drifts));
   }
   NetworkRecord record{result.channels.t, {}};
-  for (const Channel& channel : result.channels.each) {
-    record.y.emplace_back(channel.y);
-    record.resolution.push_back(channel.resolution);
-  }
+  for (const Channel& channel : result.channels.each) record.y.emplace_back(channel.y);
   std::vector<SoughtValue> sought;
   for (const OpenValue& each : network.open) sought.push_back(each.value);
   result.fit = fit_network(network.network, sought, record, watch);
