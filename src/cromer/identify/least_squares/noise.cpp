@@ -204,15 +204,15 @@ double variance_of(const Noise& noise, int size, double taken) {
 }
 
 // How much wider than its sums an estimate's variance is, in a fit of `size` parameters.
-struct Spread {
+struct SumSpread {
   double widening = 1, degrees = 0;
 };
 
-Spread spread_of(const FilteredSums& sums, int a, int size, const Noise& noise,
-                 const std::vector<double>& along, bool with_degrees) {
+SumSpread spread_of_sum(const FilteredSums& sums, int a, int size, const Noise& noise,
+                        const std::vector<double>& along, bool with_degrees) {
   const auto n = static_cast<double>(noise.samples);
   const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
-  Spread result{.widening = wide / factor};
+  SumSpread result{.widening = wide / factor};
   if (!with_degrees) return result;
   std::vector<double> slope;
   for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
@@ -241,7 +241,7 @@ EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& 
   const std::vector<double> along = degrees_along(jacobian, size, noise, inverse_matrix, with_degrees);
   Parameters widening{};  // beyond that of the sums
   for (int a = 0; a < size; ++a) {
-    const Spread spread = spread_of(sums, a, size, noise, along, with_degrees);
+    const SumSpread spread = spread_of_sum(sums, a, size, noise, along, with_degrees);
     widening[a] = spread.widening;
     result.degrees[a] = spread.degrees;
   }
@@ -458,7 +458,7 @@ SumNoise noise_of_sums(std::span<const double> effects, int size, const Noise& n
       squares[a] += effects[i + static_cast<std::size_t>(a)] * effects[i + static_cast<std::size_t>(a)];
   SumNoise result;
   for (int a = 0; a < size; ++a) {
-    const auto [widening, degrees] = spread_of(sums, a, 1, noise, along, with_degrees);
+    const auto [widening, degrees] = spread_of_sum(sums, a, 1, noise, along, with_degrees);
     result.variance[a] = variance_of(noise, 1, sums.all[a][a] / squares[a]) * sums.all[a][a] * widening;
     result.degrees[a] = degrees;
   }
