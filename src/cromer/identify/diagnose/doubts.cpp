@@ -216,6 +216,13 @@ bool leaves_a_line(std::span<const double> t, std::span<const double> residuals,
   return top > times * upper_median(beside);
 }
 
+bool exceeds_noise(std::span<const double> y, double resolution, double rms, double autocorrelation,
+                   double noise) {
+  return autocorrelation > 0.5 && rms > std::max(2 * noise, resolution) && !is_arithmetic(rms, y);
+}
+
+double times_noise(double rms, double noise) { return std::max(2.0, rms / std::max(noise, 1e-3 * rms)); }
+
 namespace {
 
 double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
@@ -309,18 +316,17 @@ Notice coarseness(const Record& record, const LawFit& fit, std::string_view unit
 }
 
 // Where a period has many samples, what a wrong law leaves is smooth, and larger than the noise.
-bool exceeds_noise(const Record& record, const Residual& left, double noise, double angular_frequency) {
+bool shows_a_wrong_law(const Record& record, const Residual& left, double noise, double angular_frequency) {
   const double duration = record.t.back() - record.t.front();
   const double samples_per_period =
       two_pi / angular_frequency * static_cast<double>(record.t.size() - 1) / duration;
-  return samples_per_period >= 12 && left.autocorrelation > 0.5 &&
-         left.rms > std::max(2 * noise, record.resolution) && !is_arithmetic(left.rms, record.y);
+  return samples_per_period >= 12 &&
+         exceeds_noise(record.y, record.resolution, left.rms, left.autocorrelation, noise);
 }
 
 Notice not_described(const LawFit& fit, double noise, bool only_law) {
   return Notice{only_law ? "law_does_not_describe" : "no_law_describes",
-                {{"law", to_text(fit.law)},
-                 {"times", std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))}}};
+                {{"law", to_text(fit.law)}, {"times", times_noise(fit.residual.rms, noise)}}};
 }
 
 }  // namespace
@@ -334,7 +340,7 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
   const bool described = residuals.size() != record.t.size() ||
-                         !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value);
+                         !shows_a_wrong_law(record, fit.residual, noise, fit.swing_frequency().value);
   const Notice rises = is_fed(fit) && described ? growth(record, fit, period) : rise(record, period, noise);
   say(rises);
   if (rises.empty()) say(steadiness(record, fit, period));
@@ -363,7 +369,7 @@ std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::
   const Record left{record.t, residuals, record.resolution, record.derivative};
   std::vector<Notice> found = second_drives(left, drive, unit);
   const double fastest = std::max(fit.swing_frequency().value, drive);
-  if (!found.empty() && exceeds_noise(record, fit.residual, noise, fastest))
+  if (!found.empty() && shows_a_wrong_law(record, fit.residual, noise, fastest))
     found.push_back(not_described(fit, noise, only_law));
   return found;
 }

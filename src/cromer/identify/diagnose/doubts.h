@@ -47,6 +47,14 @@ Notice turning_over(const Record& record);
 bool leaves_a_line(std::span<const double> t, std::span<const double> residuals, double decay_rate,
                    double angular_frequency, double times = 30);
 
+/// Whether residuals of a motion y are smooth, and larger than twice the noise from sample to sample, than a
+/// rounding step and than arithmetic makes them. A wrong law leaves such where a period has many samples.
+bool exceeds_noise(std::span<const double> y, double resolution, double rms, double autocorrelation,
+                   double noise);
+
+/// How many times the noise from sample to sample such residuals are.
+double times_noise(double rms, double noise);
+
 /// What speaks against the fit; empty where nothing is suspicious. Looked for are the departures above, an
 /// amplitude that rises, one that falls by a few percent at most over twenty periods, a motion of one or two
 /// rounding steps, and residuals well above the noise from sample to sample that stand out about the swing's

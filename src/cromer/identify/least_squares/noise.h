@@ -63,12 +63,14 @@ struct EstimateNoise {
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution = 0);
 
-/// Variances of up to max_parameters quantities, each for itself: `effects` holds what each sample adds to
-/// them, sample by sample. Without degrees of freedom it takes a third of the time.
+/// What the noise does to quantities that are sums over the samples, each for itself.
 struct SumNoise {
   Parameters variance{};
   Parameters degrees{};  ///< of freedom of each variance
 };
+
+/// `effects` holds what each sample adds to the quantities, sample by sample; of at most max_parameters.
+/// Without degrees of freedom it takes a third of the time.
 SumNoise noise_of_sums(std::span<const double> effects, int size, const Noise& noise, bool with_degrees);
 
 // Rounding, where the noise is too small to blur the sensor's steps.

@@ -119,8 +119,8 @@ Notice why_no_success(const FittedNetwork& result) {
 
 /// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
 /// one dies down as the whole does, or swings as a mode does.
-double times_noise(const FittedNetwork& result, std::size_t column, const std::vector<ComplexMode>& modes) {
-  constexpr double least = 2, deaths = 4, smooth = 0.5;
+double motion_left_of(const FittedNetwork& result, std::size_t column,
+                      const std::vector<ComplexMode>& modes) {
   const Channel& channel = result.channels.each[column];
   std::vector<double> t, left, values;
   for (std::size_t n = 0; n < channel.y.size(); ++n)
@@ -130,15 +130,14 @@ double times_noise(const FittedNetwork& result, std::size_t column, const std::v
       values.push_back(channel.y[n]);
     }
   const double noise = noise_of(left), rms = result.fit.columns[column].rms;
-  if (autocorrelations(left, 1)[1] < smooth || rms <= std::max(least * noise, channel.resolution) ||
-      is_arithmetic(rms, values))
-    return 0;
+  if (!exceeds_noise(values, channel.resolution, rms, autocorrelations(left, 1)[1], noise)) return 0;
   const auto swings_in = [&](const ComplexMode& mode) {
     const LinearLaw<double> law = mode.law();
     return leaves_a_line(t, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
   };
-  const bool remains = dies_down(left, deaths) || std::any_of(modes.begin(), modes.end(), swings_in);
-  return remains ? rms / noise : 0;
+  constexpr double falls = 4;
+  const bool remains = dies_down(left, falls) || std::any_of(modes.begin(), modes.end(), swings_in);
+  return remains ? times_noise(rms, noise) : 0;
 }
 
 /// Which column shows most that the network leaves a motion; empty where none does.
@@ -148,7 +147,7 @@ Notice motion_left(const FittedNetwork& result) {
   std::size_t worst = 0;
   double most = 0;
   for (std::size_t i = 0; i < result.fit.columns.size(); ++i)
-    if (const double times = times_noise(result, i, modes); times > most) most = times, worst = i;
+    if (const double times = motion_left_of(result, i, modes); times > most) most = times, worst = i;
   if (most == 0) return {};
   return Notice{"network_leaves_a_motion", {{"column", result.channels.each[worst].column}, {"times", most}}};
 }
