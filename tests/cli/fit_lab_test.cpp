@@ -401,6 +401,25 @@ TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
   EXPECT_THAT(end.err, HasSubstr("no line of T²"));
 }
 
+// Its frequency is the drive's: no spring constant follows from it.
+TEST(FitLab, ASettledMotionTellsTheDriveAlone) {
+  Folder folder;
+  std::string rows = "time (s),position (m)\n";
+  for (int i = 0; i < 1500; ++i) {
+    const double t = 0.02 * i, noise = 5e-4 * std::sin(1e4 * t * t);
+    rows += std::to_string(t) + "," + std::to_string(0.5 + 0.09 * std::cos(6.157 * t + 1) + noise) + "\n";
+  }
+  folder.write("settled.csv", rows);
+  for (const char* drive : {"0.98 Hz", "auto"}) {
+    const auto fit = folder.run({"fit", "settled.csv", "--drive-frequency", drive, "--json"});
+    EXPECT_EQ(fit.json()["status"], "no_oscillation") << drive;
+    EXPECT_THAT(fit.err + fit.out, HasSubstr("the body's own nor its damping")) << drive;
+  }
+  EXPECT_EQ(folder.run({"fit", "settled.csv", "--json"}).json()["status"], "converged");
+  EXPECT_EQ(folder.run({"fit", "settled.csv", "--drive-frequency", "0.7 Hz", "--json"}).json()["status"],
+            "converged");
+}
+
 TEST(FitLab, AFreeSwingHasNoDrive) {
   Folder folder;
   folder.write("lab.csv", swing_record(8, 3));

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <random>
 
@@ -195,6 +197,24 @@ TEST(Steps, OneLateSampleIsNoGap) {
 std::vector<double> rounded_to(std::vector<double> t, double to) {
   for (double& at : t) at = std::nearbyint(at / to) * to;
   return t;
+}
+
+// Tracker writes times with four digits: 9.967E0, 1.000E1, 1.003E1.
+TEST(Steps, TimesOfSoManyDigitsAreMadeEven) {
+  for (const double rate : {29.97, 30.0, 60.0})
+    for (const double seconds : {25.0, 95.0}) {
+      std::vector<double> t = times(static_cast<int>(seconds * rate), 1 / rate);
+      for (double& each : t) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.3E", each);
+        each = std::strtod(text, nullptr);
+      }
+      const Steps steps = describe_steps(t);
+      ASSERT_TRUE(steps.clock) << rate << " " << seconds;
+      EXPECT_NEAR(steps.clock->spacing * rate, 1, 1e-4);
+      EXPECT_NEAR(steps.clock->rounding, 0.01, 1e-9);
+      EXPECT_TRUE(steps.gaps.empty());
+    }
 }
 
 TEST(Steps, RoundedTimesHaveNoGaps) {

@@ -52,6 +52,16 @@ TEST(Axis, TheLiveliestIsTakenAndSaid) {
   EXPECT_EQ(inspect(*recording, {})->column, "Acceleration y (m/s^2)");
 }
 
+TEST(Axis, OfTwoThatSwingAlikeNoneIsCalledClearer) {
+  const auto recording = read_recording(phone({0.3, 2, 1.9}, of_phyphox), "phone.csv", {});
+  const auto series = take_motion(*recording, "", 1, {});
+  ASSERT_TRUE(series.ok()) << in_words(series.error());
+  const std::string said = in_words(series->notices).front();
+  EXPECT_THAT(said, HasSubstr("swings about as far"));
+  EXPECT_THAT(said, HasSubstr("\"Acceleration z (m/s^2)\""));
+  EXPECT_THAT(said, testing::Not(HasSubstr("most clearly")));
+}
+
 // The swing dies down, the phone is picked up at the end; x is noisy.
 TEST(Axis, AHandAtTheEndIsNoSwing) {
   std::string text = std::string(of_phyphox) + "\n";

@@ -195,12 +195,18 @@ Panel shock_panel(const SpectrumResult& result) {
     add(spectrum, "negative", "negative", [](const Shock& s) { return s.negative; });
     for (Curve& curve : panel.curves) say_summit(curve, shock_unit(result), along.unit);
   }
-  // Values more than three decades below the largest do not matter.
-  double top = 0, least = std::numeric_limits<double>::infinity();
-  for (const Curve& curve : panel.curves)
+  // Values more than three decades below the largest do not matter, but the curve of the largest is whole.
+  double top = 0, least = std::numeric_limits<double>::infinity(), least_of_largest = least;
+  for (const Curve& curve : panel.curves) {
+    const bool largest = &curve == &panel.curves.front();
     for (const double y : curve.y)
-      if (std::isfinite(y)) top = std::max(top, y), least = std::min(least, y);
-  const double low = top > 0 ? std::pow(10.0, std::floor(std::log10(top)) - 2) : 0;
+      if (y > 0 && std::isfinite(y)) {
+        top = std::max(top, y), least = std::min(least, y);
+        if (largest) least_of_largest = std::min(least_of_largest, y);
+      }
+  }
+  const double low =
+      top > 0 ? std::min(std::pow(10.0, std::floor(std::log10(top)) - 2), least_of_largest) : 0;
   if (least < low) panel.y.low = low;
   point_words(panel);
   return panel;

@@ -211,6 +211,18 @@ double rounding_of(std::span<const double> t, double step) {
   return rounding >= coarse * step ? rounding : 0;
 }
 
+/// Of times with so many digits those of the largest power of ten are rounded most; else 0.
+double decimal_rounding_of(std::span<const double> t, double step) {
+  constexpr std::size_t fewest = 16;
+  if (!(t.back() > 0)) return 0;
+  const double decade = std::pow(10.0, std::floor(std::log10(t.back())));
+  const auto first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), decade) - t.begin());
+  if (t.size() - first < fewest) return 0;
+  const double rounding = rounding_of(t.subspan(first), step);
+  const double digit = std::pow(10.0, std::round(std::log10(rounding)));
+  return std::fabs(rounding - digit) < 1e-6 * digit ? rounding : 0;
+}
+
 /// The usual time from sample to sample, also where rounding or jitter spoils the median step: from the
 /// median of stretches of sixteen, unless gaps spoil those.
 double pace_of(std::span<const double> t, double step) {
@@ -329,7 +341,8 @@ std::optional<EvenClock> even_clock(std::span<const double> t, double median_ste
   constexpr std::size_t fewest = 16;
   const std::size_t n = t.size();
   if (n < fewest) return std::nullopt;
-  const double r = rounding_of(t, median_step);
+  const double same = rounding_of(t, median_step);
+  const double r = same > 0 ? same : decimal_rounding_of(t, median_step);
   if (!(r > 0)) return std::nullopt;
   // The mean of the stretches without a missing sample, which differ by one rounding at most.
   const std::vector<double> stretches = differences(t, fewest - 1);
@@ -372,7 +385,9 @@ std::optional<EvenClock> even_clock(std::span<const double> t, double median_ste
   EvenClock clock{{}, known.step, known.error, round_within(r, 1e-4)};
   const double middle = 0.5 * (number.front() + number.back());
   const double grain = 1e-6 * clock.spacing;  // a start at 0 is 0
-  const double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);
+  double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);
+  // Of times with so many digits the first are known best.
+  if (!(same > 0) && number.front() == 0 && std::fabs(begin - t.front()) < 0.01 * r) begin = t.front();
   for (const double k : number) clock.t.push_back(begin + clock.spacing * k);
   return clock;
 }

@@ -119,10 +119,13 @@ void widen(Extent& e, double share, bool logarithmic) {
   }
 }
 
+constexpr double told_apart = 1e-12;  // of the values
+constexpr double rounding = 1e-9;     // of computed values: what differs by less is one value
+
 // An empty or single-valued extent becomes one that can be drawn.
-void open_up(Extent& e, bool logarithmic) {
+void open_up(Extent& e, bool logarithmic, double least = told_apart) {
   if (!(e.low <= e.high)) e.low = logarithmic ? 1 : 0, e.high = logarithmic ? 10 : 1;
-  if (e.high - e.low > 1e-12 * std::max(std::abs(e.low), std::abs(e.high))) return;
+  if (e.high - e.low > least * std::max(std::abs(e.low), std::abs(e.high))) return;
   if (logarithmic) {
     e.low /= 2, e.high *= 2;
   } else {
@@ -213,13 +216,17 @@ AxisRange y_range(const Panel& panel, const AxisRange& x) {
       if (curve.x[i] >= x.low && curve.x[i] <= x.high) e.take(curve.y[i], logarithmic);
     }
   }
-  open_up(e, logarithmic);
+  open_up(e, logarithmic, rounding);
   if (panel.phase_portrait) {
     phase_extent(e, logarithmic);
     return finish(e, panel.y);
   }
   const double low = e.low, high = e.high, span = high - low;
   if (logarithmic) {
+    // What is cut off needs no room.
+    if (panel.y.low > 0) e.low = std::clamp(panel.y.low, e.low, e.high);
+    if (panel.y.high > 0) e.high = std::clamp(panel.y.high, e.low, e.high);
+    open_up(e, true);
     widen(e, room, true);
     return finish(e, panel.y);
   }

@@ -18,11 +18,13 @@ constexpr std::size_t few_dots = 40;  // each is to be seen
 constexpr double few_dots_width = 5;  // [px]
 constexpr double dots_apart = 5;      // [px] on a line
 constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
+constexpr double swing_dots = 1.5;    // per pixel column: those of a narrow swing make a pattern of their own
+constexpr double swing_columns = 40;  // of a narrow swing's period
 constexpr double band_columns = 6;    // columns per period from which on a band is filled
 constexpr double crosses_within = 4;  // [px] of the frame
 constexpr double far_outside = 3000;  // [px] beyond this a point is held, so that the line's direction stays
 
-bool is_dense(const std::vector<Spot>& spots) {
+bool is_dense(const std::vector<Spot>& spots, double period_columns) {
   std::vector<Spot> finite;
   double left = std::numeric_limits<double>::infinity(), right = -left;
   for (const Spot& p : spots) {
@@ -30,7 +32,9 @@ bool is_dense(const std::vector<Spot>& spots) {
     finite.push_back(p);
     left = std::min(left, p.x), right = std::max(right, p.x);
   }
-  if (static_cast<double>(finite.size()) < dense_dots * std::max(1.0, right - left)) return false;
+  const bool swings = period_columns > band_columns && period_columns < swing_columns;
+  const double most = swings ? swing_dots : dense_dots;
+  if (static_cast<double>(finite.size()) < most * std::max(1.0, right - left)) return false;
   const Band band = min_max_band(finite, 1);
   double thickness = 0;
   for (std::size_t i = 0; i < band.x.size(); ++i) thickness += band.high[i] - band.low[i];
@@ -113,7 +117,7 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, cons
   }
   if (curve.mark != Mark::line) {
     const double columns = columns_per_period(spots);
-    const bool dense = is_dense(spots);
+    const bool dense = is_dense(spots, columns);
     if (dense && columns <= band_columns) {
       placed.mark = Mark::band;
       placed.band = band_of_pieces(spots, std::max(1, static_cast<int>(std::ceil(columns)) + 1));

@@ -29,6 +29,9 @@ bool qualifies(std::string_view code) {
          code == "one_mass_for_unlike_files";
 }
 
+/// Of a step of rounding: a law that leaves less leaves nothing else.
+constexpr double all_rounding = 0.3;
+
 /// One recording's part of the study.
 class Part : public LabTold {
  public:
@@ -50,6 +53,7 @@ class Part : public LabTold {
     heading("report_measured");
     paragraph(words("report_samples", {{"file", verbatim(title())},
                                        {"used", used()},
+                                       {"part", part()},
                                        {"duration", in_braces("duration, 4")},
                                        {"rate", rate()},
                                        {"aside", set_aside()}}));
@@ -67,24 +71,23 @@ class Part : public LabTold {
   /// The lines of the summary.
   std::vector<std::string> summary() const {
     if (!fitted_.succeeded()) return {no_law()};
+    if (is_poorly_described())
+      return {words("report_poorly_described", {{"file", verbatim(title())}, {"rms", rms()}})};
     std::vector<std::string> lines;
     const auto add = [&](std::string_view code, std::vector<NoticeValue> values) {
       lines.push_back(words(code, std::move(values)));
     };
     // Also where a velocity or an acceleration was measured this is a displacement.
-    const Parameter* at = named(fitted_.derived, "at_amplitude");
-    const bool depends = !fitted_.driven && at;
-    const std::string unit = at ? readable_unit(at->unit, of_position() ? spread_ : at->estimate.value) : "";
     const bool harmonic = fitted_.find("drive_frequency") != nullptr;
     add(!is_known("frequency") ? fitted_.driven ? "report_driven_motion" : "report_free_motion"
         : harmonic             ? "report_driven_by"
         : fitted_.driven       ? "report_driven_at"
-        : depends              ? "report_swings_at_amplitude"
+        : has_amplitude()      ? "report_swings_at_amplitude"
                                : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces("frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
-         {"amplitude", in_braces(unit.empty() ? "at_amplitude, 3" : "at_amplitude, " + unit + ", 3")}});
+         {"amplitude", at_amplitude()}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
     for (const Notice& notice : fitted_.notices)
@@ -97,14 +100,19 @@ class Part : public LabTold {
   }
 
   void key_figures() const {
+    if (is_poorly_described()) return;
     const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
       toml_.table("key_figure");
       toml_.text("name", words(code));
       toml_.text("value", in_braces(value + ", concise"));
       toml_.text("remark", remark);
     };
+    // Of a swing whose frequency and damping change as it dies down.
+    const std::string there =
+        depends_on_amplitude() ? words("report_of_amplitude", {{"amplitude", at_amplitude()}}) : "";
     if (is_known("frequency"))
-      key("frequency", "frequency", words("report_period_is", {{"period", in_braces("period, 4")}}));
+      key("frequency", "frequency",
+          there.empty() ? words("report_period_is", {{"period", in_braces("period, 4")}}) : there);
     if (const Estimate* k = fitted_.find("stiffness"))
       key("stiffness", "stiffness", interval("stiffness", *k));
     if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
@@ -117,22 +125,34 @@ class Part : public LabTold {
               : interval("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
       key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
-    else if (is_known("quality_factor"))
-      key("quality_factor", "quality_factor", "");
+    else if (is_known("quality_factor") && std::isfinite(fitted_.find("quality_factor")->high))
+      key("quality_factor", "quality_factor", there);
   }
 
   /// The row of this recording in the table of all.
   std::vector<std::string> row() const {
     const auto known = [&](std::string_view name) {
-      return named(fitted_.headline, name) ? in_braces(std::string(name)) : std::string("–");
+      return named(fitted_.headline, name) ? in_braces(std::string(name) + ", concise") : std::string("–");
     };
-    if (!fitted_.succeeded()) return {verbatim(title()), "–", "–", "–", "–", "–"};
+    if (!fitted_.succeeded() || is_poorly_described()) return {verbatim(title()), "–", "–", "–", "–", "–"};
     return {verbatim(title()),       known("frequency"),
             known("stiffness"),      known("decay_rate_start"),
-            known("decay_rate_end"), fitted_.reynolds_max ? in_braces("reynolds.max") : "–"};
+            known("decay_rate_end"), fitted_.reynolds_max ? in_braces("reynolds.max, concise") : "–"};
   }
 
  private:
+  bool has_amplitude() const { return !fitted_.driven && is_known("at_amplitude"); }
+  /// Whether the frequency or the damping changes as the swing dies down.
+  bool depends_on_amplitude() const { return has_amplitude() && !is_linear(fitted_.fit.law); }
+
+  /// The amplitude that the frequency and the damping hold at; "" where they hold at any.
+  std::string at_amplitude() const {
+    const Parameter* at = named(fitted_.derived, "at_amplitude");
+    if (!at) return "";
+    const std::string unit = readable_unit(at->unit, of_position() ? spread_ : at->estimate.value);
+    return in_braces(unit.empty() ? "at_amplitude, 3" : "at_amplitude, " + unit + ", 3");
+  }
+
   /// Whether the law gives this number: a spring that softens so far has no frequency at its amplitude.
   bool is_known(std::string_view name) const {
     if (name == "at_amplitude" && !is_known("frequency")) return false;
@@ -224,9 +244,10 @@ class Part : public LabTold {
     const double step = fitted_.series.resolution;
     const LengthUnit length = length_unit(step);
     const bool is_length = si() == "m";
-    text += words(residual.white                    ? "report_white"
-                  : is_rounding(residual.rms, step) ? "report_rounding"
-                                                    : "report_not_white",
+    text += words(residual.white ? "report_white"
+                  : is_rounding(residual.rms, step)
+                      ? residual.rms < all_rounding * step ? "report_rounding" : "report_mostly_rounding"
+                      : "report_not_white",
                   {{"rms", rms()},
                    {"step", is_length ? step / length.metres : step},
                    {"unit", is_length ? length.symbol : si()}});
@@ -237,6 +258,7 @@ class Part : public LabTold {
     for (const Notice& notice : fitted_.notices)
       if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
         paragraph(verbatim(words("report_sentence", {{"what", notice}})));
+    wide_intervals();
     swings_figure();
     residual_figure();
   }
@@ -253,12 +275,26 @@ class Part : public LabTold {
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
         if (std::find(listed.begin(), listed.end(), each.name) != listed.end() || !is_known(each.name) ||
+            (each.name == "at_amplitude" && is_linear(fitted_.fit.law)) ||
             (has_one_rate() && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
         rows += row_of(each);
       }
     toml_.bare("rows", "[\n" + rows + "]");
+  }
+
+  /// Of few degrees of freedom a 95 % interval is much wider than twice the standard uncertainty.
+  void wide_intervals() {
+    constexpr double wide = 3;  // of a standard uncertainty, to each side: less than some three degrees
+    std::vector<std::string> names;
+    for (const Parameter& each : fitted_.parameters) {
+      const Estimate& e = each.estimate;
+      const double reach = std::max(e.high - e.value, e.value - e.low);
+      if (std::isfinite(reach) && e.standard_error > 0 && reach > wide * e.standard_error)
+        names.push_back(name_in_table(each.name));
+    }
+    if (!names.empty()) paragraph(words("report_few_degrees", {{"names", names}}));
   }
 
   /// The first periods, as the law has them and as they were measured.
@@ -397,6 +433,12 @@ class Part : public LabTold {
                {"mass", in_braces("mass, g")},
                {"interval", interval("stiffness", k)}});
     if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
+    if (depends_on_amplitude() && !is_linear(fitted_.fit.law.without(dampings)))
+      text += " " + words("report_small_swings_stiffness",
+                          {{"frequency", in_braces("frequency")}, {"amplitude", at_amplitude()}});
+    for (const Notice& notice : fitted_.notices)
+      if (notice.code == "swing_does_not_die_down")
+        text += " " + verbatim(words("report_sentence", {{"what", notice}}));
     double most = 0;
     std::string_view source;
     for (const Contribution& each : fitted_.stiffness_budget)
@@ -471,6 +513,15 @@ class Part : public LabTold {
                               most_times_as_far, step(), steps);
   }
 
+  /// Where forward Euler goes to when steps_until_it_leaves() ends.
+  std::string_view why_it_leaves() const {
+    const Law law = fitted_.fit.law;
+    if (is_linear(law.without(dampings))) return "report_leaves_far";
+    if (!law.has<Pendulum>()) return "report_leaves";
+    return most_times_as_far * fitted_.find("at_amplitude")->value > pi ? "report_leaves_over_top"
+                                                                        : "report_leaves_far";
+  }
+
   double until() const { return std::stod(fmt::format("{:.12g}", static_cast<double>(steps_) * step())); }
 
   // Forward Euler and Euler-Cromer beside the exact motion.
@@ -526,7 +577,7 @@ class Part : public LabTold {
   void methods() {
     heading("report_methods");
     const std::string ends = words(
-        "report_leaves", {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}, {"times", most_times_as_far}});
+        why_it_leaves(), {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}, {"times", most_times_as_far}});
     paragraph(words("report_methods_text",
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},
@@ -535,7 +586,9 @@ class Part : public LabTold {
               of_method(forward_, words("forward-euler")) + of_method(cromer_, words("euler-cromer")));
     const bool length = si() == "m" || si() == "m/s";
     const Motion& motion = fitted_.fit.motion;
-    const double w = two_pi / period_, amplitude = std::hypot(motion.position, motion.velocity / w);
+    // A driven motion may begin from rest.
+    const double w = two_pi / period_, amplitude = std::max(std::hypot(motion.position, motion.velocity / w),
+                                                            of_position() ? spread_ : 0);
     const std::string x_unit = length ? readable_unit("m", amplitude) : "";
     const std::string v_unit = length ? readable_unit("m/s", w * amplitude) : "";
     const std::string& x_shown = length ? x_unit : units_.displacement;
@@ -559,7 +612,12 @@ class Part : public LabTold {
     toml_.figure(figure);
 
     figure = method_figure(ids[1], "report_velocity_title", "report_velocity_caption", "v", velocity, v_unit);
-    add_methods(figure, true);
+    if (of_velocity()) {
+      figure.curves.push_back(measured_swing(until()));
+      figure.caption =
+          words("report_velocity_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
+    }
+    add_methods(figure, !of_velocity());
     figure.size = "tall";
     toml_.figure(figure);
 
@@ -611,7 +669,10 @@ class Part : public LabTold {
     toml_.bare("points", "2000");
     toml_.text("damping_ratios", in_braces("damping_ratio, si"));
     paragraph(words("report_resonance_text",
-                    {{"drive", in_braces("drive_frequency, Hz")}, {"natural", in_braces("frequency")}}));
+                    {{"drive", in_braces("drive_frequency, Hz")}, {"natural", in_braces("frequency")}}) +
+              (at_amplitude().empty()
+                   ? ""
+                   : " " + words("report_resonance_reach", {{"amplitude", at_amplitude()}})));
     const std::string curve = task + ".1";
     const std::string ids[] = {figure_id("resonance"), figure_id("lag")};
     FigureLines figure{

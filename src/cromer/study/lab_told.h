@@ -105,6 +105,14 @@ class LabTold {
     return {};
   }
 
+  /// Whether the law leaves so much that its numbers are not those of the motion.
+  bool is_poorly_described() const {
+    constexpr double much = 0.1;  // of the swing
+    const std::string& code = first_doubt().code;
+    return (code == "no_law_describes" || code == "law_does_not_describe") &&
+           fitted_.fit.residual.rms > much * spread_;
+  }
+
   /// Whether the rate is the same at the start and at the end, by the law.
   bool has_one_rate() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
@@ -180,12 +188,13 @@ class LabTold {
       if (!fitted_.fit.law.has<T>()) return;
       sum += std::string(sum.empty() ? "" : " + ") + std::string(T::info.formula);
     });
-    const bool turns = units_.displacement == "rad";
-    return fmt::format("{} x'' + {} = {}", turns ? "I" : "m", sum,
+    return fmt::format("{} x'' + {} = {}", turns() ? "I" : "m", sum,
                        !fitted_.driven                                 ? "0"
                        : fitted_.fit.drive.kind == DriveKind::harmonic ? "F cos(w t + phi)"
                                                                        : "F(t)");
   }
+
+  bool turns() const { return units_.displacement == "rad"; }
 
   double begin() const { return fitted_.series.t.front(); }
 
@@ -211,12 +220,21 @@ class LabTold {
     return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
   }
 
-  /// The samples that the fit used, and of how many where a part was left out.
+  bool all_are_used() const { return fitted_.series.t.size() == fitted_.samples; }
+
+  /// The samples that the fit used, and of how many where a part was left out: the words of samples.
   std::string used() const {
     const std::string count = in_braces("used, bare");
-    return fitted_.series.t.size() == fitted_.samples
-               ? count
+    return all_are_used()
+               ? words("report_samples_used", {{"used", count}})
                : words("report_used_of", {{"used", count}, {"samples", in_braces("samples, bare")}});
+  }
+
+  /// From when to when, where a part was left out.
+  std::string part() const {
+    return all_are_used()
+               ? ""
+               : words("report_part", {{"from", in_braces("from, 4")}, {"to", in_braces("to, 4")}});
   }
 
   std::string set_aside() const {
@@ -227,23 +245,28 @@ class LabTold {
     return text;
   }
 
+  std::string name_in_table(const std::string& name) const {
+    return is_viscous_part(fitted_.fit.law, name) ? words("report_viscous_part")
+           : name == "decay_rate_start"           ? words("report_rate_at_start")
+           : name == "decay_rate_end"             ? words("report_rate_at_end")
+           : name == "reynolds_max"               ? words("report_reynolds_max")
+           : name == "at_amplitude"               ? words("report_at_amplitude")
+           : name == "angular_frequency"          ? words("report_small_swings")
+           : name == "drag" ? words(turns() ? "report_drag_per_inertia" : "report_drag_per_mass")
+           : name == "equilibrium" && is_zero() ? words("report_zero")
+           : name == "damping"                  ? words("report_damping_constant")
+           : name == "position"                 ? words("report_position_at_start")
+           : name == "velocity"                 ? words("report_velocity_at_start")
+                                                : name_of(name);
+  }
+
   std::string row_of(const Parameter& each) const {
-    const std::string name = is_viscous_part(fitted_.fit.law, each.name) ? words("report_viscous_part")
-                             : each.name == "decay_rate_start"           ? words("report_rate_at_start")
-                             : each.name == "decay_rate_end"             ? words("report_rate_at_end")
-                             : each.name == "reynolds_max"               ? words("report_reynolds_max")
-                             : each.name == "at_amplitude"               ? words("report_at_amplitude")
-                             : each.name == "angular_frequency"          ? words("report_small_swings")
-                             : each.name == "drag"                       ? words("report_drag_per_mass")
-                             : each.name == "damping"                    ? words("report_damping_constant")
-                             : each.name == "position"                   ? words("report_position_at_start")
-                             : each.name == "velocity"                   ? words("report_velocity_at_start")
-                                                                         : name_of(each.name);
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
     const bool known = each.estimate.standard_error > 0;
     const std::string ends = known ? interval(place, each.estimate) : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
-    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name), toml_text(in_braces(place)), toml_text(ends),
+    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
+                       toml_text(in_braces(place)), toml_text(ends),
                        toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 

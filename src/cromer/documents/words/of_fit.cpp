@@ -117,10 +117,10 @@ constexpr Entry entries[] = {
     {"all_set_aside", error, "all values of column \"{column}\" are set aside",
      "alle Werte der Spalte „{column}“ sind beiseitegelegt"},
     {"free_part_taken", worth_knowing,
-     "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {|{--from} and "
-     "{--to}|the handles} choose another part",
-     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit {|{--from} und "
-     "{--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+     "{reason}: what follows from {from:.4g} s, {kept} of {samples} samples, is taken for a free motion; "
+     "{|{--from} and {--to}|the handles} choose another part",
+     "{reason}: was ab {from:.4g} s folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit "
+     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it, as when a hand catches it: only what comes before, {kept} of {samples} "
@@ -366,6 +366,24 @@ constexpr Entry entries[] = {
      "{--drive-frequency} auto looks for a drive elsewhere",
      "mit {asked:.6g} Hz treibt nichts diese Bewegung, soweit zu sehen ist ({compared}): als freie Bewegung "
      "angepasst; {--drive-frequency} auto sucht anderswo nach einem Antrieb"},
+    {"force_taken_as_exact", worth_knowing,
+     "the recorded force is taken as exact: what noise of its sensor does to the motion is not in the "
+     "uncertainties, and near the resonance that is much",
+     "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
+     "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
+    {"axis_holds_gravity", worth_knowing,
+     "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor shows "
+     "twice the frequency and twice the decay rate; another axis, or one without g, shows the swing itself",
+     "die Werte liegen um {mean:.3g} m/s²: diese Achse enthält die Schwerkraft. Längs eines Pendelfadens zeigt "
+     "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine andere Achse oder eine ohne g zeigt die "
+     "Schwingung selbst"},
+    {"motion_has_settled", error,
+     "the motion of {frequency:.6g} Hz does not die down: once it has settled, a driven motion shows the "
+     "drive's frequency, and neither the body's own nor its damping. Record from where the drive is switched "
+     "on or off; without {--drive-frequency} the motion is taken for a free one",
+     "die Bewegung mit {frequency:.6g} Hz klingt nicht ab: eingeschwungen zeigt eine angetriebene Bewegung "
+     "die Frequenz des Antriebs, weder die des Körpers noch seine Dämpfung. Bitte von dort aufnehmen, wo der "
+     "Antrieb ein- oder ausgeschaltet wird; ohne {--drive-frequency} gilt die Bewegung als freie"},
     {"neither_driven_nor_free", error,
      "no drive is seen at {asked:.6g} Hz, and no free law describes the motion either ({compared}); "
      "{--drive-frequency} auto looks for a drive",

@@ -310,26 +310,33 @@ constexpr Entry entries[] = {
      "s on it only swings: choose that part with {|{--from}|the handles}",
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich; ab {time:.4g} s schwingt "
      "es nur noch: bitte diesen Teil mit {|{--from}|den Griffen} wählen"},
+    {"perhaps_degrees", wrong_if_ignored,
+     "if the angles are degrees and not radians, the header can say so: \"(°)\" behind the column's name",
+     "sind die Winkel in Grad und nicht in Radiant, so kann die Kopfzeile das sagen: „(°)“ hinter dem Namen "
+     "der Spalte"},
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,
      "the residual oscillates at {frequency:.5g} Hz, at first with an amplitude of {amplitude:.2g}{unit: } "
-     "({percent:.2g} % of the swing's at {swing:.5g} Hz): {what}",
+     "({percent:.2g} % of the swing's): {what}",
      "der Rest schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von {amplitude:.2g}{unit: } "
-     "({percent:.2g} % der Schwingung mit {swing:.5g} Hz): {what}"},
+     "({percent:.2g} % der Schwingung): {what}"},
     {"second_harmonic", clause,
-     "twice the swing's frequency: its second harmonic, from a spring or a sensor that is not symmetric",
-     "das Doppelte ihrer Frequenz: die zweite Harmonische, von einer Feder oder einem Sensor, die nicht "
-     "symmetrisch sind"},
+     "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from a "
+     "spring or a sensor that is not symmetric",
+     "das Doppelte ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die zweite "
+     "Harmonische, von einer Feder oder einem Sensor, die nicht symmetrisch sind"},
     {"third_harmonic", clause,
-     "three times the swing's frequency: its third harmonic, from a spring, a damping or a sensor that is "
-     "nonlinear in another way than the law",
-     "das Dreifache ihrer Frequenz: die dritte Harmonische, von einer Feder, einer Dämpfung oder einem "
-     "Sensor, die auf andere Weise nichtlinear sind als das Gesetz"},
+     "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
+     "from a spring, a damping or a sensor that is nonlinear in another way than the law",
+     "das Dreifache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die dritte "
+     "Harmonische, von einer Feder, einer Dämpfung oder einem Sensor, die auf andere Weise nichtlinear sind "
+     "als das Gesetz"},
     {"higher_harmonic", clause,
-     "{order} times the swing's frequency: a harmonic of it, as from a motion with corners or cut-off peaks",
-     "das {order}-Fache ihrer Frequenz: eine Harmonische, wie von einer Bewegung mit Ecken oder "
-     "abgeschnittenen Gipfeln"},
+     "{order} times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: a harmonic of it, as "
+     "from a motion with corners or cut-off peaks",
+     "das {order}-Fache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: eine "
+     "Harmonische, wie von einer Bewegung mit Ecken oder abgeschnittenen Gipfeln"},
     {"second_mode", clause,
      "a second mode, as from a coupled or a sideways swing, or something that shakes the mount",
      "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},
@@ -350,7 +357,7 @@ constexpr Entry entries[] = {
      "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
     {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
     {"held_still_then_set_going", clause, "it is held still until {time:.4g} s and then set going",
-     "bis {time:.4g} s wird festgehalten, dann losgelassen"},
+     "bis {time:.4g} s wird festgehalten, dann in Gang gesetzt"},
 
     // Laws as they are typed.
     {"law_auto_in_sum", error,

@@ -140,11 +140,15 @@ constexpr Entry entries[] = {
      "{--column}|eine wählen, zum Beispiel} „{first}“"},
     {"liveliest_axis_taken", worth_knowing,
      "of the sensor's axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} "
-     "(\"{other}\" by "
-     "{less:.2g}); {|{--column} names another|another one can be chosen}",
+     "(\"{other}\" by {less:.2g}); {|{--column} names another|another one can be chosen}",
      "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am deutlichsten, um "
      "{amplitude:.2g}{unit} („{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist "
      "wählbar}"},
+    {"axes_alike", worth_knowing,
+     "of the sensor's axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit}; \"{other}\" swings "
+     "about as far, by {less:.2g}; {|{--column} names another|another one can be chosen}",
+     "von den Achsen des Sensors wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt; „{other}“ "
+     "schwingt etwa ebenso weit, um {less:.2g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",

@@ -22,6 +22,13 @@ constexpr Entry entries[] = {
     {"report_run_of", clause, "{file}, run {run}", "{file}, Lauf {run}"},
     {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
+    {"report_poorly_described", clause,
+     "{file}: no law that was tried describes this motion. The one that leaves least leaves {rms} (root mean "
+     "square), more than a tenth of the swing: its numbers are not those of the motion. A part that swings "
+     "freely may have a law ({--from}, {--to}).",
+     "{file}: kein Gesetz, das geprüft wurde, beschreibt diese Bewegung. Das beste lässt {rms} (Effektivwert) "
+     "übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der Bewegung. Ein Teil, der "
+     "frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
     {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
@@ -34,8 +41,8 @@ constexpr Entry entries[] = {
      "Amplitude, bei der Frequenz, Periode, Dämpfungsgrad, Güte und Dekrement gelten"},
     {"report_zero", clause, "zero of the sensor", "Nullpunkt des Sensors"},
     {"report_record_with_zero", clause,
-     "The recording, {used} samples, and the sensor's zero by the law, {level}.",
-     "Die Aufnahme, {used} Messwerte, und der Nullpunkt des Sensors nach dem Gesetz, {level}."},
+     "The recording, {used}, and the sensor's zero by the law, {level}.",
+     "Die Aufnahme, {used}, und der Nullpunkt des Sensors nach dem Gesetz, {level}."},
     {"report_angular_velocity", clause, "angular velocity", "Winkelgeschwindigkeit"},
     {"report_driven_at", clause,
      "{file}: a driven motion of an oscillator whose own frequency is {frequency}.",
@@ -62,6 +69,7 @@ constexpr Entry entries[] = {
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
      "Die Reynolds-Zahl erreicht {largest}."},
     {"report_period_is", clause, "period {period}", "Periode {period}"},
+    {"report_of_amplitude", clause, "at an amplitude of {amplitude}", "bei einer Amplitude von {amplitude}"},
     {"report_interval", clause, "{low} to {high}", "{low} bis {high}"},
     {"report_at_least", clause, "at least {low}", "mindestens {low}"},
     {"report_rate_at_start", clause, "decay rate at the start", "Abklingrate am Anfang"},
@@ -69,8 +77,8 @@ constexpr Entry entries[] = {
     {"report_at_end", clause, "at the end {rate}", "am Ende {rate}"},
     {"report_reynolds_max", clause, "largest Reynolds number", "größte Reynolds-Zahl"},
     {"report_at", clause, "at {t}", "bei {t}"},
-    {"report_recordings", clause, "What the recordings say. ± is one standard uncertainty.",
-     "Was die Aufnahmen sagen. ± ist eine Standardunsicherheit."},
+    {"report_recordings", clause, "What the recordings say. In brackets the standard uncertainty of the last digits.",
+     "Was die Aufnahmen sagen. In Klammern die Standardunsicherheit der letzten Stellen."},
     {"report_recording", clause, "recording", "Aufnahme"},
 
     // What its writer adds.
@@ -80,9 +88,11 @@ constexpr Entry entries[] = {
 
     // The recording and its law.
     {"report_measured", clause, "What was measured", "Was gemessen wurde"},
-    {"report_samples", clause, "{file}: {used} samples in {duration}{rate}.{aside}",
-     "{file}: {used} Messwerte in {duration}{rate}.{aside}"},
-    {"report_used_of", clause, "{used} of {samples}", "{used} von {samples}"},
+    {"report_samples", clause, "{file}: {used}{part} in {duration}{rate}.{aside}",
+     "{file}: {used}{part} in {duration}{rate}.{aside}"},
+    {"report_samples_used", clause, "{used} samples", "{used} Messwerte"},
+    {"report_used_of", clause, "{used} of {samples} samples", "{used} von {samples} Messwerten"},
+    {"report_part", clause, ", those from {from} to {to},", ", die von {from} bis {to},"},
     {"report_rate", clause, ", {rate} a second", ", {rate} pro Sekunde"},
     {"report_gaps", clause, " Samples are missing at {gaps:place|places}.",
      " An {gaps:Stelle|Stellen} fehlen Messwerte."},
@@ -91,10 +101,10 @@ constexpr Entry entries[] = {
      " {outliers:Messwert liegt|Messwerte liegen} weit neben der Bewegung und {outliers?wird|werden} "
      "beiseite gelassen."},
     {"report_record_title", clause, "Measured: {file}", "Gemessen: {file}"},
-    {"report_record", clause, "The recording, {used} samples.", "Die Aufnahme, {used} Messwerte."},
+    {"report_record", clause, "The recording, {used}.", "Die Aufnahme, {used}."},
     {"report_record_with_level", clause,
-     "The recording, {used} samples, and the rest position by the law, {level}.",
-     "Die Aufnahme, {used} Messwerte, und die Ruhelage nach dem Gesetz, {level}."},
+     "The recording, {used}, and the rest position by the law, {level}.",
+     "Die Aufnahme, {used}, und die Ruhelage nach dem Gesetz, {level}."},
     {"report_is_measured", clause, "measured", "gemessen"},
     {"report_level", clause, "rest position", "Ruhelage"},
     {"report_time", clause, "time *t* (s)", "Zeit *t* (s)"},
@@ -129,6 +139,11 @@ constexpr Entry entries[] = {
      "of {step:.3g}{unit: } makes. Rounding leaves a pattern of its own.",
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), nicht mehr, als Runden auf Schritte "
      "von {step:.3g}{unit: } ausmacht. Runden hinterlässt ein eigenes Muster."},
+    {"report_mostly_rounding", clause,
+     "What it leaves of the measured values is {rms} (root mean square), most of it from rounding them to "
+     "steps of {step:.3g}{unit: }. Rounding leaves a pattern of its own.",
+     "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), das meiste davon vom Runden auf "
+     "Schritte von {step:.3g}{unit: }. Runden hinterlässt ein eigenes Muster."},
     {"report_how", clause,
      "The law was integrated and fitted to all samples in use by least squares, its start "
      "included{several}.",
@@ -144,12 +159,19 @@ constexpr Entry entries[] = {
      "recordings, if the law is right.",
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
+    {"report_few_degrees", clause,
+     "The 95 % interval of {names:and} is wider than ± suggests: what disturbs it is slow, so that the record "
+     "holds few independent values of it.",
+     "Das 95-%-Intervall ist weiter, als ± vermuten lässt, bei: {names:and}. Was hier stört, ist langsam, und "
+     "die Aufnahme enthält davon nur wenige unabhängige Werte."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
     {"disc_diameter", clause, "disc's diameter", "Durchmesser der Scheibe"},
     {"report_small_swings", clause, "angular frequency of small swings *ω*_{{0}}",
      "Kreisfrequenz kleiner Schwingungen *ω*_{{0}}"},
     {"report_drag_per_mass", clause, "drag per mass *d*/*m*", "Luftwiderstand je Masse *d*/*m*"},
+    {"report_drag_per_inertia", clause, "drag per moment of inertia *d*/*I*",
+     "Luftwiderstand je Trägheitsmoment *d*/*I*"},
     {"report_damping_constant", clause, "damping constant *c*", "Dämpfungskonstante *c*"},
     {"report_viscous_part", clause, "viscous part of the decay rate", "viskoser Anteil der Abklingrate"},
     {"report_swings_title", clause, "The first swings, measured and by the law",
@@ -214,6 +236,11 @@ constexpr Entry entries[] = {
      "einem Drittel der Masse der Feder folgt *k* = "
      "(*m* + "
      "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
+    {"report_small_swings_stiffness", clause,
+     "That is its stiffness for small swings, as this law has them; the frequency of {frequency} is that of "
+     "swings of {amplitude}, and does not give the same *k*.",
+     "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die von "
+     "Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",
@@ -266,6 +293,11 @@ constexpr Entry entries[] = {
      "the law.",
      "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder "
      "{times:g}-mal so weit wie das Gesetz."},
+    {"report_leaves_over_top", clause, "They end at {t}, before forward Euler swings over the top.",
+     "Sie enden bei {t}, bevor das Euler-Verfahren sich überschlägt."},
+    {"report_leaves_far", clause,
+     "They end at {t}, before forward Euler goes {times:g} times as far as the law.",
+     "Sie enden bei {t}, bevor das Euler-Verfahren {times:g}-mal so weit ausschlägt wie das Gesetz."},
     {"report_closed_form", clause, "the closed form", "der geschlossenen Form"},
     {"report_dormand_prince", clause, "the method of Dormand and Prince with a tolerance of 10^{{−10}}",
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
@@ -283,6 +315,8 @@ constexpr Entry entries[] = {
     {"report_velocity_title", clause, "Velocity by both methods", "Geschwindigkeit nach beiden Verfahren"},
     {"report_velocity_caption", clause, "The velocity by both methods, steps of {step}.",
      "Die Geschwindigkeit nach beiden Verfahren, Schritte von {step}."},
+    {"report_velocity_measured", clause, "The velocity as measured and by both methods, steps of {step}.",
+     "Die Geschwindigkeit, gemessen und nach beiden Verfahren, Schritte von {step}."},
     {"report_portrait_title", clause, "Velocity against position by both methods",
      "Geschwindigkeit gegen Ort nach beiden Verfahren"},
     {"report_portrait_caption", clause, "Phase portrait of the same runs.", "Phasenbild derselben Läufe."},
@@ -301,12 +335,16 @@ constexpr Entry entries[] = {
     // Under other frequencies.
     {"report_resonance", clause, "The resonance of this law", "Die Resonanz dieses Gesetzes"},
     {"report_resonance_text", clause,
-     "The drive of this recording has {drive}; the oscillator's own frequency is {natural}. "
-     "The figures "
-     "show the steady motion of the law under a drive of the same strength at other frequencies.",
+     "The drive of this recording has {drive}; the oscillator's own frequency is {natural}. The figures show "
+     "the steady motion of the law under a drive of the same strength at other frequencies.",
      "Der Antrieb dieser Aufnahme hat {drive}; die eigene Frequenz des Schwingers ist {natural}. Die "
      "Abbildungen zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei "
      "anderen Frequenzen."},
+    {"report_resonance_reach", clause,
+     "The law was found at amplitudes of about {amplitude}; beyond them the figures hold only as far as it "
+     "does.",
+     "Gefunden ist das Gesetz bei Amplituden von etwa {amplitude}; darüber hinaus gelten die Abbildungen nur "
+     "so weit wie das Gesetz."},
     {"report_resonance_title", clause, "Amplitude against drive frequency",
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",

@@ -403,15 +403,15 @@ constexpr Entry entries[] = {
     {"swung_evenly", clause, "swung at {frequency:.6g} rad/s on average, {amplitude:.4g} m to each side",
      "schwang im Mittel mit {frequency:.6g} rad/s, {amplitude:.4g} m nach jeder Seite"},
     {"swung_less_and_less", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing down to "
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turns down to "
      "{last:.4g} m",
-     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung "
+     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
      "herunter auf {last:.4g} m"},
     {"swung_more_and_more", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m in its first half swing up to {last:.4g} "
-     "m",
-     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m in der ersten halben Schwingung hinauf "
-     "auf {last:.4g} m"},
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turns up to "
+     "{last:.4g} m",
+     "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
+     "hinauf auf {last:.4g} m"},
     {"kept_its_energy", clause, "kept its {energy:.4g} J", "behielt seine {energy:.4g} J"},
     {"energy_comes_back", clause,
      "had {energy:.4g} J and at the end {percent:.2g} % less, which comes and goes",
@@ -426,16 +426,16 @@ constexpr Entry entries[] = {
     {"energy_went_to", clause, "had {energy:.4g} J{givers}, of which {takers:,}, the method itself {method}",
      "hatte {energy:.4g} J{givers}; davon nahm {takers:,}, das Verfahren selbst {method}"},
     {"energy_turned_over", clause,
-     "began with {energy:.4g} J{givers}; {takers:,} of that, the method itself {method}",
-     "begann mit {energy:.4g} J{givers}; davon nahm {takers:,}, das Verfahren selbst {method}"},
+     "began with {energy:.4g} J{givers}; in parts of that energy, {takers:,}, the method itself {method}",
+     "begann mit {energy:.4g} J{givers}; gemessen daran nahm {takers:,}, das Verfahren selbst {method}"},
     {"with_what_gave", clause, " with what the {givers} gave", " mit dem Beitrag von {givers}"},
     {"first_taker", clause, "{what} took {percent:.3g} %", "{what} {percent:.3g} %"},
     {"next_taker", clause, "{what} {percent:.3g} %", "{what} {percent:.3g} %"},
     {"damping", clause, "damping", "Dämpfung"},
     {"term", clause, "{name}", "{name}"},
     {"nothing", clause, "nothing", "nichts"},
-    {"took_percent", clause, "{percent:.2g} %", "{percent:.2g} %"},
-    {"added_percent", clause, "added {percent:.2g} %", "fügte {percent:.2g} % hinzu"},
+    {"took_percent", clause, "{percent:.3g} %", "{percent:.3g} %"},
+    {"added_percent", clause, "added {percent:.3g} %", "fügte {percent:.3g} % hinzu"},
     {"took_about", clause, "about {percent:.1g} %", "etwa {percent:.1g} %"},
     {"added_about", clause, "added about {percent:.1g} %", "fügte etwa {percent:.1g} % hinzu"},
     {"and_comes_and_goes", clause, "{lasting}, beside {percent:.2g} % that come and go",

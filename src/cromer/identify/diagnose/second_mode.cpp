@@ -95,11 +95,15 @@ void measure(const Record& residuals, ResidualLine& line) {
   line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
 }
 
-Notice name_of(const ResidualLine& line) {
-  if (line.harmonic == 2) return Notice{"second_harmonic"};
-  if (line.harmonic == 3) return Notice{"third_harmonic"};
-  if (line.harmonic > 3) return Notice{"higher_harmonic", {{"order", line.harmonic}}};
-  return Notice{"second_mode"};
+Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
+  if (line.harmonic == 0) return Notice{"second_mode"};
+  // It is one of the swing at the amplitude that it had then.
+  const double swing = std::clamp(line.angular_frequency / line.harmonic, own.low, own.high);
+  const bool varies = own.high - own.low > 1e-4 * own.high;
+  return Notice{line.harmonic == 2   ? "second_harmonic"
+                : line.harmonic == 3 ? "third_harmonic"
+                                     : "higher_harmonic",
+                {{"order", line.harmonic}, {"swing", swing / two_pi}, {"frequencies", varies ? 2 : 1}}};
 }
 
 // How far the skirts of a line reach on either side, [rad/s].
@@ -210,16 +214,12 @@ std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::s
   const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, record.derivative);
   const FrequencyBand own = own_band(fit);
   for (const ResidualLine& line : residual_lines(record, fit)) {
-    // A harmonic is one of the swing at the amplitude that it had then.
-    const double w =
-        line.harmonic > 0 ? std::clamp(line.angular_frequency / line.harmonic, own.low, own.high) : w0;
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"percent", 100 * line.amplitude / swing},
-                            {"swing", w / two_pi},
-                            {"what", name_of(line)}}});
+                            {"what", name_of(line, own)}}});
   }
   return found;
 }

@@ -13,8 +13,10 @@
 #include "cromer/base/add_once.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
@@ -217,6 +219,20 @@ Samples good_samples(const FittedRecording& recording, const Trajectory& simulat
   return samples;
 }
 
+/// The standard error of the amplitude at the end of a sinusoid of w [rad/s] fitted to so many samples: what
+/// is left beside the law has as much of that frequency in most such windows.
+double amplitude_error_of(const FittedRecording& recording, double w, std::size_t samples) {
+  const FittedSamples good = without_outliers(recording.series);
+  const double white = amplitude_error(recording.fit.residual.rms, samples);
+  const std::vector<double> left = residuals_of(recording.fit, {good.t, good.y, recording.series.resolution});
+  std::vector<double> amplitudes;
+  for (std::size_t last = left.size(); samples > 8 && last >= samples; last -= samples)
+    amplitudes.push_back(std::abs(local_sinusoid(good.t, left, {last - samples, last}, w)));
+  if (amplitudes.size() < 4) return white;
+  constexpr double of_rayleigh = 1.1774;  // median over one component's standard deviation
+  return std::max(white, upper_median(amplitudes) / of_rayleigh);
+}
+
 void compare_with_measured(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
   const double w = recording.fit.angular_frequency().value;
   const double scatter = standard_deviation(samples.measured);
@@ -231,7 +247,7 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
   if (curve.measured_at_rest) return;
   curve.amplitude_ratio_end = end.amplitude_ratio;
   // Of late^(3/2) over early^(1/2).
-  const double one = amplitude_error(recording.fit.residual.rms, end.samples);
+  const double one = amplitude_error_of(recording, w, end.samples);
   curve.amplitude_ratio_error =
       end.amplitude_ratio * std::hypot(1.5 * one / end.first_amplitude, 0.5 * one / end.early_amplitude);
   curve.phase_drift = end.phase_drift;

@@ -117,8 +117,9 @@ void begin_where_free(Series& series, FittedSamples& samples, std::vector<Notice
   if (!part) return;
   const std::size_t all = series.t.size();
   keep_part({.from = part->from}, series, samples);
-  notices.push_back(
-      Notice{"free_part_taken", {{"reason", part->reason}, {"kept", series.t.size()}, {"samples", all}}});
+  notices.push_back(Notice{
+      "free_part_taken",
+      {{"reason", part->reason}, {"from", series.t.front()}, {"kept", series.t.size()}, {"samples", all}}});
 }
 
 // A swing that is caught in full swing is taken until then, with a notice.
@@ -143,6 +144,22 @@ Notice stop_of(const Record& record, bool angle, std::string_view unit, const Wa
   const LawFit fit = fit_law(record, viscous, watch);
   if (!fit.is_usable() || watch.interrupted()) return {};
   return sudden_stop(record, two_pi / fit.swing_frequency().value, unit, false);
+}
+
+// An accelerometer of a phone that is not told to leave gravity out.
+Notice gravity_in(const Series& series, const FittedSamples& samples) {
+  if (series.quantity != "acceleration" || samples.y.empty()) return {};
+  double mean = 0;
+  for (const double y : samples.y) mean += y / static_cast<double>(samples.y.size());
+  constexpr double g = 9.81;
+  return std::abs(std::abs(mean) - g) < 0.1 * g ? Notice{"axis_holds_gravity", {{"mean", mean}}} : Notice{};
+}
+
+bool radians_are_assumed(const Series& series) {
+  return std::any_of(series.notices.begin(), series.notices.end(), [](const Notice& notice) {
+    return notice.code == "unit_assumed" && std::find(notice.values.begin(), notice.values.end(),
+                                                      NoticeValue{"unit", "rad"}) != notice.values.end();
+  });
 }
 
 // What the fit's message says is not said again. What was stopped has not come to rest by friction, after
@@ -208,7 +225,12 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       std::max(0, derivative_order(result.series.quantity)), result.series.clock_error};
 
   if (result.series.quantity == "angle")
-    if (Notice over = turning_over(record); !over.empty()) result.notices.push_back(std::move(over));
+    if (Notice over = turning_over(record); !over.empty()) {
+      result.notices.push_back(std::move(over));
+      if (radians_are_assumed(result.series)) result.notices.push_back(Notice{"perhaps_degrees"});
+    }
+  if (Notice gravity = gravity_in(result.series, samples); !gravity.empty())
+    result.notices.push_back(std::move(gravity));
   Result<LawChoice> choice = law_of_record(record, result.series, options, result.notices, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;

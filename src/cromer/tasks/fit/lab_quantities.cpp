@@ -9,6 +9,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/run/course.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -160,8 +161,12 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
   // A sample is a whole number of steps, and a period has at least the default number.
   constexpr double fewest = default_steps_per_period;
   const double rate = to_twelve_digits(series.rate > 0 ? series.rate : fewest / shorter);
-  add("step", 1 / (rate * std::max(1.0, std::ceil(fewest / (rate * shorter) - 1e-9))));
-  add("until", to_twelve_digits(series.t.back() - series.t.front()));
+  double step = 1 / (rate * std::max(1.0, std::ceil(fewest / (rate * shorter) - 1e-9)));
+  const double until = to_twelve_digits(series.t.back() - series.t.front());
+  // Rounded times are a whole number of steps but for that rounding.
+  if (count_steps({0, until}, step).last > 0) step = until / std::ceil(until / step - 1e-6);
+  add("step", step);
+  add("until", until);
   return settings;
 }
 

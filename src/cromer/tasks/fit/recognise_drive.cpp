@@ -151,9 +151,16 @@ bool may_recognise(const FitOptions& options) {
   return options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
 }
 
-bool amplitude_rises(const FittedRecording& fitted) {
+bool tells(const FittedRecording& fitted, std::string_view code) {
   return std::any_of(fitted.notices.begin(), fitted.notices.end(),
-                     [](const Notice& notice) { return notice.code == "amplitude_rises"; });
+                     [&](const Notice& notice) { return notice.code == code; });
+}
+
+// At the drive's frequency, if that is known, and for ever: as of any body that is driven for long.
+bool is_settled(const FittedRecording& free, std::optional<double> drive) {
+  const double resolution = two_pi / (free.series.t.back() - free.series.t.front());
+  return tells(free, "swing_does_not_die_down") &&
+         (!drive || std::abs(free.fit.motion.angular_frequency() - *drive) < resolution);
 }
 
 // The drive is off resonance by more than the half-power bandwidth, and at least one beat is recorded. Only a
@@ -165,6 +172,17 @@ bool drives_beside_resonance(const FittedRecording& fitted) {
   const double apart = std::abs(fit.motion.drive_frequency - *own);
   return apart > 2 * fit.motion.decay_rate() &&
          apart * (fitted.series.t.back() - fitted.series.t.front()) > two_pi;
+}
+
+// A drive beside resonance that stands against the simplest free law stands against every other: none of them
+// beats.
+bool beats_under_viscous_damping(const FittedRecording& driven, const Series& motion, FitOptions without,
+                                 bool frequency_known, const Watch& watch) {
+  if (law_is_chosen(without) || !drives_beside_resonance(driven)) return false;
+  without.law = "viscous";
+  const Result<FittedRecording> free = fit_series(motion, driven.file, without, without_progress(watch));
+  return free && !free->parameters.empty() && driven.fit["drive_amplitude"].low > 0 &&
+         judged(*free, driven, frequency_known).kind == MotionKind::driven;
 }
 
 }  // namespace
@@ -179,7 +197,7 @@ std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view 
   viscous.from = options.from;
   viscous.to = options.to;
   Result<FittedRecording> free = fit_series(motion, file, viscous, without_progress(watch));
-  if (!free || !free->succeeded() || !amplitude_rises(*free)) return std::nullopt;
+  if (!free || !free->succeeded() || !tells(*free, "amplitude_rises")) return std::nullopt;
   free->options = options;
   FittedRecording driven = recognise_drive(*std::move(free), motion, options, watch);
   if (!drives_beside_resonance(driven)) return std::nullopt;
@@ -256,6 +274,7 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   without.recognise_drive = false;
   without.from = driven.series.t.front();
   without.to = driven.series.t.back();
+  if (beats_under_viscous_damping(driven, motion, without, !searched, watch)) return driven;
   Result<FittedRecording> free = fit_series(motion, driven.file, without, watch);
   if (!free || free->parameters.empty() || watch.interrupted()) return driven;
   if (!settled && (free->fit.status != FitStatus::converged || (!refused && drive_helps(driven, *free))))
@@ -278,6 +297,12 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   const bool shows = !settled || driven.fit["drive_amplitude"].low > 0 ||
                      (!searched && driven.fit.residual.autocorrelation <= structured);
   if (judgement.kind != MotionKind::free && shows) return driven;
+  if (is_settled(*free, searched ? std::nullopt : *drive_of(options))) {
+    driven.fit.status = FitStatus::no_oscillation;
+    driven.fit.message =
+        Notice{"motion_has_settled", {{"frequency", free->fit.motion.angular_frequency() / two_pi}}};
+    return driven;
+  }
   const Notice compared{"free_beside_driven",
                         {{"free", free->fit.residual.rms},
                          {"driven", driven.fit.residual.rms},

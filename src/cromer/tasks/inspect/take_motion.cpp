@@ -73,6 +73,8 @@ AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double 
 }
 
 constexpr std::size_t quarters = 4;
+// Of an axis's amplitude: another that swings by more is no less clear.
+constexpr double alike = 0.8;
 
 struct Axis {
   Series series;
@@ -128,12 +130,13 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
   const std::size_t quarter = found.front().clearest();
   Series liveliest = std::move(found.front().series);
   const std::string unit = unit_of(liveliest);
+  const double amplitude = found[0].swings[quarter].amplitude, other = found[1].swings[quarter].amplitude;
   liveliest.notices.insert(liveliest.notices.begin(),
-                           Notice{"liveliest_axis_taken",
+                           Notice{other > alike * amplitude ? "axes_alike" : "liveliest_axis_taken",
                                   {{"column", liveliest.column},
-                                   {"amplitude", found[0].swings[quarter].amplitude},
+                                   {"amplitude", amplitude},
                                    {"other", found[1].series.column},
-                                   {"less", found[1].swings[quarter].amplitude},
+                                   {"less", other},
                                    {"unit", unit.empty() ? unit : " " + unit}}});
   return liveliest;
 }
