@@ -41,6 +41,7 @@ int run_network_file(const std::string& file, SimulateOptions options, OutputOpt
                     [&, &typed = name](const Option& o) { return o.name == typed; }) &&
         !is_option_of_networks(name))
       return refuse(Error{"option_not_of_networks", {{"option", name}}});
+  if (!output.panels.empty()) return refuse(Error{"option_not_of_networks", {{"option", "panels"}}});
   if (output.output.ends_with(".h5")) return refuse(Error{"network_without_hdf5", {{"file", output.output}}});
   if (auto good = check_outputs(output, {file}); !good) return refuse(good.error());
   const auto network = open_network(file);

@@ -52,7 +52,7 @@ TEST(Summary, OfAnAccuracySaysTheStepThatKeepsToIt) {
 TEST(Summary, OfALawWithDragSaysWhereTheEnergyWent) {
   const std::string text = said({"simulate", "--drag", "0.2", "--method", "implicit-euler"});
   EXPECT_THAT(text, HasSubstr("implicit-euler swung at "));
-  EXPECT_THAT(text, HasSubstr("had 0.5 J, of which drag took 75.6 %, the method itself 24 %"));
+  EXPECT_THAT(text, HasSubstr("had 0.5 J, of which drag took 75.6 %, the method itself 24.3 %"));
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(SecondMode, TheSwingOfAHarmonicHasItsFrequencyAtThatAmplitude) {
     const Notice& name = std::get<std::vector<Notice>>(notice.values.back().value).front();
     EXPECT_EQ(name.code, "higher_harmonic");
     EXPECT_NEAR(5 * value(name, "swing"), frequency, 1e-9);
-    EXPECT_THAT(in_words(name), testing::HasSubstr("5 times the swing's frequency where that is 1.2"));
+    EXPECT_THAT(in_words(name), testing::HasSubstr("5 times the swing's frequency where that is 1.3"));
     found = true;
   }
   EXPECT_TRUE(found);

@@ -102,8 +102,12 @@ TEST(Explanation, AnAmplitudeWithinTheNoiseIsRight) {
 
 TEST(Explanation, AConstantRateLeavesTheFrequency) {
   CompareResult both = compared();
-  const std::string numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm.";
+  std::string numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm.";
   both.recording.decay_by_amplitude[1].law_rate = 0.393;
+  // A spring that is not bent has one frequency.
+  EXPECT_EQ(in_words(explanation(both)), "One decay rate is not enough: " + numbers);
+  both.curves[1].law = law_of("viscous+cubic");
+  numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+cubic 1.00\u00a0cm.";
   EXPECT_EQ(in_words(explanation(both)), "One decay rate describes the amplitude, but not the motion: " +
                                              numbers + " The frequency changes as the swing dies down.");
   both.recording.decay_by_amplitude[1].law_rate = 0.391;
@@ -193,13 +197,15 @@ TEST(RunInWords, SaysHowItSwung) {
         MeasuredOscillator{.angular_frequency = 3, .first_amplitude = first, .last_amplitude = last};
     return in_words(run_notice(run));
   };
-  EXPECT_EQ(swung(1, 0.5), "rk4 swung at 3 rad/s on average, from 1 m in its first half swing down to 0.5 m");
-  EXPECT_EQ(swung(0.5, 1), "rk4 swung at 3 rad/s on average, from 0.5 m in its first half swing up to 1 m");
+  EXPECT_EQ(swung(1, 0.5),
+            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns down to 0.5 m");
+  EXPECT_EQ(swung(0.5, 1),
+            "rk4 swung at 3 rad/s on average, from 0.5 m between its first two turns up to 1 m");
   EXPECT_EQ(swung(1, 1.0009), "rk4 swung at 3 rad/s on average, 1.001 m to each side");
   EXPECT_EQ(swung(1, 0.9989),
-            "rk4 swung at 3 rad/s on average, from 1 m in its first half swing down to 0.9989 m");
+            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns down to 0.9989 m");
   EXPECT_EQ(swung(1, 1.0011),
-            "rk4 swung at 3 rad/s on average, from 1 m in its first half swing up to 1.001 m");
+            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns up to 1.001 m");
 }
 
 TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
@@ -213,7 +219,7 @@ TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
   EXPECT_EQ(energy({.start = 8, .end = 2}, 6),
             "rk4 had 8 J, of which drag took 75 %, the method itself nothing");
   EXPECT_EQ(energy({.start = 8, .end = 2}, 4, 1),
-            "rk4 had 8 J, of which damping took 12.5 %, drag 50 %, the method itself 12 %");
+            "rk4 had 8 J, of which damping took 12.5 %, drag 50 %, the method itself 12.5 %");
   EXPECT_EQ(energy({.start = 8, .end = 5}, 1),
             "rk4 had 8 J, of which drag took 12.5 %, the method itself 25 %");
   EXPECT_EQ(energy({.start = 8, .end = 9}, 1),

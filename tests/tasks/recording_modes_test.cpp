@@ -109,6 +109,55 @@ TEST(RecordingModes, a_channel_that_is_still_or_empty_is_left_out_and_named) {
             "no_channel_moves");
 }
 
+// A long rest after a decay looks like the work of random forces.
+TEST(RecordingModes, what_has_died_down_within_the_record_is_a_free_decay) {
+  const std::vector<Swing> damped{{value_of(0.68, 0.085), 0.2, 0.15}, {value_of(1.25, 0.16), 0.1, -0.12}};
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 1e-4);
+    const auto cells = [&](auto i, auto a, auto b) { return both(i, a + noise(random), b + noise(random)); };
+    const ModesResult result = modes_in(decay(damped, two_angles, cells, 1500, 0.04));
+    ASSERT_EQ(result.modes.size(), 2u) << seed;
+    EXPECT_EQ(result.recording->found.motion, ModalMotion::free_decay) << seed;
+    EXPECT_NEAR(result.modes[0].frequency.value, 0.68, 1e-3) << seed;
+    EXPECT_NEAR(result.modes[1].damping_ratio.value, 0.16, 3e-3) << seed;
+    EXPECT_THAT(codes(result), testing::Contains("rests_at_the_end")) << seed;
+    EXPECT_LT(result.recording->duration, 40) << seed;
+  }
+}
+
+TEST(RecordingModes, of_a_free_decay_those_asked_for_are_told) {
+  const std::string bytes =
+      decay({{value_of(0.7, 0.004), 0.06, 0.05}, {value_of(1.9, 0.004), 0.02, -0.03}}, two_angles, both);
+  const auto frequencies = [&](const ModesOptions& options) {
+    std::vector<double> found;
+    for (const NaturalMode& mode : modes_in(bytes, options).modes)
+      found.push_back(std::round(100 * mode.frequency.value) / 100);
+    return found;
+  };
+  EXPECT_THAT(frequencies({}), testing::ElementsAre(0.7, 1.9));
+  EXPECT_THAT(frequencies({.modes = 1}), testing::ElementsAre(0.7));  // of most power
+  EXPECT_THAT(frequencies({.from_frequency = full_turn}), testing::ElementsAre(1.9));
+  EXPECT_THAT(frequencies({.to_frequency = full_turn}), testing::ElementsAre(0.7));
+  const ModesResult none = modes_in(bytes, {.from_frequency = 3 * full_turn});
+  EXPECT_EQ(none.message.code, "no_modes_in_band");
+  EXPECT_THAT(in_words(none.message), testing::HasSubstr("from 3 to 10 Hz"));
+}
+
+TEST(RecordingModes, a_channel_that_dies_in_full_swing_is_refused_with_its_time) {
+  for (const char* stuck : {",0.0123", ",0"}) {
+    const auto cells = [&](std::size_t i, double a, double b) {
+      return fmt::format("{:.17g}{}", a, i < 1205 ? fmt::format(",{:.17g}", b) : stuck);
+    };
+    const auto result = recording_modes(recording_of(decay(pendulums, two_angles, cells)), {});
+    ASSERT_FALSE(result) << stuck << (result ? testing::PrintToString(in_words(result->notices)) : "");
+    EXPECT_THAT(
+        result.error().message(),
+        testing::HasSubstr("\"Angle 2 (rad)\" stops in full swing and keeps one value from 60.25 s on"));
+    EXPECT_EQ(modes_in(decay(pendulums, two_angles, cells), {.to = 60.2}).modes.size(), 2u);
+  }
+}
+
 TEST(RecordingModes, one_channel_has_modes_without_shapes_and_says_so) {
   const ModesResult result = modes_in(decay(pendulums, "Time (s),Angle (rad)", [](auto, auto first, auto) {
     return fmt::format("{:.17g}", first);

@@ -601,8 +601,10 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
 
 }  // namespace
 
-LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
-                  const Watch& watch, bool roughly) {
+namespace {
+
+LawFit fit_of_either_zero(const Record& record, const LawFitOptions& options, const KnownMotion& known,
+                          const Watch& watch, bool roughly) {
   const HeldParameters held = held_parameters(record, options.law, options.drive.kind);
   LawFit fit = fit_holding(held, record, options, known, watch, roughly);
   if (options.drive.kind == DriveKind::none && !watch.interrupted())
@@ -622,6 +624,28 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   };
   const double variance = other.residual.rms * other.residual.rms;
   return fit.is_usable() && squares(fit) < squares(other) + clearly * variance ? fit : other;
+}
+
+// A pendulum a whole turn on swings in the same way: its rest is the one that it swings about.
+void take_nearest_rest(LawFit& fit) {
+  constexpr Law everywhere_alike = law_with<Viscous, Drag, Friction>;
+  if (fit.law.without(everywhere_alike) != law_with<Pendulum>) return;
+  const double turns = two_pi * std::round(fit.motion.position / two_pi);
+  if (turns == 0) return;
+  fit.motion.position -= turns;
+  fit.motion.equilibrium += turns;
+  for (const auto& [name, by] : {std::pair{"position", -turns}, std::pair{"equilibrium", turns}})
+    if (Estimate* moved = fit.find(name)) moved->value += by, moved->low += by, moved->high += by;
+}
+
+}  // namespace
+
+LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
+                  const Watch& watch, bool roughly) {
+  LawFit fit = fit_of_either_zero(record, options, known, watch, roughly);
+  if (record.derivative == 0 && options.drive.kind == DriveKind::none && fit.has_values())
+    take_nearest_rest(fit);
+  return fit;
 }
 
 }  // namespace cromer::core

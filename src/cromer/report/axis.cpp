@@ -119,11 +119,11 @@ void widen(Extent& e, double share, bool logarithmic) {
   }
 }
 
-constexpr double told_apart = 1e-12;  // of the values
-constexpr double rounding = 1e-9;     // of computed values: what differs by less is one value
+constexpr double double_precision = 1e-12;  // of the values
+constexpr double rounding = 1e-9;           // of computed values: what differs by less is one value
 
 // An empty or single-valued extent becomes one that can be drawn.
-void open_up(Extent& e, bool logarithmic, double least = told_apart) {
+void open_up(Extent& e, bool logarithmic, double least = double_precision) {
   if (!(e.low <= e.high)) e.low = logarithmic ? 1 : 0, e.high = logarithmic ? 10 : 1;
   if (e.high - e.low > least * std::max(std::abs(e.low), std::abs(e.high))) return;
   if (logarithmic) {

@@ -20,6 +20,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/study/lab_report.h"
 #include "cromer/study/study_writer.h"
+#include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 
 namespace cromer::core {
@@ -117,7 +118,7 @@ class LabTold {
   bool has_one_rate() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
                     *end = named(fitted_.headline, "decay_rate_end");
-    return start && end && is_one_rate(*start, *end);
+    return start && end && is_one_rate(start->estimate, end->estimate);
   }
 
   /// Whether the first and the last stretch, by themselves, show it.

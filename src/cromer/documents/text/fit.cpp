@@ -12,6 +12,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 
 namespace cromer::core {
@@ -124,7 +125,7 @@ std::string more(const FittedRecording& fitted) {
 std::string decay_in_words(const Parameter& start, const Parameter* end, const Law& law) {
   const std::string first = in_words(start.estimate, start.unit);
   if (!end) return first + (law.has<Friction>() ? " at the start; it comes to rest" : " at the start");
-  if (is_one_rate(start, *end)) return first;
+  if (is_one_rate(start.estimate, end->estimate)) return first;
   return fmt::format("{} at the start \u2192 {} at the end", first, in_words(end->estimate, end->unit));
 }
 

@@ -38,16 +38,6 @@ bool is_viscous_part(const Law& law, std::string_view parameter) {
   return !is_linear(law) && parameter == Viscous::coefficients[0].parameter;
 }
 
-bool are_apart(const Estimate& one, const Estimate& other) {
-  return one.low > other.high || other.low > one.high;
-}
-
-bool is_one_rate(const Parameter& start, const Parameter& end) {
-  const Estimate &a = start.estimate, &b = end.estimate;
-  const double change = std::abs(b.value - a.value), rate = std::abs(a.value);
-  return change <= 1e-9 * rate || (!are_apart(a, b) && change < alike_rates * rate);
-}
-
 std::string in_words(const Estimate& estimate, std::string_view unit) {
   return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
 }

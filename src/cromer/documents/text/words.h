@@ -22,12 +22,6 @@ std::string_view term_of(const Law& law, std::string_view parameter);
 /// Where the law is not linear the parameter of the viscous term is not the rate of the swing.
 bool is_viscous_part(const Law& law, std::string_view parameter);
 
-/// Whether the 95 % intervals have nothing in common.
-bool are_apart(const Estimate& one, const Estimate& other);
-
-/// Whether the decay rates at both ends of a record are the same, by the law.
-bool is_one_rate(const Parameter& start, const Parameter& end);
-
 /// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);
 

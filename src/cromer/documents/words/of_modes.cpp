@@ -22,6 +22,20 @@ constexpr Entry entries[] = {
      "with fewer missing values, shows more",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
      "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
+    {"no_modes_in_band", error,
+     "no mode was found from {from:.4g} to {to:.4g} Hz; the recording shows motions up to {highest:.4g} Hz: "
+     "{--from-frequency} and {--to-frequency} choose another band",
+     "keine Eigenschwingung von {from:.4g} bis {to:.4g} Hz gefunden; die Aufnahme zeigt Bewegungen bis "
+     "{highest:.4g} Hz: {--from-frequency} und {--to-frequency} wählen ein anderes Band"},
+    {"channel_dies", error,
+     "\"{column}\" stops in full swing and keeps one value from {time:.4g} s on, as where a sensor or its cable "
+     "fails: {--to} {time:.4g} takes what comes before, and without that column all of the record can be used",
+     "„{column}“ bleibt mitten in der Schwingung stehen und behält ab {time:.4g} s einen Wert, wie wenn ein "
+     "Sensor oder sein Kabel versagt: {--to} {time:.4g} nimmt, was davor liegt, und ohne diese Spalte ist die "
+     "ganze Aufnahme brauchbar"},
+    {"rests_at_the_end", worth_knowing,
+     "the motion has died down by {time:.4g} s: the result is for what comes before",
+     "die Bewegung ist bei {time:.4g} s abgeklungen: das Ergebnis gilt für den Teil davor"},
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,

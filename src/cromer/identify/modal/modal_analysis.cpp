@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 #include "cromer/identify/modal/ambient_modes.h"
 #include "cromer/identify/modal/free_decay.h"
 #include "cromer/identify/modal/mode_search.h"
@@ -153,15 +156,61 @@ ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& se
   return result;
 }
 
-}  // namespace
+// Where a motion dies down to rest within the record: the samples up to there, else all. A long rest after
+// it looks like the work of random forces.
+std::size_t lively_samples(const ModalRecord& record) {
+  constexpr std::size_t windows = 60, quarter = windows / 4;
+  constexpr double rest = 0.02, above_rest = 3, steady = 2, nothing = 1e-4;  // of the liveliest window
+  const std::size_t n = record.samples(), length = n / windows;
+  if (length < 4) return n;
+  std::vector<double> level(windows, 0);
+  for (const std::span<const double> channel : record.channels) {
+    double mean = 0, largest = 0;
+    const std::span<const double> end = channel.last(quarter * length);
+    for (const double y : end) mean += y / static_cast<double>(end.size());
+    std::vector<double> rms;
+    for (std::size_t w = 0; w < windows; ++w) {
+      double squares = 0;
+      for (const double y : channel.subspan(w * length, length)) squares += (y - mean) * (y - mean);
+      rms.push_back(std::sqrt(squares));
+      largest = std::max(largest, rms.back());
+    }
+    for (std::size_t w = 0; largest > 0 && w < windows; ++w) level[w] = std::max(level[w], rms[w] / largest);
+  }
+  std::vector<double> last(level.end() - quarter, level.end());
+  const double tail = upper_median(last);
+  const double most = *std::max_element(last.begin(), last.end());
+  if (tail > rest || most > std::max(steady * tail, nothing)) return n;
+  std::size_t end = windows - quarter;
+  while (end > 0 && level[end - 1] < std::max(above_rest * tail, nothing)) --end;
+  const std::size_t lively = end * length;
+  return end == windows - quarter || lively < fewest_modal_samples ? n : lively;
+}
 
-ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
+ModalRecord until_sample(const ModalRecord& record, std::size_t end) {
+  ModalRecord part = record;
+  for (std::span<const double>& channel : part.channels) channel = channel.first(end);
+  std::erase_if(part.starts, [&](std::size_t start) { return start >= end; });
+  if (!part.times.empty()) part.times.resize(end);
+  return part;
+}
+
+ModalAnalysis modes_of_lively_part(const ModalRecord& record, const ModalSettings& settings) {
+  if (const std::size_t lively = lively_samples(record); lively < record.samples()) {
+    ModalAnalysis result = modes_of_motion(until_sample(record, lively), settings);
+    result.resting = record.samples() - lively;
+    if (result.motion == ModalMotion::free_decay) return result;
+  }
+  return modes_of_motion(record, settings);
+}
+
+ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettings& settings) {
   if (const std::size_t still = settings.from_first_sample ? 0 : still_samples(record); still > 0) {
-    ModalAnalysis result = modes_of_motion(from_sample(record, still), settings);
+    ModalAnalysis result = modes_of_lively_part(from_sample(record, still), settings);
     if (result.motion == ModalMotion::free_decay && is_still_before(record, still, result.modes)) {
       result.still = still;
       if (const std::size_t released = samples_of_release(from_sample(record, still), result.modes)) {
-        ModalAnalysis after = modes_of_motion(from_sample(record, still + released), settings);
+        ModalAnalysis after = modes_of_lively_part(from_sample(record, still + released), settings);
         if (after.motion == ModalMotion::free_decay) {
           after.still = still + released;
           after.released = released;
@@ -171,7 +220,35 @@ ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& setting
       return result;
     }
   }
-  return modes_of_motion(record, settings);
+  return modes_of_lively_part(record, settings);
+}
+
+// Of a free motion all modes are fitted together, and these are told: those in the band, and of them so many
+// of most power.
+void keep_asked_for(ModalAnalysis& found, const ModalRecord& record, const ModalSettings& settings) {
+  std::erase_if(found.modes, [&](const MeasuredMode& mode) {
+    return mode.frequency.value < settings.from || mode.frequency.value > settings.to;
+  });
+  const auto most = settings.modes > 0 ? static_cast<std::size_t>(settings.modes) : found.modes.size();
+  const ModalRecord part =
+      until_sample(from_sample(record, found.still), record.samples() - found.still - found.resting);
+  while (found.modes.size() > most) {
+    Eigenvalues eigenvalues;
+    for (const MeasuredMode& mode : found.modes) eigenvalues.push_back(mode.eigenvalue);
+    found.modes.erase(found.modes.begin() + DecayBasis(part, values_of(part), eigenvalues).weakest_mode());
+  }
+}
+
+}  // namespace
+
+ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
+  ModalSettings all = settings;
+  all.from = 0, all.to = std::numeric_limits<double>::infinity(), all.modes = 0;
+  ModalAnalysis found = after_still_beginning(record, all);
+  const bool limited = settings.from > 0 || std::isfinite(settings.to) || settings.modes > 0;
+  if (limited && found.motion != ModalMotion::free_decay) return after_still_beginning(record, settings);
+  if (limited) keep_asked_for(found, record, settings);
+  return found;
 }
 
 }  // namespace cromer::core

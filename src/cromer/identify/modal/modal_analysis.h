@@ -15,6 +15,7 @@ struct ModalAnalysis {
   ModalMotion motion = ModalMotion::ambient;
   std::size_t still = 0;  ///< samples left out at the beginning: at rest or held until a free motion begins
   std::size_t released = 0;         ///< the last of these: a release that took its time
+  std::size_t resting = 0;          ///< samples left out at the end: a free motion has died down before them
   std::vector<MeasuredMode> modes;  ///< by rising frequency
   double decaying_share =
       0;  ///< of the power about the modes: what free motion from the first sample accounts for

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "cromer/base/length_unit.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/fit/decay_rates.h"
 
 namespace cromer::core {
 namespace {
@@ -40,6 +43,18 @@ bool is_far_off_at_the_end(const ComparedCurve& curve) {
   if (curve.measured_at_rest) return !curve.at_rest;
   constexpr double far = 0.05;
   return std::abs(curve.amplitude_ratio_end - 1) > std::max(far, noise_at_the_end(curve));
+}
+
+/// The decay rates at both ends of the recording, by the law; none where one is not known.
+std::optional<std::pair<double, double>> rates_at_the_ends(const FittedRecording& recording) {
+  const auto find = [&](std::string_view name) {
+    const auto at = std::find_if(recording.headline.begin(), recording.headline.end(),
+                                 [&](const Parameter& each) { return each.name == name; });
+    return at == recording.headline.end() ? nullptr : &at->estimate;
+  };
+  const Estimate *start = find("decay_rate_start"), *end = find("decay_rate_end");
+  if (!start || !end || is_one_rate(*start, *end)) return std::nullopt;
+  return std::pair{start->value, end->value};
 }
 
 /// What the method adds to the law's own misfit; empty if that is negligible.
@@ -79,17 +94,19 @@ Notice explanation(const CompareResult& comparison) {
   const auto& rates = comparison.recording.decay_by_amplitude;
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
-  const bool constant = std::abs(first - last) < alike_rates * std::max(std::abs(first), std::abs(last));
+  const auto ends = rates_at_the_ends(comparison.recording);
+  const bool constant =
+      !ends && std::abs(first - last) < alike_rates * std::max(std::abs(first), std::abs(last));
   const Notice end = amplitude_at_the_end(one);
   Notice method;
   for (std::size_t i = curves.size(); i-- > 2;)
     if (Notice adds = method_adds(curves[i], unit); !adds.empty())
       method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
   const bool only_best = is_far_off_at_the_end(one);
-  if (viscous && !is_linear(law.law) && !rates.empty() && !constant && comparison.others_tried)
+  if (viscous && !is_linear(law.law) && !constant && comparison.others_tried)
     return Notice{only_best ? "viscous_is_best" : "viscous_is_enough",
-                  {{"first", rounded(first, 3)},
-                   {"last", rounded(last, 3)},
+                  {{"first", rounded(ends ? ends->first : first, 3)},
+                   {"last", rounded(ends ? ends->second : last, 3)},
                    {"one_rate", left},
                    {"end", end},
                    {"method", method}}};
@@ -98,9 +115,11 @@ Notice explanation(const CompareResult& comparison) {
                   : only_best              ? "one_rate_is_best"
                                            : "one_rate_is_enough",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};
-  if (rates.empty() || constant)
-    return Notice{rates.empty() ? "one_rate_is_not_enough" : "one_rate_but_not_the_motion",
-                  {{"one_rate", left}, {"with_law", with_law}, {"method", method}}};
+  const bool bent = !is_linear(law.law.without(dampings));
+  if (rates.size() < 2 || constant)
+    return Notice{
+        !rates.empty() && constant && bent ? "one_rate_but_not_the_motion" : "one_rate_is_not_enough",
+        {{"one_rate", left}, {"with_law", with_law}, {"method", method}}};
   const bool grows = rates.back().amplitude > rates.front().amplitude;
   return Notice{"rate_changes_with_amplitude",
                 {{"goes", Notice{last < first ? "falls" : "rises"}},

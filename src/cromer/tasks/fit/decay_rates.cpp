@@ -167,6 +167,15 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
   return result;
 }
 
+bool are_apart(const Estimate& one, const Estimate& other) {
+  return one.low > other.high || other.low > one.high;
+}
+
+bool is_one_rate(const Estimate& start, const Estimate& end) {
+  const double change = std::abs(end.value - start.value), rate = std::abs(start.value);
+  return change <= 1e-9 * rate || (!are_apart(start, end) && change < alike_rates * rate);
+}
+
 AmplitudeDecay amplitude_decay(const LawFit& fit) {
   return {.angular_frequency = fit.motion.angular_frequency(), .per_mass = fit.motion.per_mass};
 }

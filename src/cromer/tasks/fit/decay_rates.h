@@ -42,6 +42,12 @@ AmplitudeDecay amplitude_decay(const LawFit& fit);
 /// Rates that differ by less, relative, are one for whoever reads them.
 inline constexpr double alike_rates = 0.02;
 
+/// Whether the 95 % intervals have nothing in common.
+bool are_apart(const Estimate& one, const Estimate& other);
+
+/// Whether the decay rates at both ends of a record are the same, by the law.
+bool is_one_rate(const Estimate& start, const Estimate& end);
+
 /// The law's springs alone, without what damps or drives.
 Swing<double> swing_of(const LawFit& fit);
 

@@ -4,8 +4,10 @@
 
 #include "cromer/base/add_once.h"
 #include "cromer/base/pi.h"
+#include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/modal/still_beginning.h"
 #include "cromer/read/channels.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/samples_between.h"
 #include "cromer/tasks/modes/modes_options.h"
 
@@ -36,6 +38,7 @@ Result<Channels> moving_channels(const Recording& recording, const ModesOptions&
   leave_out("channel_left_out_still", never_changes);
   for (const Notice& notice : channels.notices) add_once(notices, notice);
   if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
+  if (auto good = check_that_all_last(channels, recording.file); !good) return good.error();
 
   if (const std::size_t left_out = leave_out_incomplete(channels); left_out > 0)
     notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", left_out}}});
@@ -107,7 +110,29 @@ void doubt_modes(const ModalAnalysis& found, std::size_t channels, bool all, std
     notices.push_back(Notice{"peak_without_mode", {{"frequency", frequency}}});
 }
 
+/// `highest` [Hz]: half the sampling rate.
+Notice why_no_modes(const ModalAnalysis& found, const ModesOptions& options, double highest) {
+  if (found.highest_order == 0) return Notice{"too_short_for_modes"};
+  if (!options.from_frequency && !options.to_frequency) return Notice{"no_modes_found"};
+  const double from = options.from_frequency.value_or(0) / two_pi,
+               to = options.to_frequency ? *options.to_frequency / two_pi : highest;
+  return Notice{"no_modes_in_band", {{"from", from}, {"to", std::min(to, highest)}, {"highest", highest}}};
+}
+
 }  // namespace
+
+Result<void> check_that_all_last(const Channels& channels, const std::string& file) {
+  if (channels.each.size() < 2) return {};
+  for (const Channel& channel : channels.each) {
+    std::vector<double> t, y;
+    for (std::size_t i = 0; i < channel.y.size(); ++i)
+      if (std::isfinite(channel.y[i])) t.push_back(channels.t[i]), y.push_back(channel.y[i]);
+    if (const auto lost = find_lost_motion({t, y, channel.resolution}))
+      return Error{
+          in_file(file, Notice{"channel_dies", {{"column", channel.column}, {"time", t[lost->seen]}}})};
+  }
+  return {};
+}
 
 bool seeks_all(const ModesOptions& options) {
   return !options.from_frequency && !options.to_frequency && !options.modes;
@@ -142,8 +167,10 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
                                  .found = find_modes(record, settings)};
   const ModalAnalysis& found = result.recording->found;
   result.recording->gaps = from_sample(record, found.still).starts.size() - 1;
-  result.recording->samples = channels->t.size() - found.still;
-  result.recording->duration = channels->t.back() - channels->t[found.still];
+  const std::size_t used = channels->t.size() - found.still - found.resting, end = found.still + used;
+  result.recording->samples = used;
+  result.recording->duration = channels->t[end - 1] - channels->t[found.still];
+  if (found.resting > 0) result.notices.push_back(Notice{"rests_at_the_end", {{"time", channels->t[end]}}});
   if (found.still > 0) result.notices.push_back(still_before_motion(record, found.still, found.released));
   for (const MeasuredMode& mode : found.modes)
     result.modes.push_back({.frequency = mode.frequency,
@@ -151,7 +178,7 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
                             .shape = mode.shape,
                             .shape_error = mode.shape_error});
   if (found.modes.empty()) {
-    result.message = found.highest_order > 0 ? Notice{"no_modes_found"} : Notice{"too_short_for_modes"};
+    result.message = why_no_modes(found, options, 0.5 / record.step);
   } else {
     result.recording->words = motion_in_words(found);
     doubt_modes(found, result.names.size(), seeks_all(options), result.notices);

@@ -1,7 +1,10 @@
 // What the modes of networks and of recordings ask of their options.
 #pragma once
 
+#include <string>
+
 #include "cromer/methods/method_settings.h"
+#include "cromer/read/channels.h"
 #include "cromer/tasks/modes/modes.h"
 
 namespace cromer::core {
@@ -14,6 +17,10 @@ std::string_view option_of_recordings(const ModesOptions& options);
 
 /// Whether the options leave out no mode: neither by frequency nor by number.
 bool seeks_all(const ModesOptions& options);
+
+/// An Error where one of several channels stops in full swing and keeps one value from there on, as where its
+/// sensor or its cable fails. `file`: as messages name it.
+Result<void> check_that_all_last(const Channels& channels, const std::string& file);
 
 MethodSettings method_settings_of(const ModesOptions& options);
 

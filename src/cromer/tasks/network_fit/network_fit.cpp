@@ -12,6 +12,7 @@
 #include "cromer/identify/modal/still_beginning.h"
 #include "cromer/model/linear_network.h"
 #include "cromer/read/in_file.h"
+#include "cromer/tasks/modes/modes_options.h"
 
 namespace cromer::core {
 namespace {
@@ -190,6 +191,7 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
                        .asked = network};
   if (auto good = crop(result.channels, options.from, options.to); !good) return good.error();
   if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
+  if (auto good = check_that_all_last(result.channels, recording.file); !good) return good.error();
   result.notices = recording.notices;
   result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
 

@@ -360,7 +360,7 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
       add_once(notices, Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
     const Steps steps = count_steps({0, run.until}, run.step);
     // If one of them is a default, so is the remainder.
-    if (steps.last > 0 && options.step && options.until)
+    if (steps.last > 0 && options.step && options.until && !find_method(run.method)->is_adaptive())
       add_once(notices, Notice{"last_step_is_shorter",
                                {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
     const double kept = run.step * static_cast<double>(options.every), period = period_of_swing(run);
