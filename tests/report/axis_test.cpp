@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace cromer::core {
 namespace {
@@ -54,6 +55,17 @@ TEST(Ticks, LabelsHaveFourDigitsAtMostAndATrueMinus) {
   EXPECT_EQ(tick_label(0.1 + 0.2), "0.3");
   EXPECT_EQ(tick_label(20000), "2×10^{4}");
   EXPECT_EQ(tick_label(-2.5e-7), "−2.5×10^{−7}");
+}
+
+TEST(Ticks, NoTwoLabelsOfAnAxisAreAlike) {
+  for (const double about : {1.0, 1234.5, 0.02, -7e6, 3e-7})
+    for (const double span : {1e-1, 1e-3, 1e-5, 1e-7}) {
+      const double low = about, high = about + std::abs(about) * span;
+      std::set<std::string> labels;
+      const std::vector<Tick> ticks = linear_ticks(low, high, tick_step(low, high, 6));
+      for (const Tick& tick : ticks) labels.insert(tick.label);
+      EXPECT_EQ(labels.size(), ticks.size()) << about << ' ' << span;
+    }
 }
 
 TEST(Ticks, ALogarithmicAxisHasItsDecades) {

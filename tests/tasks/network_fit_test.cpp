@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <random>
@@ -243,6 +244,34 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
   for (auto& column : coarse.y)
     for (double& each : column) each = std::round(each * 100) / 100;
   EXPECT_EQ(times_left(coarse), 0);
+}
+
+TEST(NetworkFit, ColumnsInAnotherOrderAreNoQuestionOfValues) {
+  Network network;
+  network.masses = {{.name = "m1", .mass = 1.2, .start = {0.1, 0}},
+                    {.name = "m2", .mass = 0.8, .start = {-0.06, 0}},
+                    {.name = "m3", .mass = 1, .start = {0.15, 0}}};
+  network.links = {{ground, 0, {.stiffness = 50, .damping = 0.06}},
+                   {0, 1, {.stiffness = 40, .damping = 0.05}},
+                   {1, 2, {.stiffness = 30, .damping = 0.04}}};
+  const std::string link = "stiffness = \"?\"\ndamping = \"?\"\n";
+  const NetworkFile file = file_of(
+      "[[mass]]\nname = \"m1\"\nmass = 1.2\n[[mass]]\nname = \"m2\"\nmass = 0.8\n[[mass]]\nname = "
+      "\"m3\"\nmass = 1\n[[link]]\nto = \"m1\"\n" +
+      link + "[[link]]\nfrom = \"m1\"\nto = \"m2\"\n" + link + "[[link]]\nfrom = \"m2\"\nto = \"m3\"\n" +
+      link);
+  const NetworkSwings swings = swings_of(network, 2000, 0.02, 1e-3, 3);
+  const auto said = [&](std::array<std::size_t, 3> order, double sign) {
+    std::string bytes = "Time (s),Position 1 (m),Position 2 (m),Position 3 (m)\n";
+    for (std::size_t n = 0; n < swings.t.size(); ++n)
+      bytes += fmt::format("{:.2f},{},{},{}\n", swings.t[n], swings.y[order[0]][n],
+                           sign * swings.y[order[1]][n], swings.y[order[2]][n]);
+    const auto result = fitted(bytes, file);
+    return result ? in_words(result->message) : in_words(result.error());
+  };
+  EXPECT_EQ(said({0, 1, 2}, 1), "");
+  for (const auto& wrong : {said({1, 0, 2}, 1), said({0, 2, 1}, 1), said({0, 1, 2}, -1)})
+    EXPECT_THAT(wrong, HasSubstr("cromer modes --network names columns that look swapped or reversed"));
 }
 
 TEST(NetworkFit, SaysThatTheClockDrifts) {

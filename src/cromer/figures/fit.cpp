@@ -92,7 +92,10 @@ Panel decay_panel(const FittedRecording& fitted) {
 
 /// Whether it is drawn as an envelope.
 bool add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
-  return add_motion(panel, fitted, axis, law_motion(fitted, axis, true), fitted_look(fitted));
+  const std::size_t first = panel.curves.size();
+  const bool envelope = add_motion(panel, fitted, axis, law_motion(fitted, axis, true), fitted_look(fitted));
+  if (envelope) panel.curves[first].remark += ", envelope";
+  return envelope;
 }
 
 /// The largest swings of an irregular motion. `which` follows in the title: ", held out".

@@ -70,6 +70,7 @@ std::string law_found(const FittedRecording& fitted) {
   if (fitted.fit.status == FitStatus::converged) return to_text(fitted.fit.law);
   std::string why(fitted.status());
   std::replace(why.begin(), why.end(), '_', ' ');
+  if (fitted.modes.size() == 2) return "no single law: two modes swing";
   return fmt::format("no law found ({})", why);
 }
 
@@ -345,6 +346,7 @@ void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& a
   for (const SampledMotion& stretch : stretches_of(broken_at_gaps(motion, fitted.series.gaps)))
     append(look, axis, stretch.t, stretch.y);
   panel.curves.push_back(std::move(look));
+  for (Curve& curve : panel.curves) curve.always_dots = curve.role == "measured";  // seen on the line
 }
 
 bool add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,

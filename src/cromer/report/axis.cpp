@@ -26,11 +26,17 @@ int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(st
 
 bool is_plain(int exponent) { return exponent >= -3 && exponent < 4; }
 
-std::string label_of(double value, bool plain) {
+/// Four digits, and as many more as tell the value from one so far apart.
+std::string label_of(double value, bool plain, double apart = HUGE_VAL) {
   if (value == 0) return "0";
   const int exponent = exponent_of(value);
-  if (plain) return fixed(value, std::max(0, 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0)));
-  const std::string mantissa = fixed(value / std::pow(10.0, exponent), 2);
+  constexpr int most = 12;
+  const int needed = std::isfinite(apart) ? std::min(1 - exponent_of(apart), most) : 0;
+  if (plain)
+    return fixed(value,
+                 std::max({0, needed, 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0)}));
+  const std::string mantissa =
+      fixed(value / std::pow(10.0, exponent), std::clamp(exponent + needed, 2, most));
   return fmt::format("{}×10^{{{}}}", mantissa, fixed(exponent, 0));
 }
 
@@ -54,7 +60,7 @@ std::vector<Tick> linear_ticks(double low, double high, double step) {
   const double last = std::min(std::floor(high / step + slack), first + most_ticks - 1);
   // All numbers of an axis have the same form.
   const bool plain = is_plain(exponent_of(step * std::max(std::abs(first), std::abs(last))));
-  for (double n = first; n <= last; ++n) ticks.push_back({n * step, label_of(n * step, plain)});
+  for (double n = first; n <= last; ++n) ticks.push_back({n * step, label_of(n * step, plain, step)});
   return ticks;
 }
 

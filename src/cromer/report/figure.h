@@ -26,6 +26,7 @@ struct Curve {
   std::string
       remark_outside{};  ///< of crosses: added to the remark where some of them stand at the frame's edge
   Mark mark = Mark::line;
+  bool always_dots = false;  ///< of dots: however dense, as a line runs through them
   bool dashed = false;
   bool with_dots =
       false;          ///< dots on the line: of points so few that each is to be seen. Points alone always are

@@ -115,7 +115,7 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, cons
     placed.pieces = crosses(spots);
     return placed;
   }
-  if (curve.mark != Mark::line) {
+  if (curve.mark != Mark::line && !curve.always_dots) {
     const double columns = columns_per_period(spots);
     const bool dense = is_dense(spots, columns);
     if (dense && columns <= band_columns) {

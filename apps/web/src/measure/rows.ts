@@ -2,7 +2,7 @@
 import type { Estimate, Fit } from '../core/types'
 import { significant, withUnit } from '../look/numbers'
 import type { measure } from '../words/en/measure'
-import { interval, withUncertainty } from './uncertain'
+import { interval, placesOf, withUncertainty } from './uncertain'
 import { scaleFor } from './units'
 import { fixed } from '../look/numbers'
 
@@ -45,14 +45,21 @@ function qualityOf(quality: Estimate | undefined, words: Words, rows: Row[]): Ro
   return rows.map((each) => ({ ...each, value: words.law.above(significant(least, 2)), interval: '–' }))
 }
 
+/// Half an interval for its digits. One end may be cut where the quantity ends; and one that reaches far may not take
+/// the other beyond the value.
+function halfOf(low: number, value: number, high: number): number {
+  const longer = Math.max(high - value, value - low), shorter = Math.min(high - value, value - low)
+  const unit = 10 ** -placesOf(longer)
+  const beyond = Math.round(low / unit) * unit > value || Math.round(high / unit) * unit < value
+  return beyond && shorter > 0 ? shorter : longer
+}
+
 function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[] {
   if (!estimate || estimate.value === null) return []
   const { factor, unit } = scaleFor(estimate.value, estimate.unit)
   const [name, symbol] = words.quantities[key] ?? [key.replaceAll('_', ' '), '']
   const uncertainty = estimate.standard_error === null ? null : estimate.standard_error * factor
   const [low, high] = estimate.confidence_95
-  // one end may be cut where the quantity ends
-  const half = low === null || high === null ? 0 : Math.max(high - estimate.value, estimate.value - low)
-  const ends = low === null || high === null || uncertainty === null ? '–' : interval(low * factor, high * factor, words.law.to, half * factor)
+  const ends = low === null || high === null || uncertainty === null ? '–' : interval(low * factor, high * factor, words.law.to, halfOf(low, estimate.value, high) * factor)
   return [{ key, name, symbol, value: withUncertainty(estimate.value * factor, uncertainty, unit), interval: ends }]
 }

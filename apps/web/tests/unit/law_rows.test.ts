@@ -11,3 +11,10 @@ it.each([['viscous', 'decay rate'], ['viscous+drag', 'viscous part of the decay 
     expect(rowsOf(fit as unknown as Parameters<typeof rowsOf>[0], measure)[0]!.name).toBe(name)
   }
 )
+
+it('an interval that reaches far on one side keeps the value within', () => {
+  const wide = { value: 93, standard_error: 13, confidence_95: [71, 480] as [number, number], unit: '1' }
+  const fit = { law: 'viscous', coefficients: ['decay_rate'], parameters: { decay_rate: estimate(0.05, '1/s') }, derived: { quality_factor: wide }, reynolds: null }
+  const row = rowsOf(fit as unknown as Parameters<typeof rowsOf>[0], measure).find((each) => each.key === 'quality_factor')!
+  expect(row.interval).toBe('71\u00a0to 480')
+})

@@ -46,8 +46,8 @@ constexpr Entry entries[] = {
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
     {"option_needs_method_and_step", error, "{option:option} needs {--method} and {--step}",
      "{option:option} braucht {--method} und {--step}"},
-    {"method_without_steps", error, "{--method}: {method} chooses its own steps",
-     "{--method}: {method} wählt seine Schritte selbst"},
+    {"method_without_steps", error, "{option:option}: {method} chooses its own steps",
+     "{option:option}: {method} wählt seine Schritte selbst"},
     {"too_many_masses_for_modes", error, "{file}: {masses} masses; modes are found for at most {most}",
      "{file}: {masses} Massen; Eigenschwingungen werden für höchstens {most} gesucht"},
     {"option_of_recordings", error, "{file}: {option:option} is of recordings, and this is a network",
@@ -127,14 +127,23 @@ constexpr Entry entries[] = {
      "Ruhelage, wenige Lücken und drei Messwerte für jede gesuchte Zahl"},
     {"network_explains_little", error,
      "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
-     "or a drive, or the columns stand in another order than the masses",
+     "or a drive, or the columns stand in another order than the masses; cromer modes {--network} names columns "
+     "that look swapped or reversed",
      "das Netz erklärt nur {percent:.2g} % der Varianz von „{column}“: ihm fehlt eine Verbindung, ein Term "
-     "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen"},
+     "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen; cromer modes {--network} "
+     "nennt Spalten, die vertauscht oder umgekehrt scheinen"},
     {"network_values_undetermined", error,
      "the record tells these values in combination only, not each by itself: {values}; give one of them",
      "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
-    {"network_not_converged", error, "the fit has not converged after {iterations:iteration|iterations}",
-     "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert"},
+    {"network_value_undetermined", error, "the record does not tell the {value}: give it, or leave it out",
+     "die Aufnahme bestimmt nicht: {value}; bitte angeben oder weglassen"},
+    {"network_not_converged", error,
+     "the fit has not converged after {iterations:iteration|iterations}: the network lacks a link or a term, or "
+     "the columns stand in another order than the masses; cromer modes {--network} names columns that look "
+     "swapped or reversed",
+     "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert: dem Netz fehlt eine Verbindung "
+     "oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; cromer modes {--network} "
+     "nennt Spalten, die vertauscht oder umgekehrt scheinen"},
     {"network_leaves_a_motion", wrong_if_ignored,
      "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
      "or a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",

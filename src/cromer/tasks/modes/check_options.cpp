@@ -8,7 +8,9 @@ Result<void> check_modes_options(ModesOptions options) {
     if (auto good = check(option); !good) return good;
   for (const std::string& method : options.method) {
     if (auto good = check_method_name(method); !good) return good;
-    if (find_method(method)->is_adaptive()) return Error{"method_without_steps", {{"method", method}}};
+    if (find_method(method)->is_adaptive())
+      return Error{"method_without_steps",
+                   {{"option", options.of_method.empty() ? "method" : "of-method"}, {"method", method}}};
   }
   if (options.step && options.method.empty()) return Error{"step_needs_method"};
   if (!options.step && !options.method.empty()) return Error{"method_needs_step"};

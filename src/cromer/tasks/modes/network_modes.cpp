@@ -179,9 +179,9 @@ int free_bodies(const Network& network) {
 
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
                                   const ModesOptions& options) {
-  if (auto good = check_modes_options(options); !good) return good.error();
   if (const std::string_view name = option_of_recordings(options); !name.empty())
     return Error{"option_of_recordings", {{"option", name}, {"file", file}}};
+  if (auto good = check_modes_options(options); !good) return good.error();
   if (network.masses.size() > most_masses_for_modes)
     return Error{"too_many_masses_for_modes",
                  {{"file", file}, {"masses", network.masses.size()}, {"most", most_masses_for_modes}}};

@@ -54,7 +54,7 @@ Result<void> check_step_of(const ModesOptions& options, const std::optional<Moda
 /// Where damping couples the modes, a composed explicit method makes something of them together.
 bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& modes) {
   const MethodInfo* info = options.of_method.empty() ? nullptr : find_method(options.of_method);
-  if (!info || !info->symplectic || info->implicit || modes.size() < 2) return false;
+  if (!info || !info->symplectic || info->implicit || info->is_exact() || modes.size() < 2) return false;
   constexpr double seen = 0.02;  // of a shape's largest component, across its phase
   return std::any_of(modes.begin(), modes.end(), [](const NaturalMode& mode) {
     return std::any_of(mode.shape.begin(), mode.shape.end(),

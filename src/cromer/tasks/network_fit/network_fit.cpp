@@ -86,6 +86,20 @@ Notice value_of_link(const FittedNetwork& result, std::size_t value) {
   return Notice{"value_of_link", {{"value", open.key}, {"from", name_of(network, link.from)}, {"to", to}}};
 }
 
+/// Of which the network accounts for least.
+const FittedColumn& worst_column(const FittedNetwork& result) {
+  return *std::min_element(result.fit.columns.begin(), result.fit.columns.end(),
+                           [](const auto& a, const auto& b) { return a.explained < b.explained; });
+}
+
+Notice explains_little(const FittedNetwork& result) {
+  const FittedColumn& worst = worst_column(result);
+  const auto at = static_cast<std::size_t>(&worst - result.fit.columns.data());
+  return Notice{
+      "network_explains_little",
+      {{"column", result.channels.each[at].column}, {"percent", 100 * std::max(0.0, worst.explained)}}};
+}
+
 /// Why the fit did not succeed.
 Notice why_no_success(const FittedNetwork& result) {
   switch (result.fit.status) {
@@ -98,19 +112,15 @@ Notice why_no_success(const FittedNetwork& result) {
         if (never_changes(channel)) return Notice{"column_never_changes", {{"column", channel.column}}};
       return Notice{"network_record_too_short"};
     }
-    case FitStatus::too_noisy: {
-      const auto& columns = result.fit.columns;
-      const auto worst = std::min_element(columns.begin(), columns.end(), [](const auto& a, const auto& b) {
-        return a.explained < b.explained;
-      });
-      return Notice{
-          "network_explains_little",
-          {{"column", result.channels.each[static_cast<std::size_t>(worst - columns.begin())].column},
-           {"percent", 100 * std::max(0.0, worst->explained)}}};
-    }
+    case FitStatus::too_noisy:
+      return explains_little(result);
     case FitStatus::undetermined: {
+      // Of what follows another network nothing is told of this one's values.
+      constexpr double most = 0.9;
+      if (worst_column(result).explained < most) return explains_little(result);
       std::vector<Notice> values;
       for (const std::size_t j : result.fit.undetermined) values.push_back(value_of_link(result, j));
+      if (values.size() == 1) return Notice{"network_value_undetermined", {{"value", values.front()}}};
       return Notice{"network_values_undetermined", {{"values", values}}};
     }
     default:
@@ -155,6 +165,7 @@ Notice motion_left(const FittedNetwork& result) {
 
 void add_doubts(FittedNetwork& result) {
   if (Notice left = motion_left(result); !left.empty()) result.notices.push_back(std::move(left));
+  if (!result.succeeded()) return;
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
     if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
