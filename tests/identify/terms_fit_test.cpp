@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/synthetic.h"
@@ -206,6 +207,26 @@ TEST(TermsFit, EachTermIsChosen) {
     for (double& each : y) each += normal(engine);
     const LawChoice choice = choose_law({t, y}, {});
     EXPECT_EQ(to_text(choice.chosen.law), to_text(law));
+  }
+}
+
+// A whole turn further on it swings in the same way.
+TEST(TermsFit, APendulumsRestIsTheOneThatItSwingsAbout) {
+  FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.05, .position = 2.2, .pendulum = true};
+  SyntheticRecord record{even_times(600, 0.02), {}, 0};
+  record.y = free_motion(motion, record.t, 1e-3).x;
+  for (double& y : record.y) y += 0.1;
+  for (const double turns : {0.0, 1.0, -2.0}) {
+    motion.position = 2.2 + turns * two_pi;
+    motion.equilibrium = 0.1 - turns * two_pi;
+    LawFitOptions options{.law = law_of("viscous+pendulum")};
+    options.start = KnownMotion{.motion = motion, .samples = record.t.size()};
+    const LawFit fit = fit_law(record.record(), options);
+    ASSERT_TRUE(fit.is_usable()) << turns;
+    EXPECT_NEAR(fit["equilibrium"].value, 0.1, 1e-6) << turns;
+    EXPECT_NEAR(fit["position"].value, 2.2, 1e-6) << turns;
+    EXPECT_NEAR(fit.motion.position, 2.2, 1e-6) << turns;
+    EXPECT_LE(fit["equilibrium"].low, 0.1 + 1e-6) << turns;
   }
 }
 

@@ -47,6 +47,21 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "0.10\u00a0% too small"));
 }
 
+// Of a pendulum the rate of the amplitude changes under viscous damping alone: few stretches do not show it.
+TEST(Explanation, OfOneRateNothingIsSaidBesideTwo) {
+  CompareResult both = compared();
+  both.others_tried = true;
+  both.curves[0].law = both.curves[1].law = law_of("viscous+pendulum");
+  both.curves[0].amplitude_ratio_end = 1.0001;
+  both.recording.decay_by_amplitude.clear();
+  EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("One decay rate is enough: "));
+  both.recording.headline = {{"decay_rate_start", make_estimate(0.677, 0.004, 2), "1/s"},
+                             {"decay_rate_end", make_estimate(0.4271, 0.0011, 2), "1/s"}};
+  EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("Viscous damping alone is enough: "));
+  EXPECT_THAT(in_words(explanation(both)),
+              testing::HasSubstr("The amplitude's own rate goes from 0.677 to 0.427\u00a01/s"));
+}
+
 TEST(Explanation, NeedsTheLawBesideTheOneRate) {
   CompareResult both = compared();
   const std::string whole = in_words(explanation(both));

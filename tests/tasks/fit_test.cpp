@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cromer/analysis/air.h"
+#include "cromer/base/number.h"
 #include "cromer/documents/words/words.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/disc_recording.h"
@@ -345,6 +346,42 @@ TEST(FitTask, ARecordingWithoutOscillationIsRefused) {
   ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_EQ(result->front().fit.status, FitStatus::no_oscillation);
   EXPECT_FALSE(result->front().fit.message.empty());
+}
+
+/// A swing of `amplitude` about `mean` at 0.8 Hz, in a file of this header.
+std::string swing_about(double mean, double amplitude, const std::string& header) {
+  std::string bytes = header + "\n";
+  for (int i = 0; i < 1500; ++i) {
+    const double t = 0.02 * i;
+    bytes += shortest(t) + "," + shortest(mean + amplitude * std::exp(-0.03 * t) * std::cos(5.03 * t)) + "\n";
+  }
+  return bytes;
+}
+
+std::vector<std::string> said_of(const std::string& bytes) {
+  const auto result = fit(bytes, "lab.csv", {});
+  EXPECT_TRUE(result.ok()) << in_words(result.error());
+  return result.ok() ? in_words(result->front().notices) : std::vector<std::string>{};
+}
+
+TEST(FitTask, SaysThatAnAxisHoldsGravity) {
+  const std::string header = "Time (s),Acceleration y (m/s^2)";
+  EXPECT_THAT(said_of(swing_about(9.7, 0.5, header)),
+              testing::Contains(HasSubstr("this axis holds gravity")));
+  EXPECT_THAT(said_of(swing_about(0.2, 0.5, header)), testing::Each(testing::Not(HasSubstr("gravity"))));
+}
+
+TEST(FitTask, SuggestsDegreesWhereAPendulumSeemsToTurnOver) {
+  const auto suggests = [](const std::string& header, double amplitude) {
+    const auto said = said_of(swing_about(0, amplitude, header));
+    return std::any_of(said.begin(), said.end(), [](const std::string& each) {
+      return each.find("if the angles are degrees") != each.npos;
+    });
+  };
+  EXPECT_TRUE(suggests("t (s),angle", 40));
+  EXPECT_FALSE(suggests("t (s),angle (rad)", 40));
+  EXPECT_FALSE(suggests("t (s),angle (°)", 40));
+  EXPECT_FALSE(suggests("t (s),angle", 0.5));
 }
 
 }  // namespace

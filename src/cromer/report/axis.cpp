@@ -31,10 +31,11 @@ std::string label_of(double value, bool plain, double apart = HUGE_VAL) {
   if (value == 0) return "0";
   const int exponent = exponent_of(value);
   constexpr int most = 12;
-  const int needed = std::isfinite(apart) ? std::min(1 - exponent_of(apart), most) : 0;
-  if (plain)
-    return fixed(value,
-                 std::max({0, needed, 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0)}));
+  const int needed = std::isfinite(apart) ? 1 - exponent_of(apart) : 0;
+  if (plain) {
+    const int four = 3 - std::max(exponent, 0) + (exponent < 0 ? -exponent - 1 : 0);
+    return fixed(value, std::clamp(std::max(four, needed), 0, most));
+  }
   const std::string mantissa =
       fixed(value / std::pow(10.0, exponent), std::clamp(exponent + needed, 2, most));
   return fmt::format("{}×10^{{{}}}", mantissa, fixed(exponent, 0));

@@ -23,12 +23,12 @@ constexpr Entry entries[] = {
     {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
     {"report_poorly_described", clause,
-     "{file}: no law that was tried describes this motion. The one that leaves least leaves {rms} (root mean "
-     "square), more than a tenth of the swing: its numbers are not those of the motion. A part that swings "
-     "freely may have a law ({--from}, {--to}).",
-     "{file}: kein Gesetz, das geprüft wurde, beschreibt diese Bewegung. Das beste lässt {rms} (Effektivwert) "
-     "übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der Bewegung. Ein Teil, der "
-     "frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
+     "{file}: no law that was tried describes this motion. The nearest leaves {rms} (root mean square), more "
+     "than a tenth of the swing: its numbers are not those of the motion. A part that swings freely may have "
+     "a law ({--from}, {--to}).",
+     "{file}: kein Gesetz, das geprüft wurde, beschreibt diese Bewegung. Das nächste lässt {rms} "
+     "(Effektivwert) übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der Bewegung. "
+     "Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
     {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
