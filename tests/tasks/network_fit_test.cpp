@@ -246,6 +246,32 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
   EXPECT_EQ(times_left(coarse), 0);
 }
 
+TEST(NetworkFit, NamesAModeThatTheNetworkLacks) {
+  Network network;
+  network.masses = {{.name = "a", .mass = 1, .start = {0.1, 0}},
+                    {.name = "b", .mass = 1, .start = {-0.05, 0}}};
+  network.links = {{ground, 0, {.stiffness = 50, .damping = 0.06}},
+                   {0, 1, {.stiffness = 20, .damping = 0.05}}};
+  const auto lacks = [&](double given, std::uint64_t seed) {
+    const NetworkSwings swings = swings_of(network, 500, 0.02, 0.01, seed);
+    std::string bytes = "Time (s),Position 1 (m),Position 2 (m)\n";
+    for (std::size_t n = 0; n < swings.t.size(); ++n)
+      bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
+    const auto result = fitted(
+        bytes, file_of(fmt::format("[[mass]]\nname = \"a\"\nmass = 1\n[[mass]]\nname = \"b\"\nmass = 1\n"
+                                   "[[link]]\nto = \"a\"\nstiffness = {}\ndamping = \"?\"\n"
+                                   "[[link]]\nfrom = \"a\"\nto = \"b\"\nstiffness = \"?\"\n",
+                                   given)));
+    EXPECT_TRUE(result && result->succeeded()) << given;
+    return result && std::any_of(result->notices.begin(), result->notices.end(),
+                                 [](const Notice& each) { return each.code == "network_lacks_a_mode"; });
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_TRUE(lacks(58, seed)) << seed;
+    EXPECT_FALSE(lacks(50, seed)) << seed;
+  }
+}
+
 TEST(NetworkFit, ColumnsInAnotherOrderAreNoQuestionOfValues) {
   Network network;
   network.masses = {{.name = "m1", .mass = 1.2, .start = {0.1, 0}},

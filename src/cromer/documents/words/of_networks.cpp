@@ -150,6 +150,12 @@ constexpr Entry entries[] = {
      "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert zu "
      "Messwert; eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
      "Unsicherheiten ist nicht zu trauen"},
+    {"network_lacks_a_mode", wrong_if_ignored,
+     "the recording swings at {frequency:.4g} Hz, and no mode of the fitted network does: the fit has ended "
+     "beside the best values, or a link or a term is missing, and the uncertainties cannot be trusted",
+     "die Aufnahme schwingt mit {frequency:.4g} Hz, aber keine Mode des angepassten Netzes: der Fit endete "
+     "neben den besten Werten, oder eine Verbindung oder ein Term fehlt, und den Unsicherheiten ist nicht zu "
+     "trauen"},
     {"network_value_may_be_zero", worth_knowing, "{what} may be 0: its interval holds 0",
      "{what} kann 0 sein: 0 liegt in seinem Intervall"},
     // Modes.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/modal/modal_analysis.h"
@@ -20,19 +21,27 @@ namespace {
 constexpr std::array fit_options{"run",         "from",      "to",      "rate",
                                  "time-column", "delimiter", "decimal", "skip-bad-rows"};
 
-/// Where nothing moves at first, and no beginning was chosen, the samples from the motion's own beginning on.
-/// Under a drive a motion may grow that was there before.
-Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& options) {
-  const std::vector<NetworkMass>& masses = result.asked.network.masses;
-  const bool is_driven = std::any_of(masses.begin(), masses.end(),
-                                     [](const NetworkMass& mass) { return mass.drive.amplitude > 0; });
-  if (options.from || is_driven) return {};
-  Channels complete = result.channels;
-  leave_out_incomplete(complete);
-  if (complete.t.size() < fewest_modal_samples) return {};
+bool is_driven(const Network& network) {
+  return std::any_of(network.masses.begin(), network.masses.end(),
+                     [](const NetworkMass& mass) { return mass.drive.amplitude > 0; });
+}
+
+/// The channels, which must outlive it.
+ModalRecord modal_record(const Channels& complete) {
   ModalRecord record;
   for (const Channel& channel : complete.each) record.channels.emplace_back(channel.y);
   set_times(record, complete.t);
+  return record;
+}
+
+/// Where nothing moves at first, and no beginning was chosen, the samples from the motion's own beginning on.
+/// Under a drive a motion may grow that was there before.
+Result<void> leave_stillness_out(FittedNetwork& result, const FitOptions& options) {
+  if (options.from || is_driven(result.asked.network)) return {};
+  Channels complete = result.channels;
+  leave_out_incomplete(complete);
+  if (complete.t.size() < fewest_modal_samples) return {};
+  const ModalRecord record = modal_record(complete);
   if (still_samples(record) == 0) return {};
   const ModalAnalysis found = find_modes(record);
   if (found.still == 0) return {};
@@ -163,8 +172,35 @@ Notice motion_left(const FittedNetwork& result) {
   return Notice{"network_leaves_a_motion", {{"column", result.channels.each[worst].column}, {"times", most}}};
 }
 
+/// A mode that the recording shows and a linear network lacks, where the network does not account for nearly
+/// all: the fit may have ended beside the best values. Empty where there is none.
+Notice mode_that_is_lacking(const FittedNetwork& result) {
+  constexpr double nearly_all = 0.98, near = 0.03, standard_errors = 5;
+  const Network& network = result.fit.network;
+  if (!result.succeeded() || is_driven(network) || !is_linear(law_of(network)) ||
+      worst_column(result).explained > nearly_all)
+    return {};
+  Channels complete = result.channels;
+  leave_out_incomplete(complete);
+  if (complete.t.size() < fewest_modal_samples) return {};
+  const ModalAnalysis found = find_modes(modal_record(complete));
+  if (found.motion != ModalMotion::free_decay || found.modes.size() > network.masses.size()) return {};
+  const std::vector<ComplexMode> modes = complex_modes(linearised(network));
+  for (const MeasuredMode& mode : found.modes) {
+    const double f = mode.frequency.value,
+                 reach = std::max(near * f, standard_errors * mode.frequency.standard_error);
+    const bool has_it = std::any_of(modes.begin(), modes.end(), [&](const ComplexMode& each) {
+      return std::abs(std::sqrt(std::abs(each.law().stiffness)) / two_pi - f) < reach;
+    });
+    if (!has_it) return Notice{"network_lacks_a_mode", {{"frequency", f}}};
+  }
+  return {};
+}
+
 void add_doubts(FittedNetwork& result) {
   if (Notice left = motion_left(result); !left.empty()) result.notices.push_back(std::move(left));
+  if (Notice lacking = mode_that_is_lacking(result); !lacking.empty())
+    result.notices.push_back(std::move(lacking));
   if (!result.succeeded()) return;
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
