@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "cromer/analysis/phase.h"
 #include "cromer/base/pi.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/driven_oscillator.h"
@@ -332,6 +334,15 @@ TEST(LimitCycle, IsOfTheSideThatItBeginsOn) {
   // To second order of k2 A the middle is at -k2 A^2/3 for turning points, A = 2.
   EXPECT_NEAR(*right - *left, 2 * 0.2 * 4 / 3, 0.15);
   EXPECT_GT(*right, 2);
+}
+
+TEST(Phase, EndsWhereTheMotionStandsStillForGood) {
+  const std::vector<double> x{1, 0, -1, 0, 0.2, 0.2, 0.2}, v{0, -1, 0, 1, 0, 0, 0};
+  const std::vector<double> phase = followed_phase(x, v, 1);
+  ASSERT_EQ(phase.size(), x.size());
+  EXPECT_NEAR(phase[3], 1.5 * two_pi / 2, 1e-12);
+  EXPECT_TRUE(std::isfinite(phase[4]));
+  EXPECT_TRUE(std::isnan(phase[5]) && std::isnan(phase[6]));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "cromer/study/write_report.h"
 #include "tests/study/collected.h"
 #include "tests/support/bytes_of.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/written_down.h"
 
 namespace cromer::core {
@@ -326,8 +327,29 @@ TEST(LabReport, OfAnUnknownLengthNamesNoJoulesAndNoMetres) {
 
 TEST(LabReport, SaysOfHowManySamplesAPartIs) {
   const Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {{"from", "10 s"}});
-  EXPECT_THAT(lab.text(), HasSubstr("lab.csv: 1000 of 1500 samples, those from 10.00\u00a0s to 29.98\u00a0s, in 19.98"));
+  EXPECT_THAT(lab.text(),
+              HasSubstr("lab.csv: 1000 of 1500 samples, those from 10.00\u00a0s to 29.98\u00a0s, in 19.98"));
   EXPECT_THAT(lab.text(), HasSubstr("The recording, 1000 of 1500 samples, and the rest position"));
+}
+
+// A phone that is swung by hand at first: the law's numbers are those of no swing.
+TEST(LabReport, OfAMotionThatNoLawDescribesHasNoHeadline) {
+  const std::string path = data("pendulum-phyphox/RawData_converted_from_xls.csv");
+  SKIP_WITHOUT(path);
+  const Made lab = report({{"raw.csv", bytes_of(path)}});
+  ASSERT_TRUE(lab.recordings.front().fitted.succeeded());
+  EXPECT_THAT(lab.text(), HasSubstr("raw.csv: no law that was tried describes this motion."));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("a free swing at")));
+  EXPECT_EQ(lab.study.key_figures.size(), 0u);
+}
+
+TEST(LabReport, SaysWhatRoundingLeavesAndWhichSwingsAFrequencyIsOf) {
+  const std::string path = data("spring-disc-pasco/molla_dura_discopieno_0.1223kg.csv");
+  SKIP_WITHOUT(path);
+  const Made lab = report({{"dura.csv", bytes_of(path)}}, {{"mass", "122.3 g"}});
+  // 3.34 mm where rounding to a centimetre makes 2.89.
+  EXPECT_THAT(lab.text(), HasSubstr("most of it from rounding them to steps of 1"));
+  EXPECT_THAT(lab.text(), HasSubstr("Hz is that of swings of 9.22"));
 }
 
 TEST(LabReport, WhereNoMotionIsFoundNothingLiesFarFromIt) {

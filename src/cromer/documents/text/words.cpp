@@ -84,9 +84,10 @@ int digits_of_end(double end, double low, double high) {
 }
 
 std::string interval_text(double low, double high) {
-  const std::string from = rounded(low, digits_of_end(low, low, high)),
-                    to = rounded(high, digits_of_end(high, low, high));
-  return from == to ? from + " to rounding" : fmt::format("between {} and {}", from, to);
+  constexpr double rounding = 1e-10;  // of the ends
+  if (!(high - low > rounding * std::max(std::abs(low), std::abs(high)))) return "to rounding";
+  return fmt::format("between {} and {}", rounded(low, digits_of_end(low, low, high)),
+                     rounded(high, digits_of_end(high, low, high)));
 }
 
 namespace {

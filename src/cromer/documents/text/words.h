@@ -46,7 +46,7 @@ std::string percent_off(double part);
 /// How many digits the end of an interval is written with: down to the second digit of half its width.
 int digits_of_end(double end, double low, double high);
 
-/// "between 19.9991 and 20.0005".
+/// "between 19.9991 and 20.0005"; "to rounding" of ends that differ by no more.
 std::string interval_text(double low, double high);
 
 /// The files' names without their folders; as they are if that leaves two different files with one name.
