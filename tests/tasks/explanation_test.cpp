@@ -213,14 +213,15 @@ TEST(RunInWords, SaysHowItSwung) {
     return in_words(run_notice(run));
   };
   EXPECT_EQ(swung(1, 0.5),
-            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns down to 0.5 m");
+            "rk4 swung at 3 rad/s on average, from 1 m between its first two turning points down to 0.5 m");
   EXPECT_EQ(swung(0.5, 1),
-            "rk4 swung at 3 rad/s on average, from 0.5 m between its first two turns up to 1 m");
+            "rk4 swung at 3 rad/s on average, from 0.5 m between its first two turning points up to 1 m");
   EXPECT_EQ(swung(1, 1.0009), "rk4 swung at 3 rad/s on average, 1.001 m to each side");
-  EXPECT_EQ(swung(1, 0.9989),
-            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns down to 0.9989 m");
+  EXPECT_EQ(
+      swung(1, 0.9989),
+      "rk4 swung at 3 rad/s on average, from 1 m between its first two turning points down to 0.9989 m");
   EXPECT_EQ(swung(1, 1.0011),
-            "rk4 swung at 3 rad/s on average, from 1 m between its first two turns up to 1.001 m");
+            "rk4 swung at 3 rad/s on average, from 1 m between its first two turning points up to 1.001 m");
 }
 
 TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {

@@ -220,8 +220,7 @@ TEST(RunEffect, WhatAMethodAddsMayBeTakenToo) {
   const auto result = simulated({.law = {.drag = 2}, .method = {"forward-euler"}, .step = 0.1, .until = 60});
   EXPECT_THAT(
       in_words(effect_notice(result.runs[0])),
-      HasSubstr(
-          "began with 0.5 J; in parts of that energy, drag took 116 %, the method itself added 16.5 %"));
+      HasSubstr("began with 0.5 J; measured by that, drag took 116 %, the method itself added 16.5 %"));
 }
 
 TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {

@@ -599,10 +599,6 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
   return fit;
 }
 
-}  // namespace
-
-namespace {
-
 LawFit fit_of_either_zero(const Record& record, const LawFitOptions& options, const KnownMotion& known,
                           const Watch& watch, bool roughly) {
   const HeldParameters held = held_parameters(record, options.law, options.drive.kind);

@@ -211,7 +211,8 @@ double rounding_of(std::span<const double> t, double step) {
   return rounding >= coarse * step ? rounding : 0;
 }
 
-/// Of times with so many digits those of the largest power of ten are rounded most; else 0.
+/// The rounding of times written with a fixed number of digits, in their last power of ten, where it is
+/// largest [s]; else 0.
 double decimal_rounding_of(std::span<const double> t, double step) {
   constexpr std::size_t fewest = 16;
   if (!(t.back() > 0)) return 0;

@@ -29,7 +29,7 @@ bool qualifies(std::string_view code) {
          code == "one_mass_for_unlike_files";
 }
 
-/// Of a step of rounding: a law that leaves less leaves nothing else.
+/// Of a step of rounding: what is less is rounding alone.
 constexpr double all_rounding = 0.3;
 
 /// One recording's part of the study.
@@ -145,7 +145,7 @@ class Part : public LabTold {
   /// Whether the frequency or the damping changes as the swing dies down.
   bool depends_on_amplitude() const { return has_amplitude() && !is_linear(fitted_.fit.law); }
 
-  /// The amplitude that the frequency and the damping hold at; "" where they hold at any.
+  /// The amplitude of the fitted motion; "" where it is not known.
   std::string at_amplitude() const {
     const Parameter* at = named(fitted_.derived, "at_amplitude");
     if (!at) return "";
@@ -576,13 +576,14 @@ class Part : public LabTold {
 
   void methods() {
     heading("report_methods");
-    const std::string ends = words(
-        why_it_leaves(), {{"t", fmt::format("{{{}.final.t, 3}}", forward_)}, {"times", most_times_as_far}});
     paragraph(words("report_methods_text",
                     {{"step", fmt::format("{{{}.1.step, 2}}", methods_)},
                      {"steps", steps_per_period},
                      {"reference", words(exactly() ? "report_closed_form" : "report_dormand_prince")}}) +
-              (steps_ < steps_of_most_periods() ? " " + ends : "") +
+              (steps_ < steps_of_most_periods()
+                   ? " " + words(why_it_leaves(), {{"t", fmt::format("{{{}.final.t, 3}}", forward_)},
+                                                   {"times", most_times_as_far}})
+                   : "") +
               of_method(forward_, words("forward-euler")) + of_method(cromer_, words("euler-cromer")));
     const bool length = si() == "m" || si() == "m/s";
     const Motion& motion = fitted_.fit.motion;

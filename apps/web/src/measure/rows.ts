@@ -60,6 +60,6 @@ function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[]
   const [name, symbol] = words.quantities[key] ?? [key.replaceAll('_', ' '), '']
   const uncertainty = estimate.standard_error === null ? null : estimate.standard_error * factor
   const [low, high] = estimate.confidence_95
-  const ends = low === null || high === null || uncertainty === null ? '–' : interval(low * factor, high * factor, words.law.to, halfOf(low, estimate.value, high) * factor)
+  const ends = low === null || high === null || uncertainty === null ? '–' : interval(low * factor, high * factor, words.law.to, halfOf(low * factor, estimate.value * factor, high * factor))
   return [{ key, name, symbol, value: withUncertainty(estimate.value * factor, uncertainty, unit), interval: ends }]
 }

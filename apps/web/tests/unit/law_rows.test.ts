@@ -18,3 +18,11 @@ it('an interval that reaches far on one side keeps the value within', () => {
   const row = rowsOf(fit as unknown as Parameters<typeof rowsOf>[0], measure).find((each) => each.key === 'quality_factor')!
   expect(row.interval).toBe('71\u00a0to 480')
 })
+
+it('the digits of an interval are those of the shown unit', () => {
+  const wide = { value: 0.093, standard_error: 0.013, confidence_95: [0.071, 0.48] as [number, number], unit: 'm' }
+  const fit = { law: 'viscous', coefficients: ['decay_rate'], parameters: { decay_rate: wide }, derived: {}, reynolds: null }
+  const rows = rowsOf(fit as unknown as Parameters<typeof rowsOf>[0], measure).filter((each) => each.key === 'decay_rate')
+  expect(rows.map((each) => each.value)).toEqual(['9.3\u00a0±\u00a01.3\u00a0cm'])
+  expect(rows.map((each) => each.interval)).toEqual(['7.1\u00a0to 48.0'])
+})

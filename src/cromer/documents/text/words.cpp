@@ -18,12 +18,6 @@ std::string readable_name(std::string_view name) {
   return words;
 }
 
-const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Parameter& each) { return each.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 std::string_view term_of(const Law& law, std::string_view parameter) {
   std::string_view formula;
   for_each_term([&]<class T>() {
@@ -85,7 +79,7 @@ int digits_of_end(double end, double low, double high) {
 
 std::string interval_text(double low, double high) {
   constexpr double rounding = 1e-10;  // of the ends
-  if (!(high - low > rounding * std::max(std::abs(low), std::abs(high)))) return "to rounding";
+  if (high - low <= rounding * std::max(std::abs(low), std::abs(high))) return "to rounding";
   return fmt::format("between {} and {}", rounded(low, digits_of_end(low, low, high)),
                      rounded(high, digits_of_end(high, low, high)));
 }

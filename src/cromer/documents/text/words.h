@@ -13,9 +13,6 @@ namespace cromer::core {
 /// "decay rate" for decay_rate.
 std::string readable_name(std::string_view name);
 
-/// The parameter of that name; nullptr if there is none.
-const Parameter* named(const std::vector<Parameter>& list, std::string_view name);
-
 /// The term of the law that a parameter belongs to, as a formula; "" for others.
 std::string_view term_of(const Law& law, std::string_view parameter);
 

@@ -372,10 +372,12 @@ constexpr Entry entries[] = {
      "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
      "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
     {"axis_holds_gravity", worth_knowing,
-     "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor shows "
-     "twice the frequency and twice the decay rate; another axis, or one without g, shows the swing itself",
-     "die Werte liegen um {mean:.3g} m/s²: diese Achse enthält die Schwerkraft. Längs eines Pendelfadens zeigt "
-     "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine andere Achse oder eine ohne g zeigt die "
+     "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor "
+     "shows "
+     "twice the frequency and twice the decay rate; an axis across the string shows the swing itself",
+     "die Werte liegen um {mean:.3g} m/s²: diese Achse enthält die Schwerkraft. Längs eines Pendelfadens "
+     "zeigt "
+     "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine Achse quer zum Faden zeigt die "
      "Schwingung selbst"},
     {"motion_has_settled", error,
      "the motion of {frequency:.6g} Hz does not die down: once it has settled, a driven motion shows the "

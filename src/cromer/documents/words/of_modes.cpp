@@ -23,16 +23,16 @@ constexpr Entry entries[] = {
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
      "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
     {"no_modes_in_band", error,
-     "no mode was found from {from:.4g} to {to:.4g} Hz; the recording shows motions up to {highest:.4g} Hz: "
-     "{--from-frequency} and {--to-frequency} choose another band",
-     "keine Eigenschwingung von {from:.4g} bis {to:.4g} Hz gefunden; die Aufnahme zeigt Bewegungen bis "
-     "{highest:.4g} Hz: {--from-frequency} und {--to-frequency} wählen ein anderes Band"},
+     "no mode was found from {from:.4g} to {to:.4g} Hz; sampled as it is, the recording can show up to "
+     "{highest:.4g} Hz: {--from-frequency} and {--to-frequency} choose another band",
+     "keine Eigenschwingung von {from:.4g} bis {to:.4g} Hz gefunden; so abgetastet kann die Aufnahme bis "
+     "{highest:.4g} Hz zeigen: {--from-frequency} und {--to-frequency} wählen ein anderes Band"},
     {"channel_dies", error,
-     "\"{column}\" stops in full swing and keeps one value from {time:.4g} s on, as where a sensor or its cable "
-     "fails: {--to} {time:.4g} takes what comes before, and without that column all of the record can be used",
-     "„{column}“ bleibt mitten in der Schwingung stehen und behält ab {time:.4g} s einen Wert, wie wenn ein "
-     "Sensor oder sein Kabel versagt: {--to} {time:.4g} nimmt, was davor liegt, und ohne diese Spalte ist die "
-     "ganze Aufnahme brauchbar"},
+     "\"{column}\" stops in full swing and keeps one value from {time:.6g} s on, as where a sensor or its "
+     "cable "
+     "fails: {--to} {time:.6g} takes what comes before",
+     "„{column}“ bleibt mitten in der Schwingung stehen und behält ab {time:.6g} s einen Wert, wie wenn ein "
+     "Sensor oder sein Kabel versagt: {--to} {time:.6g} nimmt, was davor liegt"},
     {"rests_at_the_end", worth_knowing,
      "the motion has died down by {time:.4g} s: the result is for what comes before",
      "die Bewegung ist bei {time:.4g} s abgeklungen: das Ergebnis gilt für den Teil davor"},

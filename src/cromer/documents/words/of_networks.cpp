@@ -83,8 +83,8 @@ constexpr Entry entries[] = {
      "{file}: nichts schwingt: bitte {--step} und {--until} angeben"},
     {"network_stands_still", error, "{file}: nothing moves: give a mass a position, a velocity or a drive",
      "{file}: nichts bewegt sich: bitte einer Masse position, velocity oder drive_amplitude geben"},
-    {"option_not_of_networks", error,
-     "{option:option} does not go with {--network}", "{option:option} geht nicht mit {--network}"},
+    {"option_not_of_networks", error, "{option:option} does not go with {--network}",
+     "{option:option} geht nicht mit {--network}"},
     {"network_without_hdf5", error, "{--output}: {file}: the states of a network go into .csv or .json",
      "{--output}: {file}: die Zustände eines Netzes kommen in .csv oder .json"},
     {"network_not_alone", error, "{--network} does not go with {--over}",
@@ -125,25 +125,24 @@ constexpr Entry entries[] = {
      "few gaps, and three samples for each number that is sought",
      "die Aufnahme bestimmt die Werte nicht: sie braucht anderthalb Schwingungen jeder Masse um ihre "
      "Ruhelage, wenige Lücken und drei Messwerte für jede gesuchte Zahl"},
+    {"columns_may_be_swapped", clause, "cromer modes {--network} names columns that look swapped or reversed",
+     "cromer modes {--network} nennt Spalten, die vertauscht oder umgekehrt scheinen"},
     {"network_explains_little", error,
      "the network accounts for {percent:.2g} % of the variance of \"{column}\" only: it lacks a link, a term "
-     "or a drive, or the columns stand in another order than the masses; cromer modes {--network} names columns "
-     "that look swapped or reversed",
+     "or a drive, or the columns stand in another order than the masses; {hint}",
      "das Netz erklärt nur {percent:.2g} % der Varianz von „{column}“: ihm fehlt eine Verbindung, ein Term "
-     "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen; cromer modes {--network} "
-     "nennt Spalten, die vertauscht oder umgekehrt scheinen"},
+     "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen; {hint}"},
     {"network_values_undetermined", error,
      "the record tells these values in combination only, not each by itself: {values}; give one of them",
      "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
     {"network_value_undetermined", error, "the record does not tell the {value}: give it, or leave it out",
      "die Aufnahme bestimmt nicht: {value}; bitte angeben oder weglassen"},
     {"network_not_converged", error,
-     "the fit has not converged after {iterations:iteration|iterations}: the network lacks a link or a term, or "
-     "the columns stand in another order than the masses; cromer modes {--network} names columns that look "
-     "swapped or reversed",
-     "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert: dem Netz fehlt eine Verbindung "
-     "oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; cromer modes {--network} "
-     "nennt Spalten, die vertauscht oder umgekehrt scheinen"},
+     "the fit has not converged after {iterations:iteration|iterations}: perhaps the network lacks a link or "
+     "a "
+     "term, or the columns stand in another order than the masses; {hint}",
+     "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert: vielleicht fehlt dem Netz eine "
+     "Verbindung oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; {hint}"},
     {"network_leaves_a_motion", wrong_if_ignored,
      "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
      "or a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",

@@ -40,8 +40,7 @@ constexpr Entry entries[] = {
      "amplitude that frequency, period, damping ratio, quality factor and decrement hold at",
      "Amplitude, bei der Frequenz, Periode, Dämpfungsgrad, Güte und Dekrement gelten"},
     {"report_zero", clause, "zero of the sensor", "Nullpunkt des Sensors"},
-    {"report_record_with_zero", clause,
-     "The recording, {used}, and the sensor's zero by the law, {level}.",
+    {"report_record_with_zero", clause, "The recording, {used}, and the sensor's zero by the law, {level}.",
      "Die Aufnahme, {used}, und der Nullpunkt des Sensors nach dem Gesetz, {level}."},
     {"report_angular_velocity", clause, "angular velocity", "Winkelgeschwindigkeit"},
     {"report_driven_at", clause,
@@ -77,8 +76,9 @@ constexpr Entry entries[] = {
     {"report_at_end", clause, "at the end {rate}", "am Ende {rate}"},
     {"report_reynolds_max", clause, "largest Reynolds number", "größte Reynolds-Zahl"},
     {"report_at", clause, "at {t}", "bei {t}"},
-    {"report_recordings", clause, "What the recordings say. In brackets the standard uncertainty of the last digits.",
-     "Was die Aufnahmen sagen. In Klammern die Standardunsicherheit der letzten Stellen."},
+    {"report_recordings", clause,
+     "What the recordings say. The digits in brackets are the standard uncertainty of the last digits.",
+     "Was die Aufnahmen sagen. Die Ziffern in Klammern sind die Standardunsicherheit der letzten Stellen."},
     {"report_recording", clause, "recording", "Aufnahme"},
 
     // What its writer adds.
@@ -102,8 +102,7 @@ constexpr Entry entries[] = {
      "beiseite gelassen."},
     {"report_record_title", clause, "Measured: {file}", "Gemessen: {file}"},
     {"report_record", clause, "The recording, {used}.", "Die Aufnahme, {used}."},
-    {"report_record_with_level", clause,
-     "The recording, {used}, and the rest position by the law, {level}.",
+    {"report_record_with_level", clause, "The recording, {used}, and the rest position by the law, {level}.",
      "Die Aufnahme, {used}, und die Ruhelage nach dem Gesetz, {level}."},
     {"report_is_measured", clause, "measured", "gemessen"},
     {"report_level", clause, "rest position", "Ruhelage"},
@@ -160,10 +159,12 @@ constexpr Entry entries[] = {
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
     {"report_few_degrees", clause,
-     "The 95 % interval of {names:and} is wider than ± suggests: what disturbs it is slow, so that the record "
-     "holds few independent values of it.",
-     "Das 95-%-Intervall ist weiter, als ± vermuten lässt, bei: {names:and}. Was hier stört, ist langsam, und "
-     "die Aufnahme enthält davon nur wenige unabhängige Werte."},
+     "The 95 % intervals are wider than ± suggests, those of: {names:and}. What disturbs them is slow, so "
+     "the "
+     "record holds few independent values of it, or ± stands at a bound.",
+     "Das 95-%-Intervall ist weiter, als ± vermuten lässt, bei: {names:and}. Was hier stört, ist langsam, "
+     "und "
+     "die Aufnahme enthält davon nur wenige unabhängige Werte, oder der Wert liegt an einer Grenze."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
     {"disc_diameter", clause, "disc's diameter", "Durchmesser der Scheibe"},
@@ -239,7 +240,8 @@ constexpr Entry entries[] = {
     {"report_small_swings_stiffness", clause,
      "That is its stiffness for small swings, as this law has them; the frequency of {frequency} is that of "
      "swings of {amplitude}, and does not give the same *k*.",
-     "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die von "
+     "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die "
+     "von "
      "Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
@@ -341,10 +343,8 @@ constexpr Entry entries[] = {
      "Abbildungen zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei "
      "anderen Frequenzen."},
     {"report_resonance_reach", clause,
-     "The law was found at amplitudes of about {amplitude}; beyond them the figures hold only as far as it "
-     "does.",
-     "Gefunden ist das Gesetz bei Amplituden von etwa {amplitude}; darüber hinaus gelten die Abbildungen nur "
-     "so weit wie das Gesetz."},
+     "The law was found at amplitudes of about {amplitude}; beyond them it is untested.",
+     "Gefunden ist das Gesetz bei Amplituden von etwa {amplitude}; darüber hinaus ist es nicht geprüft."},
     {"report_resonance_title", clause, "Amplitude against drive frequency",
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",

@@ -403,12 +403,14 @@ constexpr Entry entries[] = {
     {"swung_evenly", clause, "swung at {frequency:.6g} rad/s on average, {amplitude:.4g} m to each side",
      "schwang im Mittel mit {frequency:.6g} rad/s, {amplitude:.4g} m nach jeder Seite"},
     {"swung_less_and_less", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turns down to "
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turning points "
+     "down to "
      "{last:.4g} m",
      "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
      "herunter auf {last:.4g} m"},
     {"swung_more_and_more", clause,
-     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turns up to "
+     "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turning points up "
+     "to "
      "{last:.4g} m",
      "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
      "hinauf auf {last:.4g} m"},
@@ -426,7 +428,7 @@ constexpr Entry entries[] = {
     {"energy_went_to", clause, "had {energy:.4g} J{givers}, of which {takers:,}, the method itself {method}",
      "hatte {energy:.4g} J{givers}; davon nahm {takers:,}, das Verfahren selbst {method}"},
     {"energy_turned_over", clause,
-     "began with {energy:.4g} J{givers}; in parts of that energy, {takers:,}, the method itself {method}",
+     "began with {energy:.4g} J{givers}; measured by that, {takers:,}, the method itself {method}",
      "begann mit {energy:.4g} J{givers}; gemessen daran nahm {takers:,}, das Verfahren selbst {method}"},
     {"with_what_gave", clause, " with what the {givers} gave", " mit dem Beitrag von {givers}"},
     {"first_taker", clause, "{what} took {percent:.3g} %", "{what} {percent:.3g} %"},

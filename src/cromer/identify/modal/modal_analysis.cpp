@@ -168,14 +168,15 @@ std::size_t lively_samples(const ModalRecord& record) {
     double mean = 0, largest = 0;
     const std::span<const double> end = channel.last(quarter * length);
     for (const double y : end) mean += y / static_cast<double>(end.size());
-    std::vector<double> rms;
+    std::vector<double> norms;
     for (std::size_t w = 0; w < windows; ++w) {
       double squares = 0;
       for (const double y : channel.subspan(w * length, length)) squares += (y - mean) * (y - mean);
-      rms.push_back(std::sqrt(squares));
-      largest = std::max(largest, rms.back());
+      norms.push_back(std::sqrt(squares));
+      largest = std::max(largest, norms.back());
     }
-    for (std::size_t w = 0; largest > 0 && w < windows; ++w) level[w] = std::max(level[w], rms[w] / largest);
+    for (std::size_t w = 0; largest > 0 && w < windows; ++w)
+      level[w] = std::max(level[w], norms[w] / largest);
   }
   std::vector<double> last(level.end() - quarter, level.end());
   const double tail = upper_median(last);
@@ -232,10 +233,14 @@ void keep_asked_for(ModalAnalysis& found, const ModalRecord& record, const Modal
   const auto most = settings.modes > 0 ? static_cast<std::size_t>(settings.modes) : found.modes.size();
   const ModalRecord part =
       until_sample(from_sample(record, found.still), record.samples() - found.still - found.resting);
+  if (found.modes.size() <= most) return;
+  const Eigen::MatrixXd values = values_of(part);
+  const Eigen::VectorXd sizes = DecayBasis(part, values, {}).residuals().colwise().norm();
+  const Eigen::MatrixXd scaled = values * sizes.cwiseInverse().asDiagonal();
   while (found.modes.size() > most) {
     Eigenvalues eigenvalues;
     for (const MeasuredMode& mode : found.modes) eigenvalues.push_back(mode.eigenvalue);
-    found.modes.erase(found.modes.begin() + DecayBasis(part, values_of(part), eigenvalues).weakest_mode());
+    found.modes.erase(found.modes.begin() + DecayBasis(part, scaled, eigenvalues).weakest_mode());
   }
 }
 

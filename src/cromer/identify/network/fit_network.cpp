@@ -527,9 +527,8 @@ bool leaves_motion(const NetworkMotions& motions, const Parameters& p, const Net
   return false;
 }
 
-/// Half of each column is accounted for, or nine tenths where what is left of it is no noise. Where it is
-/// white, half of one column is enough: the others are mostly noise, and the law says all of them that can be
-/// said.
+}  // namespace
+
 bool explains(const std::vector<FittedColumn>& columns) {
   constexpr double beside_noise = 0.5, beside_motion = 0.9;
   const auto is_told = [](const FittedColumn& column) {
@@ -540,8 +539,6 @@ bool explains(const std::vector<FittedColumn>& columns) {
            return is_told(column) || is_white(column.residual);
          });
 }
-
-}  // namespace
 
 std::size_t most_sought(std::size_t masses) {
   const std::size_t all = max_parameters;

@@ -35,6 +35,11 @@ struct FittedColumn {
   double explained = 0;             ///< 1 - rms^2/variance of the column
 };
 
+/// Half of each column is accounted for, or nine tenths where what is left of it is no noise. Where it is
+/// white, half of one column is enough: the others are mostly noise, and the law says all of them that can be
+/// said.
+bool explains(const std::vector<FittedColumn>& columns);
+
 struct NetworkFit {
   FitStatus status = FitStatus::iteration_limit;
   int iterations = 0;

@@ -219,8 +219,8 @@ Samples good_samples(const FittedRecording& recording, const Trajectory& simulat
   return samples;
 }
 
-/// The standard error of the amplitude at the end of a sinusoid of w [rad/s] fitted to so many samples: what
-/// is left beside the law has as much of that frequency in most such windows.
+/// The standard error of the amplitude of a sinusoid of w [rad/s] fitted to so many samples: from the
+/// residuals' amplitude at w in windows of that length, and never less than that of white noise.
 double amplitude_error_of(const FittedRecording& recording, double w, std::size_t samples) {
   const FittedSamples good = without_outliers(recording.series);
   const double white = amplitude_error(recording.fit.residual.rms, samples);

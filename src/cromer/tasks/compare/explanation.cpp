@@ -47,14 +47,10 @@ bool is_far_off_at_the_end(const ComparedCurve& curve) {
 
 /// The decay rates at both ends of the recording, by the law; none where one is not known.
 std::optional<std::pair<double, double>> rates_at_the_ends(const FittedRecording& recording) {
-  const auto find = [&](std::string_view name) {
-    const auto at = std::find_if(recording.headline.begin(), recording.headline.end(),
-                                 [&](const Parameter& each) { return each.name == name; });
-    return at == recording.headline.end() ? nullptr : &at->estimate;
-  };
-  const Estimate *start = find("decay_rate_start"), *end = find("decay_rate_end");
-  if (!start || !end || is_one_rate(*start, *end)) return std::nullopt;
-  return std::pair{start->value, end->value};
+  const Parameter *start = named(recording.headline, "decay_rate_start"),
+                  *end = named(recording.headline, "decay_rate_end");
+  if (!start || !end || is_one_rate(start->estimate, end->estimate)) return std::nullopt;
+  return std::pair{start->estimate.value, end->estimate.value};
 }
 
 /// What the method adds to the law's own misfit; empty if that is negligible.
@@ -95,8 +91,8 @@ Notice explanation(const CompareResult& comparison) {
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
   const auto ends = rates_at_the_ends(comparison.recording);
-  const bool constant =
-      !ends && std::abs(first - last) < alike_rates * std::max(std::abs(first), std::abs(last));
+  const bool alike = std::abs(first - last) <= alike_rates * std::max(std::abs(first), std::abs(last)),
+             constant = !ends && alike;
   const Notice end = amplitude_at_the_end(one);
   Notice method;
   for (std::size_t i = curves.size(); i-- > 2;)
@@ -116,7 +112,7 @@ Notice explanation(const CompareResult& comparison) {
                                            : "one_rate_is_enough",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};
   const bool bent = !is_linear(law.law.without(dampings));
-  if (rates.size() < 2 || constant)
+  if (rates.size() < 2 || alike)
     return Notice{
         !rates.empty() && constant && bent ? "one_rate_but_not_the_motion" : "one_rate_is_not_enough",
         {{"one_rate", left}, {"with_law", with_law}, {"method", method}}};

@@ -167,6 +167,12 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
   return result;
 }
 
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Parameter& each) { return each.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
 bool are_apart(const Estimate& one, const Estimate& other) {
   return one.low > other.high || other.low > one.high;
 }

@@ -42,6 +42,9 @@ AmplitudeDecay amplitude_decay(const LawFit& fit);
 /// Rates that differ by less, relative, are one for whoever reads them.
 inline constexpr double alike_rates = 0.02;
 
+/// The parameter of this name; null where there is none.
+const Parameter* named(const std::vector<Parameter>& list, std::string_view name);
+
 /// Whether the 95 % intervals have nothing in common.
 bool are_apart(const Estimate& one, const Estimate& other);
 

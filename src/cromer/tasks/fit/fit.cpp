@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "cromer/analysis/air.h"
+#include "cromer/analysis/ground_motion.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
@@ -151,8 +152,9 @@ Notice gravity_in(const Series& series, const FittedSamples& samples) {
   if (series.quantity != "acceleration" || samples.y.empty()) return {};
   double mean = 0;
   for (const double y : samples.y) mean += y / static_cast<double>(samples.y.size());
-  constexpr double g = 9.81;
-  return std::abs(std::abs(mean) - g) < 0.1 * g ? Notice{"axis_holds_gravity", {{"mean", mean}}} : Notice{};
+  return std::abs(std::abs(mean) - standard_gravity) < 0.1 * standard_gravity
+             ? Notice{"axis_holds_gravity", {{"mean", mean}}}
+             : Notice{};
 }
 
 bool radians_are_assumed(const Series& series) {

@@ -163,7 +163,7 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
   const double rate = to_twelve_digits(series.rate > 0 ? series.rate : fewest / shorter);
   double step = 1 / (rate * std::max(1.0, std::ceil(fewest / (rate * shorter) - 1e-9)));
   const double until = to_twelve_digits(series.t.back() - series.t.front());
-  // Rounded times are a whole number of steps but for that rounding.
+  // Otherwise the steps fill the record, so that the last is no shorter one.
   if (count_steps({0, until}, step).last > 0) step = until / std::ceil(until / step - 1e-6);
   add("step", step);
   add("until", until);

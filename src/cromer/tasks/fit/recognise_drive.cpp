@@ -156,7 +156,7 @@ bool tells(const FittedRecording& fitted, std::string_view code) {
                      [&](const Notice& notice) { return notice.code == code; });
 }
 
-// At the drive's frequency, if that is known, and for ever: as of any body that is driven for long.
+// Whether the motion keeps its amplitude, at the drive's frequency if that is known: a settled driven motion.
 bool is_settled(const FittedRecording& free, std::optional<double> drive) {
   const double resolution = two_pi / (free.series.t.back() - free.series.t.front());
   return tells(free, "swing_does_not_die_down") &&

@@ -73,7 +73,7 @@ AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double 
 }
 
 constexpr std::size_t quarters = 4;
-// Of an axis's amplitude: another that swings by more is no less clear.
+// Amplitudes whose ratio is above this are alike.
 constexpr double alike = 0.8;
 
 struct Axis {
@@ -131,13 +131,15 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
   Series liveliest = std::move(found.front().series);
   const std::string unit = unit_of(liveliest);
   const double amplitude = found[0].swings[quarter].amplitude, other = found[1].swings[quarter].amplitude;
-  liveliest.notices.insert(liveliest.notices.begin(),
-                           Notice{other > alike * amplitude ? "axes_alike" : "liveliest_axis_taken",
-                                  {{"column", liveliest.column},
-                                   {"amplitude", amplitude},
-                                   {"other", found[1].series.column},
-                                   {"less", other},
-                                   {"unit", unit.empty() ? unit : " " + unit}}});
+  liveliest.notices.insert(
+      liveliest.notices.begin(),
+      Notice{std::min(amplitude, other) > alike * std::max(amplitude, other) ? "axes_alike"
+                                                                             : "liveliest_axis_taken",
+             {{"column", liveliest.column},
+              {"amplitude", amplitude},
+              {"other", found[1].series.column},
+              {"less", other},
+              {"unit", unit.empty() ? unit : " " + unit}}});
   return liveliest;
 }
 

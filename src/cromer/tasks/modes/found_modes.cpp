@@ -38,7 +38,7 @@ Result<Channels> moving_channels(const Recording& recording, const ModesOptions&
   leave_out("channel_left_out_still", never_changes);
   for (const Notice& notice : channels.notices) add_once(notices, notice);
   if (channels.each.empty()) return Error{"no_channel_moves", {{"file", recording.file}}};
-  if (auto good = check_that_all_last(channels, recording.file); !good) return good.error();
+  if (auto good = check_no_channel_dies(channels, recording.file); !good) return good.error();
 
   if (const std::size_t left_out = leave_out_incomplete(channels); left_out > 0)
     notices.push_back(Notice{"samples_not_in_all_channels", {{"samples", left_out}}});
@@ -116,12 +116,12 @@ Notice why_no_modes(const ModalAnalysis& found, const ModesOptions& options, dou
   if (!options.from_frequency && !options.to_frequency) return Notice{"no_modes_found"};
   const double from = options.from_frequency.value_or(0) / two_pi,
                to = options.to_frequency ? *options.to_frequency / two_pi : highest;
-  return Notice{"no_modes_in_band", {{"from", from}, {"to", std::min(to, highest)}, {"highest", highest}}};
+  return Notice{"no_modes_in_band", {{"from", from}, {"to", std::max(from, to)}, {"highest", highest}}};
 }
 
 }  // namespace
 
-Result<void> check_that_all_last(const Channels& channels, const std::string& file) {
+Result<void> check_no_channel_dies(const Channels& channels, const std::string& file) {
   if (channels.each.size() < 2) return {};
   for (const Channel& channel : channels.each) {
     std::vector<double> t, y;
@@ -166,8 +166,10 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
                                  .rate = 1 / record.step,
                                  .found = find_modes(record, settings)};
   const ModalAnalysis& found = result.recording->found;
-  result.recording->gaps = from_sample(record, found.still).starts.size() - 1;
   const std::size_t used = channels->t.size() - found.still - found.resting, end = found.still + used;
+  result.recording->gaps = static_cast<std::size_t>(
+      std::count_if(record.starts.begin(), record.starts.end(),
+                    [&](std::size_t start) { return start > found.still && start < end; }));
   result.recording->samples = used;
   result.recording->duration = channels->t[end - 1] - channels->t[found.still];
   if (found.resting > 0) result.notices.push_back(Notice{"rests_at_the_end", {{"time", channels->t[end]}}});

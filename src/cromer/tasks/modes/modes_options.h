@@ -20,7 +20,7 @@ bool seeks_all(const ModesOptions& options);
 
 /// An Error where one of several channels stops in full swing and keeps one value from there on, as where its
 /// sensor or its cable fails. `file`: as messages name it.
-Result<void> check_that_all_last(const Channels& channels, const std::string& file);
+Result<void> check_no_channel_dies(const Channels& channels, const std::string& file);
 
 MethodSettings method_settings_of(const ModesOptions& options);
 

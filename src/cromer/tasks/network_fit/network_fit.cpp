@@ -104,9 +104,10 @@ const FittedColumn& worst_column(const FittedNetwork& result) {
 Notice explains_little(const FittedNetwork& result) {
   const FittedColumn& worst = worst_column(result);
   const auto at = static_cast<std::size_t>(&worst - result.fit.columns.data());
-  return Notice{
-      "network_explains_little",
-      {{"column", result.channels.each[at].column}, {"percent", 100 * std::max(0.0, worst.explained)}}};
+  return Notice{"network_explains_little",
+                {{"column", result.channels.each[at].column},
+                 {"percent", 100 * std::max(0.0, worst.explained)},
+                 {"hint", Notice{"columns_may_be_swapped"}}}};
 }
 
 /// Why the fit did not succeed.
@@ -124,16 +125,16 @@ Notice why_no_success(const FittedNetwork& result) {
     case FitStatus::too_noisy:
       return explains_little(result);
     case FitStatus::undetermined: {
-      // Of what follows another network nothing is told of this one's values.
-      constexpr double most = 0.9;
-      if (worst_column(result).explained < most) return explains_little(result);
+      // What another network moves tells nothing of this one's values.
+      if (!explains(result.fit.columns)) return explains_little(result);
       std::vector<Notice> values;
       for (const std::size_t j : result.fit.undetermined) values.push_back(value_of_link(result, j));
       if (values.size() == 1) return Notice{"network_value_undetermined", {{"value", values.front()}}};
       return Notice{"network_values_undetermined", {{"values", values}}};
     }
     default:
-      return Notice{"network_not_converged", {{"iterations", result.fit.iterations}}};
+      return Notice{"network_not_converged",
+                    {{"iterations", result.fit.iterations}, {"hint", Notice{"columns_may_be_swapped"}}}};
   }
 }
 
@@ -162,7 +163,6 @@ double motion_left_of(const FittedNetwork& result, std::size_t column,
 
 /// Which column shows most that the network leaves a motion; empty where none does.
 Notice motion_left(const FittedNetwork& result) {
-  if (!result.succeeded()) return {};
   const std::vector<ComplexMode> modes = complex_modes(linearised(result.fit.network));
   std::size_t worst = 0;
   double most = 0;
@@ -177,8 +177,7 @@ Notice motion_left(const FittedNetwork& result) {
 Notice mode_that_is_lacking(const FittedNetwork& result) {
   constexpr double nearly_all = 0.98, near = 0.03, standard_errors = 5;
   const Network& network = result.fit.network;
-  if (!result.succeeded() || is_driven(network) || !is_linear(law_of(network)) ||
-      worst_column(result).explained > nearly_all)
+  if (is_driven(network) || !is_linear(law_of(network)) || worst_column(result).explained > nearly_all)
     return {};
   Channels complete = result.channels;
   leave_out_incomplete(complete);
@@ -198,10 +197,10 @@ Notice mode_that_is_lacking(const FittedNetwork& result) {
 }
 
 void add_doubts(FittedNetwork& result) {
+  if (!result.succeeded()) return;
   if (Notice left = motion_left(result); !left.empty()) result.notices.push_back(std::move(left));
   if (Notice lacking = mode_that_is_lacking(result); !lacking.empty())
     result.notices.push_back(std::move(lacking));
-  if (!result.succeeded()) return;
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
     if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
@@ -238,7 +237,7 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
                        .asked = network};
   if (auto good = crop(result.channels, options.from, options.to); !good) return good.error();
   if (auto good = check_columns(result.channels, network, recording.file); !good) return good.error();
-  if (auto good = check_that_all_last(result.channels, recording.file); !good) return good.error();
+  if (auto good = check_no_channel_dies(result.channels, recording.file); !good) return good.error();
   result.notices = recording.notices;
   result.notices.insert(result.notices.end(), result.channels.notices.begin(), result.channels.notices.end());
 

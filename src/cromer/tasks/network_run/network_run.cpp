@@ -297,10 +297,8 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   NetworkRun run{.file = file, .network = network};
   if (auto good = set_up(run, options); !good) return good.error();
   add_stability(run, options);
-  const Steps steps = count_steps({0, run.until}, run.step);
-  if (steps.last > 0 && options.step && options.until && !find_method(run.method)->is_adaptive())
-    run.notices.push_back(
-        Notice{"last_step_is_shorter", {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
+  if (Notice shorter = shorter_last_step(options, run.until, run.step, run.method); !shorter.empty())
+    run.notices.push_back(std::move(shorter));
   NetworkRecorder record(run.network, options.every, run.states);
   MethodSettings settings = settings_of(options, run.method);
   run.outcome = visit_method(run.method, settings,

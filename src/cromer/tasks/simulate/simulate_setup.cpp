@@ -331,6 +331,13 @@ double period_of_swing(const SimulatedRun& run) {
   return shorter_period(swings ? natural : 0, run.general ? 0 : drive_period(run.drive));
 }
 
+Notice shorter_last_step(const SimulateOptions& options, double until, double step, std::string_view method) {
+  if (!options.step || !options.until || find_method(method)->is_adaptive()) return {};
+  const Steps steps = count_steps({0, until}, step);
+  if (!(steps.last > 0)) return {};
+  return Notice{"last_step_is_shorter", {{"until", until}, {"step", step}, {"last", steps.last}}};
+}
+
 std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs) {
   std::vector<Notice> notices;
   if (options.drive_record)
@@ -358,11 +365,8 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
     if (auto notice = step_notice(run); !notice.empty()) add_once(notices, std::move(notice));
     if (const double begin = drive_begin(run); begin >= run.until)
       add_once(notices, Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
-    const Steps steps = count_steps({0, run.until}, run.step);
-    // If one of them is a default, so is the remainder.
-    if (steps.last > 0 && options.step && options.until && !find_method(run.method)->is_adaptive())
-      add_once(notices, Notice{"last_step_is_shorter",
-                               {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
+    if (Notice shorter = shorter_last_step(options, run.until, run.step, run.method); !shorter.empty())
+      add_once(notices, std::move(shorter));
     const double kept = run.step * static_cast<double>(options.every), period = period_of_swing(run);
     if (period > 0 && kept > period / 2 && run.until > 3 * kept)
       add_once(notices, Notice{"states_too_far_apart", {{"kept", kept}, {"period", period}}});

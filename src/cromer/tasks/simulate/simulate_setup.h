@@ -18,6 +18,10 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options);
 /// Notices on options without effect, steps beyond stability, and ends that the steps do not meet.
 std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs);
 
+/// Says that the steps do not fill a run: the last is shorter. Empty where they do, where step or end is a
+/// default, as the remainder then is, and for an adaptive method.
+Notice shorter_last_step(const SimulateOptions& options, double until, double step, std::string_view method);
+
 /// For --accuracy: sets step and accuracy of every run. An Error if there is no such step, or its states
 /// would take too much memory.
 Result<void> choose_steps(const SimulateOptions& options, std::vector<SimulatedRun>& runs,
