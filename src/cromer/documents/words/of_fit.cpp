@@ -186,10 +186,11 @@ constexpr Entry entries[] = {
      "no Reynolds number: column \"{column}\" is neither a position nor a velocity",
      "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
     {"long_period_for_reynolds", worth_knowing,
-     "the period of {period:.3g} s is longer than two windows of the Reynolds number: the speed may have no "
-     "maximum within a window",
-     "die Periode von {period:.3g} s ist länger als zwei Fenster der Reynolds-Zahl: in einem Fenster hat die "
-     "Geschwindigkeit vielleicht kein Maximum"},
+     "each Reynolds number is the largest of half a second, less than half the period of {period:.3g} s: where "
+     "the swing's fastest moment lies outside, the number is smaller than that of the swing",
+     "jede Reynolds-Zahl ist die größte einer halben Sekunde, weniger als die halbe Periode von {period:.3g} "
+     "s: liegt der schnellste Augenblick der Schwingung außerhalb, ist die Zahl kleiner als die der "
+     "Schwingung"},
     {"fit_interrupted", error,
      "interrupted: the law is fitted, but some results that follow from it are missing",
      "abgebrochen: das Gesetz ist angepasst, doch manches, was daraus folgt, fehlt"},
