@@ -60,6 +60,8 @@ class Part : public LabTold {
     record_figure();
     if (!fitted_.succeeded()) return failed();
     law();
+    // What follows from a law that does not describe the motion is not told.
+    if (is_poorly_described()) return not_told();
     if (!fitted_.driven) decay();
     if (fitted_.find("stiffness")) stiffness();
     if (fitted_.reynolds_max) reynolds();
@@ -259,6 +261,7 @@ class Part : public LabTold {
       if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
         paragraph(verbatim(words("report_sentence", {{"what", notice}})));
     wide_intervals();
+    energy_beside_amplitude();
     swings_figure();
     residual_figure();
   }
@@ -288,13 +291,30 @@ class Part : public LabTold {
   void wide_intervals() {
     constexpr double wide = 3;  // of a standard uncertainty, to each side: less than some three degrees
     std::vector<std::string> names;
-    for (const Parameter& each : fitted_.parameters) {
-      const Estimate& e = each.estimate;
-      const double reach = std::max(e.high - e.value, e.value - e.low);
-      if (std::isfinite(reach) && e.standard_error > 0 && reach > wide * e.standard_error)
-        names.push_back(name_in_table(each.name));
-    }
-    if (!names.empty()) paragraph(words("report_few_degrees", {{"names", names}}));
+    std::size_t all = 0;
+    for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
+      for (const Parameter& each : *list) {
+        const Estimate& e = each.estimate;
+        const double reach = std::max(e.high - e.value, e.value - e.low);
+        if (!std::isfinite(reach) || !(e.standard_error > 0)) continue;
+        ++all;
+        const std::string name = name_in_table(each.name);
+        if (reach > wide * e.standard_error && std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      }
+    if (names.empty()) return;
+    paragraph(2 * names.size() > all ? words("report_few_degrees_of_most")
+                                     : words("report_few_degrees", {{"names", names}}));
+  }
+
+  /// Where the spring is bent, or damping is not viscous, the quality factor and the decrement need not
+  /// agree.
+  void energy_beside_amplitude() {
+    const Estimate *ratio = fitted_.find("damping_ratio"), *decrement = fitted_.find("logarithmic_decrement");
+    constexpr double alike = 0.02;
+    if (!ratio || !decrement || !(ratio->value > 0) || is_linear(fitted_.fit.law)) return;
+    if (std::abs(decrement->value / (two_pi * ratio->value) - 1) > alike)
+      paragraph(words("report_energy_beside_amplitude"));
   }
 
   /// The first periods, as the law has them and as they were measured.

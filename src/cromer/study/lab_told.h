@@ -211,7 +211,9 @@ class LabTold {
 
   std::string from_level() const { return of_position() ? displacement() : quantity(); }
 
-  bool simulates() const { return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0; }
+  bool simulates() const {
+    return fitted_.fit.is_usable() && !fitted_.simulate.empty() && period_ > 0 && !is_poorly_described();
+  }
 
   double step() const { return std::stod(fmt::format("{:.2g}", period_ / steps_per_period)); }
 

@@ -123,18 +123,21 @@ constexpr Entry entries[] = {
      "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
-     "less than a tenth of it, as when a hand catches it: only what comes before, {kept} of {samples} "
-     "samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
+     "less than a tenth of it, as when a hand catches it: only what comes before, to {until:.4g} s, {kept} "
+     "of "
+     "{samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
      "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: das Gesetz wird nur an den Teil "
-     "davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich "
+     "davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den "
+     "Griffen} lässt sich "
      "ein anderer wählen"},
     {"driven_until_stop", worth_knowing,
-     "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, "
-     "{kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
+     "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, to "
+     "{until:.4g} s, {kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another "
+     "part",
      "die Bewegung endet zwischen {from:.4g} und {to:.4g} s, wie wenn der Antrieb aufhört: das Gesetz wird "
-     "nur an den Teil davor angepasst, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den "
-     "Griffen} lässt sich ein anderer wählen"},
+     "nur an den Teil davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} und "
+     "{--to}|den Griffen} lässt sich ein anderer wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
@@ -186,7 +189,8 @@ constexpr Entry entries[] = {
      "no Reynolds number: column \"{column}\" is neither a position nor a velocity",
      "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
     {"long_period_for_reynolds", worth_knowing,
-     "each Reynolds number is the largest of half a second, less than half the period of {period:.3g} s: where "
+     "each Reynolds number is the largest of half a second, less than half the period of {period:.3g} s: "
+     "where "
      "the swing's fastest moment lies outside, the number is smaller than that of the swing",
      "jede Reynolds-Zahl ist die größte einer halben Sekunde, weniger als die halbe Periode von {period:.3g} "
      "s: liegt der schnellste Augenblick der Schwingung außerhalb, ist die Zahl kleiner als die der "
@@ -566,6 +570,8 @@ constexpr Entry entries[] = {
     {"end_is_right_within_noise", clause,
      "the amplitude at the end is right within what the noise lets see, {noise:n}\u00a0%",
      "die Amplitude am Ende stimmt, soweit das Rauschen es sehen lässt, auf {noise:n}\u00a0%"},
+    {"end_is_near_the_noise", clause, "the amplitude at the end is too near the noise to test it",
+     "die Amplitude am Ende ist dem Rauschen zu nah, um etwas zu prüfen"},
     {"end_too_large", clause, "the amplitude at the end is {off:n}\u00a0% too large",
      "die Amplitude am Ende ist um {off:n}\u00a0% zu groß"},
     {"end_too_small", clause, "the amplitude at the end is {off:n}\u00a0% too small",

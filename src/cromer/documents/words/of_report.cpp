@@ -165,6 +165,21 @@ constexpr Entry entries[] = {
      "Das 95-%-Intervall ist weiter, als ± vermuten lässt, bei: {names:and}. Was hier stört, ist langsam, "
      "und "
      "die Aufnahme enthält davon nur wenige unabhängige Werte, oder der Wert liegt an einer Grenze."},
+    {"report_few_degrees_of_most", clause,
+     "Most of the 95 % intervals are wider than ± suggests: what disturbs the motion is slow, so the record "
+     "holds few independent values of it. They count, not ±.",
+     "Die meisten 95-%-Intervalle sind weiter, als ± vermuten lässt: was die Bewegung stört, ist langsam, "
+     "und "
+     "die Aufnahme enthält davon nur wenige unabhängige Werte. Sie zählen, nicht ±."},
+    {"report_energy_beside_amplitude", clause,
+     "Damping ratio and quality factor are those of the linear damper that takes as much energy in a cycle; "
+     "the "
+     "decrement is that of the amplitude. Under this law the two are not tied as they are under viscous "
+     "damping "
+     "and a linear spring.",
+     "Dämpfungsgrad und Güte sind die des linearen Dämpfers, der je Periode ebenso viel Energie nimmt; das "
+     "Dekrement ist das der Amplitude. Nach diesem Gesetz hängen sie nicht so zusammen wie bei viskoser "
+     "Dämpfung und linearer Feder."},
     {"report_quantity", clause, "quantity", "Größe"},
     {"report_term", clause, "term of the law", "Term des Gesetzes"},
     {"disc_diameter", clause, "disc's diameter", "Durchmesser der Scheibe"},
@@ -343,8 +358,11 @@ constexpr Entry entries[] = {
      "Abbildungen zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei "
      "anderen Frequenzen."},
     {"report_resonance_reach", clause,
-     "The law was found at amplitudes of about {amplitude}; beyond them it is untested.",
-     "Gefunden ist das Gesetz bei Amplituden von etwa {amplitude}; darüber hinaus ist es nicht geprüft."},
+     "The law was found in a motion whose steady amplitude is {amplitude}; far above it the figures are "
+     "untested.",
+     "Gefunden ist das Gesetz an einer Bewegung, die mit {amplitude} Amplitude eingeschwungen ist; weit "
+     "darüber "
+     "sind die Abbildungen nicht geprüft."},
     {"report_resonance_title", clause, "Amplitude against drive frequency",
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",

@@ -31,6 +31,8 @@ Notice amplitude_at_the_end(const ComparedCurve& curve) {
   const double off = 100 * std::abs(curve.amplitude_ratio_end - 1);
   constexpr double right = 0.05;  // [%]
   const double noise = 100 * noise_at_the_end(curve);
+  constexpr double no_test = 20;  // [%]
+  if (off < noise && noise > no_test) return Notice{"end_is_near_the_noise"};
   if (off < noise && noise > right)
     return Notice{"end_is_right_within_noise", {{"noise", rounded(noise, 2)}}};
   if (off < right) return Notice{"end_is_right"};

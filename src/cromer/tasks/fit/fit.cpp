@@ -133,6 +133,7 @@ void end_where_caught(Series& series, FittedSamples& samples, std::vector<Notice
   // A catch where the swing turns shows only later, and so does a brake that takes hold slowly.
   keep_part({.to = stop->from - *period}, series, samples);
   Notice caught = stop->notice("swing_until_caught", unit_of(series));
+  caught.values.push_back({"until", series.t.back()});
   caught.values.push_back({"kept", series.t.size()});
   caught.values.push_back({"samples", all});
   notices.push_back(std::move(caught));
