@@ -475,7 +475,7 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   EXPECT_EQ(lab.page.language, "de");
   EXPECT_THAT(lab.page.byline, HasSubstr("A. {Muster}"));
   const std::string text = lab.text();
-  EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ist die Federkonstante"));
+  EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ohne die der Feder ist die Federkonstante"));
   EXPECT_THAT(text, HasSubstr("Abbildung 1."));
   EXPECT_THAT(text, HasSubstr("Mein *eigener* Text.\n# Ziel\nDie Federkonstante.\n# Was gemessen wurde"));
   EXPECT_THAT(text, HasSubstr("# Schluss\nSie passt.\n"));

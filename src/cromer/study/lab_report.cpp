@@ -91,7 +91,11 @@ class Part : public LabTold {
          {"drive", in_braces("drive_frequency, Hz")},
          {"amplitude", at_amplitude()}});
     if (fitted_.find("stiffness"))
-      add("report_spring_constant", {{"stiffness", in_braces("stiffness")}, {"mass", in_braces("mass, g")}});
+      add("report_spring_constant",
+          {{"stiffness", in_braces("stiffness")},
+           {"mass", in_braces("mass, g")},
+           {"alone", fitted_.options.spring_mass ? "" : words("report_without_the_springs_own")},
+           {"swings", has_bent_spring() ? words("report_for_small_swings") : ""}});
     for (const Notice& notice : fitted_.notices)
       if (qualifies(notice.code)) lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
@@ -146,6 +150,8 @@ class Part : public LabTold {
   bool has_amplitude() const { return !fitted_.driven && is_known("at_amplitude"); }
   /// Whether the frequency or the damping changes as the swing dies down.
   bool depends_on_amplitude() const { return has_amplitude() && !is_linear(fitted_.fit.law); }
+
+  bool has_bent_spring() const { return !is_linear(fitted_.fit.law.without(dampings)); }
 
   /// The amplitude of the fitted motion; "" where it is not known.
   std::string at_amplitude() const {
@@ -453,7 +459,7 @@ class Part : public LabTold {
                {"mass", in_braces("mass, g")},
                {"interval", interval("stiffness", k)}});
     if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
-    if (depends_on_amplitude() && !is_linear(fitted_.fit.law.without(dampings)))
+    if (depends_on_amplitude() && has_bent_spring())
       text += " " + words("report_small_swings_stiffness",
                           {{"frequency", in_braces("frequency")}, {"amplitude", at_amplitude()}});
     for (const Notice& notice : fitted_.notices)
