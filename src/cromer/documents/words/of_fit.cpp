@@ -384,6 +384,13 @@ constexpr Entry entries[] = {
      "zeigt "
      "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine Achse quer zum Faden zeigt die "
      "Schwingung selbst"},
+    {"settled_or_free", wrong_if_ignored,
+     "the motion of {frequency:.6g} Hz does not die down: driven and settled, or free and without damping, it "
+     "looks the same, and no drive is told from it; fitted as a free motion. Record from where a drive is "
+     "switched on or off",
+     "die Bewegung mit {frequency:.6g} Hz klingt nicht ab: angetrieben und eingeschwungen oder frei und "
+     "ungedämpft sieht sie gleich aus, und ein Antrieb ist daran nicht zu erkennen; als freie Bewegung "
+     "angepasst. Bitte von dort aufnehmen, wo ein Antrieb ein- oder ausgeschaltet wird"},
     {"motion_has_settled", error,
      "the motion of {frequency:.6g} Hz does not die down: once it has settled, a driven motion shows the "
      "drive's frequency, and neither the body's own nor its damping. Record from where the drive is switched "

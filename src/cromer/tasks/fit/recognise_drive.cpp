@@ -297,10 +297,11 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   const bool shows = !settled || driven.fit["drive_amplitude"].low > 0 ||
                      (!searched && driven.fit.residual.autocorrelation <= structured);
   if (judgement.kind != MotionKind::free && shows) return driven;
-  if (is_settled(*free, searched ? std::nullopt : *drive_of(options))) {
+  const bool settles = is_settled(*free, searched ? std::nullopt : *drive_of(options));
+  const double found = free->fit.motion.angular_frequency() / two_pi;
+  if (settles && !searched) {
     driven.fit.status = FitStatus::no_oscillation;
-    driven.fit.message =
-        Notice{"motion_has_settled", {{"frequency", free->fit.motion.angular_frequency() / two_pi}}};
+    driven.fit.message = Notice{"motion_has_settled", {{"frequency", found}}};
     return driven;
   }
   const Notice compared{"free_beside_driven",
@@ -309,7 +310,8 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
                          {"unit", unit_of(driven.series)}}};
   free->options = options;
   if (searched) {
-    free->notices.push_back(Notice{"no_drive_found", {{"compared", compared}}});
+    free->notices.push_back(settles ? Notice{"settled_or_free", {{"frequency", found}}}
+                                    : Notice{"no_drive_found", {{"compared", compared}}});
     return free;
   }
   const double asked = **drive_of(options) / two_pi;
