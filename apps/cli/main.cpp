@@ -4,8 +4,10 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "commands.h"
 #include "completions.h"
@@ -50,6 +52,12 @@ std::string overview() {
 }
 
 int unknown_command(std::string_view typed) {
+  std::error_code none;
+  if (std::filesystem::exists(typed, none))
+    return refuse(
+        fmt::format("\"{0}\" is a file: cromer inspect \"{0}\" tells what it holds, cromer report "
+                    "\"{0}\" makes a report of it",
+                    typed));
   std::vector<std::string_view> names;
   for (const auto& command : commands) names.push_back(command.name);
   const std::string near = nearest(typed, names);

@@ -71,6 +71,12 @@ TEST(Doubts, AnAmplitudeThatRisesIsNoFreeSwing) {
   EXPECT_THAT(doubts_about(beats), testing::Contains(HasSubstr("the amplitude rises")));
 }
 
+TEST(Doubts, SpikesThatAreSetAsideAreNoRise) {
+  SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 3e-4);
+  for (std::size_t i = 2000; i < 2200; i += 40) record.y[i] += 0.3;
+  EXPECT_THAT(doubts_about(record), testing::Each(testing::Not(HasSubstr("rises"))));
+}
+
 TEST(Doubts, ChanceInTheTimesIsNoRise) {
   // About nine samples in a period, at times of their own.
   for (unsigned seed = 1; seed <= cases(60u); ++seed) {

@@ -163,6 +163,64 @@ TEST(ForcedFit, IntervalsHoldTheTruth) {
   EXPECT_GE(w0 + g + k3 + gain + offset + velocity, 5);  // of 360, where 18 are expected: nor too wide
 }
 
+// Near the resonance, 3 % of noise in the force, and of the motion's own hardly any.
+ForcedSynthetic near_resonance(const ForcedTruth& truth, unsigned seed, double noise, int derivative) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> part(0, 1);
+  const double drive = truth.w0 * (0.97 + 0.06 * part(engine));
+  auto record = forced_synthetic(
+      truth, [&](double t) { return std::sin(drive * t); }, 1500, 0.04, 2e-3 * std::pow(truth.w0, derivative),
+      seed, derivative);
+  for (double& force : record.force) force += noise * normal(engine);
+  return record;
+}
+
+TEST(ForcedFit, IntervalsHoldUnderANoisyForce) {
+  struct Case {
+    const char* law;
+    ForcedTruth truth;
+    int derivative;
+  };
+  const ForcedTruth slow{.w0 = 9, .g = 0.12};
+  const Case cases[] = {{"viscous", slow, 0},
+                        {"viscous", slow, 1},
+                        {"viscous", slow, 2},
+                        {"viscous+drag", {.w0 = 9, .g = 0.1, .drag = 0.05}, 0}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(testing::Message() << c.law << " " << c.derivative);
+    constexpr int runs = 40;
+    int told = 0, held[3]{};
+    double noise = 0;
+    for (unsigned seed = 0; seed < runs; ++seed) {
+      const auto record = near_resonance(c.truth, seed, 0.03, c.derivative);
+      const LawFit fit = fit_forced(record, law_of(c.law), BetweenSamples::band_limited);
+      ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+      const auto holds = [](const Estimate& e, double truth) { return e.low <= truth && truth <= e.high; };
+      held[0] += holds(fit.angular_frequency(), c.truth.w0);
+      held[1] += holds(fit.decay_rate(), c.truth.g);
+      held[2] += holds(fit["force_gain"], c.truth.gain);
+      ASSERT_TRUE(fit.force_noise);
+      told += *fit.force_noise > 0;
+      noise += *fit.force_noise / runs;
+    }
+    EXPECT_GE(told, runs - 4);
+    EXPECT_NEAR(noise, 0.03, 0.006);                  // seen by a few swings of the resonance only
+    for (const int each : held) EXPECT_GE(each, 34);  // fewer in 1 of 300 of 95 %
+  }
+}
+
+TEST(ForcedFit, AnExactForceHasNoNoise) {
+  int told = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const auto record = near_resonance({.w0 = 9, .g = 0.12}, seed, 0, 0);
+    const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
+    ASSERT_TRUE(fit.force_noise);
+    told += *fit.force_noise > 0;
+  }
+  EXPECT_LE(told, 3);
+}
+
 TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {
   // A quality factor of 3000, struck at the beginning only: a frequency off by 1e-3 would lose step.
   const ForcedTruth truth{.w0 = 30, .g = 0.005, .gain = 50, .position = 0, .velocity = 0};

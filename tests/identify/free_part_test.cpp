@@ -26,6 +26,33 @@ SyntheticRecord recorded(double duration, double noise, const FreeSwing& motion)
 // Amplitude 1 where free, from t on.
 double decay(double t, double rate = 0.05) { return t < 0 ? 1 : std::exp(-rate * t); }
 
+// Set going at 6 s by a hand that shakes it until 16 s.
+TEST(FreePart, BeginsWhenTheHandShakesNoMore) {
+  auto record =
+      recorded(120, 0.01, [](double t) { return t < 6 ? 0 : std::sin(0.7 * (t - 6)) * decay(t, 0.02); });
+  std::mt19937_64 engine(9);
+  std::normal_distribution<double> normal(0, 0.1);
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    if (record.t[i] > 6 && record.t[i] < 16) record.y[i] += normal(engine);
+  const auto part = find_free_part(record.record());
+  ASSERT_TRUE(part.has_value());
+  EXPECT_GE(part->from, 15);
+  EXPECT_LE(part->from, 22);
+}
+
+// A swing of a few steps of the sensor, begun where it turns: neither the level it shows there, which comes
+// back, nor a slow change by steps is a hold.
+TEST(FreePart, AStepOfTheSensorIsNoHold) {
+  for (const double steps : {0.7, 1.2, 2.0, 3.3})
+    for (const double phase : {-0.9, -0.5, 0.0, 0.4}) {
+      auto record = recorded(
+          20, 0, [&](double t) { return std::round(steps * decay(t, 0.003) * std::cos(6.6 * t + phase)); });
+      Record coarse = record.record();
+      coarse.resolution = 1;
+      EXPECT_FALSE(find_free_part(coarse).has_value()) << steps << " " << phase;
+    }
+}
+
 TEST(FreePart, ADriveThatStops) {
   for (const double rate : {0.02, 0.05, 0.2}) {
     const auto record = recorded(150, 0.01, [&](double t) {

@@ -84,6 +84,27 @@ TEST(Explanation, SaysWhereOneRateIsEnough) {
               testing::EndsWith(", and the swing has died down where the measured one has."));
 }
 
+TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
+  CompareResult both = compared();
+  both.others_tried = true;
+  both.curves[1].law = law_of("viscous");
+  both.curves[0].amplitude_ratio_end = 1.001;
+  const auto stretch = [](double rate, double error) {
+    AmplitudeRate each;
+    each.rate = make_estimate(rate, error, 2);
+    each.law_rate = 0.05;
+    return each;
+  };
+  both.recording.decay_by_amplitude = {stretch(-0.13, 0.02), stretch(0.15, 0.02), stretch(-0.06, 0.02)};
+  EXPECT_EQ(
+      in_words(explanation(both)),
+      "No law that was tried tells more than one decay rate: with one rate 2.00\u00a0cm (rms) are left. But "
+      "the rates of single stretches lie between −0.13 and 0.15\u00a01/s, far more apart than their own "
+      "uncertainties: something else takes part.");
+  both.recording.decay_by_amplitude = {stretch(0.06, 0.02), stretch(0.04, 0.02), stretch(0.07, 0.02)};
+  EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("One decay rate is enough"));
+}
+
 TEST(Explanation, OneRateIsNotEnoughWhereItsEndIsFarOff) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
@@ -96,7 +117,7 @@ TEST(Explanation, OneRateIsNotEnoughWhereItsEndIsFarOff) {
       in_words(explanation(both)),
       "No law that was tried tells more than viscous damping alone: with one rate 2.00\u00a0cm (rms) are "
       "left, but the amplitude at the end is 10\u00a0% too small. The amplitude's own rate goes from 0.400 "
-      "to 0.200\u00a01/s, as the spring is bent.");
+      "to 0.200\u00a01/s, as the restoring force is not proportional to the displacement.");
   both.curves[0].measured_at_rest = true;
   EXPECT_THAT(in_words(explanation(both)),
               testing::HasSubstr(", but it still swings where the measured motion has died down."));

@@ -364,6 +364,36 @@ std::vector<std::string> said_of(const std::string& bytes) {
   return result.ok() ? in_words(result->front().notices) : std::vector<std::string>{};
 }
 
+/// A pendulum at 0.8 Hz, turned about by hand before `until`.
+std::string moved_by_hand(double until) {
+  std::string bytes = "Time (s),Gyroscope z (rad/s)\n";
+  for (int i = 0; i < 1500; ++i) {
+    const double t = 0.02 * i, hand = t < until ? 4 * std::sin(2.1 * t) * std::sin(11 * t) : 0;
+    bytes += shortest(t) + "," +
+             shortest(hand + 1.5 * std::exp(-0.03 * t) * std::cos(5.03 * t) + 0.02 * std::sin(1e4 * t * t)) +
+             "\n";
+  }
+  return bytes;
+}
+
+TEST(FitTask, WhatAHandMovedAtFirstIsLeftOut) {
+  const auto result = fit(moved_by_hand(3), "phone.csv", {});
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
+  const FittedRecording& fitted = result->front();
+  EXPECT_TRUE(fitted.succeeded());
+  EXPECT_GE(fitted.series.t.front(), 2.9);
+  EXPECT_LE(fitted.series.t.front(), 6);
+  expect_within(fitted.find("angular_frequency"), 5.03, 0.01);
+  EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("where a hand still moves it")));
+  // Not where a part was asked for, and not where too little is left.
+  FitOptions whole;
+  whole.from = 0;
+  EXPECT_THAT(in_words(fit(moved_by_hand(3), "phone.csv", whole)->front().notices),
+              testing::Each(testing::Not(HasSubstr("a hand"))));
+  EXPECT_THAT(in_words(fit(moved_by_hand(20), "phone.csv", {})->front().notices),
+              testing::Each(testing::Not(HasSubstr("a hand"))));
+}
+
 TEST(FitTask, SaysThatAnAxisHoldsGravity) {
   const std::string header = "Time (s),Acceleration y (m/s^2)";
   EXPECT_THAT(said_of(swing_about(9.7, 0.5, header)),

@@ -70,6 +70,11 @@ constexpr std::array symbols{
     Symbol{"rad", 1, {0, 0, 0, 0, 0, 1}, true},
     Symbol{"deg", degree, {0, 0, 0, 0, 0, 1}},
     Symbol{"°", degree, {0, 0, 0, 0, 0, 1}},
+    Symbol{"degree", degree, {0, 0, 0, 0, 0, 1}},
+    Symbol{"degrees", degree, {0, 0, 0, 0, 0, 1}},
+    Symbol{"Grad", degree, {0, 0, 0, 0, 0, 1}},  // in German; no unit of giga-radians is meant
+    Symbol{"radian", 1, {0, 0, 0, 0, 0, 1}},
+    Symbol{"radians", 1, {0, 0, 0, 0, 0, 1}},
     Symbol{"in", 0.0254, {0, 1}},
     Symbol{"ft", 0.3048, {0, 1}},
     Symbol{"Gal", 1e-2, acceleration, true},

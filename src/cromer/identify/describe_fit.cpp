@@ -9,7 +9,9 @@
 #include "cromer/base/extent.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/least_squares/force_noise.h"
 #include "cromer/identify/least_squares/noise.h"
+#include "cromer/model/propagate.h"
 
 namespace cromer::core {
 namespace {
@@ -116,21 +118,86 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
   return list;
 }
 
-// Whether the noise makes a difference to the estimates, and the record is not too long to follow it.
+// Whether the record determines the estimates, and is not too long to follow its noise.
+bool is_followed(const DescribedMinimum& minimum, const Inverse& inverse, const Noise& noise) {
+  return minimum.jacobian && inverse.determined() && noise.samples <= most_filtered;
+}
+
+// Whether the noise makes a difference to the estimates as well.
 bool is_filtered(const DescribedMinimum& minimum, const Inverse& inverse, const Noise& noise) {
-  return minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
+  return is_followed(minimum, inverse, noise) && !noise.is_plain() &&
          noise.correlation.coefficients.size() <= highest_order;
 }
 
-EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum,
+// The linear law that is nearest, on average over the motion's samples, to the force of the fitted one.
+std::optional<LinearLaw<double>> linear_law_of(const LawFit& fit, const Record& record) {
+  const Oscillator<double>& law = fit.motion.per_mass;
+  if (is_linear(fit.law)) return LinearLaw<double>{.decay_rate = law.damping / 2, .stiffness = law.stiffness};
+  if (fit.law.has<Hysteresis>()) return std::nullopt;
+  const Trajectory motion = motion_of(fit, record.t);
+  NormalEquations sums;
+  sums.size = 3;
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    const double x = motion.x[i], v = motion.v[i];
+    const std::array<double, 3> row = {x, v, 1};
+    sums.add_row(row, restoring_force(law, x) + resisting_force<any_terms>(law, fit.law, x, v));
+  }
+  const LinearFit nearest = solve(sums);
+  if (!nearest.ok || !(nearest.x[1] > 0)) return std::nullopt;
+  return LinearLaw<double>{.decay_rate = nearest.x[1] / 2, .stiffness = nearest.x[0]};
+}
+
+AnswerToForce answer_of(const LinearLaw<double>& law, double gain, double step, int derivative) {
+  const ImpulseResponse<double> whole = impulse_response(law, step), half = impulse_response(law, step / 2);
+  AnswerToForce answer;
+  answer.transition = {{{whole.position, whole.g}, {-law.stiffness * whole.g, whole.slope}}};
+  // Held for a step: the integrals of the impulse response, by Simpson's rule, and of its slope.
+  answer.entry = {gain * step * (4 * half.g + whole.g) / 6, gain * whole.g};
+  if (derivative == 0) answer.sight = {1, 0};
+  if (derivative == 1) answer.sight = {0, 1};
+  if (derivative == 2) answer.sight = {-law.stiffness, -2 * law.decay_rate}, answer.directly = gain;
+  return answer;
+}
+
+// The noise of a recorded force, where the residuals show it: estimates are known less well for it.
+void add_force_noise(EstimateNoise& known, LawFit& fit, const Record& record, const DescribedMinimum& minimum,
+                     const Noise& noise, std::span<const double> jacobian) {
+  const std::optional<LinearLaw<double>> law = linear_law_of(fit, record);
+  if (!law) return;
+  fit.force_noise = 0;
+  const int size = minimum.fitted.count;
+  const std::optional<ForceNoise> found =
+      find_force_noise(noise.grid, minimum.residuals, jacobian, size,
+                       answer_of(*law, fit.motion.force_gain, noise.grid.step, record.derivative));
+  if (!found) return;
+  const EstimateNoise before = known;
+  Parameters widening{};
+  bool counts = false;
+  for (int i = 0; i < size; ++i) {
+    const double ratio = before.covariance[i][i] / found->of_estimates.covariance[i][i];
+    widening[i] = std::sqrt(std::max(1.0, ratio));
+    known.degrees[i] = ratio > 1 ? before.degrees[i] : found->of_estimates.degrees[i];
+    counts = counts || ratio < 1;
+  }
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      known.covariance[i][j] = found->of_estimates.covariance[i][j] * widening[i] * widening[j];
+  // The force's own samples may be closer than the motion's.
+  const double closer = std::max(1.0, noise.grid.step / fit.drive.force.spacing);
+  if (counts) fit.force_noise = found->deviation * std::sqrt(closer);
+}
+
+EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum& minimum,
                        const Inverse& inverse, const Noise& noise) {
   const FittedParameters& fitted = minimum.fitted;
   const auto n = static_cast<double>(noise.samples);
   const double k = fitted.count;
   EstimateNoise known;
+  const bool is_asked = is_recorded(fit.drive.kind) && is_followed(minimum, inverse, noise),
+             filtered = is_filtered(minimum, inverse, noise);
   std::vector<double> jacobian;
-  if (is_filtered(minimum, inverse, noise)) jacobian = minimum.jacobian();
-  if (!jacobian.empty()) {
+  if (is_asked || filtered) jacobian = minimum.jacobian();
+  if (filtered && !jacobian.empty()) {
     known = estimate_noise(jacobian, fitted.count, noise, record.resolution);
   } else {
     // All parameters are taken at the swing's own frequency, those that live at rest also at zero
@@ -149,6 +216,7 @@ EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedM
         known.covariance[i][j] = variance * inverse.matrix[i][j] * std::sqrt(of(i) * of(j));
     }
   }
+  if (is_asked && !jacobian.empty()) add_force_noise(known, fit, record, minimum, noise, jacobian);
   for (int i = 0; i < fitted.count; ++i)
     for (int j = 0; j < fitted.count; ++j)
       known.covariance[i][j] += minimum.rounding_bias[i] * minimum.rounding_bias[j];

@@ -54,6 +54,9 @@ struct LawFit {
   double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
   double student = 0;              ///< t of the 95 % intervals
   double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
+  /// Of each sample of a recorded force (rms) [its unit], 0 where none is seen: the uncertainties hold for
+  /// it. Empty where the force was taken as exact.
+  std::optional<double> force_noise{};
   std::vector<std::size_t> outliers;  ///< samples of the record that were set aside (see outliers.h)
   std::vector<Notice> notices;
 

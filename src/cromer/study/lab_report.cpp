@@ -107,10 +107,12 @@ class Part : public LabTold {
 
   void key_figures() const {
     if (is_poorly_described()) return;
+    // An uncertainty that does not hold is not printed large.
+    const bool is_doubted = !first_doubt().empty();
     const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
       toml_.table("key_figure");
       toml_.text("name", words(code));
-      toml_.text("value", in_braces(value + ", concise"));
+      toml_.text("value", in_braces(value + (is_doubted ? ", 3" : ", concise")));
       toml_.text("remark", remark);
     };
     // Of a swing whose frequency and damping change as it dies down.
@@ -262,7 +264,7 @@ class Part : public LabTold {
     paragraph(text);
     const std::string several = fitted_.candidates.size() > 1 ? words("report_of_several_laws") : "";
     paragraph(words("report_how", {{"several", several}}));
-    table();
+    if (!is_poorly_described()) table();
     for (const Notice& notice : fitted_.notices)
       if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
         paragraph(verbatim(words("report_sentence", {{"what", notice}})));

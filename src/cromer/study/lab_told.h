@@ -266,7 +266,11 @@ class LabTold {
   std::string row_of(const Parameter& each) const {
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
     const bool known = each.estimate.standard_error > 0;
-    const std::string ends = known ? interval(place, each.estimate) : "–";
+    const bool is_fitted =
+        std::find(fitted_.fit.names.begin(), fitted_.fit.names.end(), each.name) != fitted_.fit.names.end();
+    const std::string ends = known       ? interval(place, each.estimate)
+                             : is_fitted ? words("report_assumed")
+                                         : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
                        toml_text(in_braces(place)), toml_text(ends),

@@ -133,10 +133,12 @@ constexpr Entry entries[] = {
      "ein anderer wählen"},
     {"driven_until_stop", worth_knowing,
      "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, to "
-     "{until:.4g} s, {kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another "
+     "{until:.4g} s, {kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose "
+     "another "
      "part",
      "die Bewegung endet zwischen {from:.4g} und {to:.4g} s, wie wenn der Antrieb aufhört: das Gesetz wird "
-     "nur an den Teil davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} und "
+     "nur an den Teil davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} "
+     "und "
      "{--to}|den Griffen} lässt sich ein anderer wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
@@ -376,6 +378,12 @@ constexpr Entry entries[] = {
      "uncertainties, and near the resonance that is much",
      "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
      "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
+    {"force_is_noisy", worth_knowing,
+     "what the law leaves looks as noise of {noise:.2g}{unit: } in each sample of the recorded force would "
+     "make "
+     "it: the uncertainties are widened for it",
+     "was das Gesetz übrig lässt, sieht so aus, wie ein Rauschen von {noise:.2g}{unit: } in jeder Stelle der "
+     "aufgezeichneten Kraft es machen würde: die Unsicherheiten sind dafür verbreitert"},
     {"axis_holds_gravity", worth_knowing,
      "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor "
      "shows "
@@ -385,7 +393,8 @@ constexpr Entry entries[] = {
      "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine Achse quer zum Faden zeigt die "
      "Schwingung selbst"},
     {"settled_or_free", wrong_if_ignored,
-     "the motion of {frequency:.6g} Hz does not die down: driven and settled, or free and without damping, it "
+     "the motion of {frequency:.6g} Hz does not die down: driven and settled, or free and without damping, "
+     "it "
      "looks the same, and no drive is told from it; fitted as a free motion. Record from where a drive is "
      "switched on or off",
      "die Bewegung mit {frequency:.6g} Hz klingt nicht ab: angetrieben und eingeschwungen oder frei und "
@@ -533,18 +542,31 @@ constexpr Entry entries[] = {
      "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
     {"viscous_is_enough", clause,
      "Viscous damping alone is enough: {one_rate}, and {end}. The amplitude's own rate goes from {first:n} "
-     "to {last:n}\u00a01/s, as the spring is bent.{method}",
+     "to {last:n}\u00a01/s, as the restoring force is not proportional to the displacement.{method}",
      "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
      "{first:n} auf "
-     "{last:n}\u00a01/s, da die Feder krumm ist.{method}"},
+     "{last:n}\u00a01/s, da die Rückstellkraft der Auslenkung nicht proportional ist.{method}"},
     {"one_rate_is_best", clause,
      "No law that was tried tells more than one decay rate: {one_rate}, but {end}.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}, aber {end}.{method}"},
     {"viscous_is_best", clause,
      "No law that was tried tells more than viscous damping alone: {one_rate}, but {end}. The amplitude's "
-     "own rate goes from {first:n} to {last:n}\u00a01/s, as the spring is bent.{method}",
+     "own rate goes from {first:n} to {last:n}\u00a01/s, as the restoring force is not proportional to the "
+     "displacement.{method}",
      "Kein versuchtes Gesetz sagt mehr als viskose Dämpfung allein: {one_rate}, aber {end}. Die Rate der "
-     "Amplitude selbst geht von {first:n} auf {last:n}\u00a01/s, da die Feder krumm ist.{method}"},
+     "Amplitude selbst geht von {first:n} auf {last:n}\u00a01/s, da die Rückstellkraft der Auslenkung nicht "
+     "proportional ist.{method}"},
+    {"one_rate_while_stretches_scatter", clause,
+     "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches "
+     "lie "
+     "between {least:n} and {largest:n}\u00a01/s, far more apart than their own uncertainties: something "
+     "else "
+     "takes part.{method}",
+     "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte "
+     "liegen "
+     "aber zwischen {least:n} und {largest:n}\u00a01/s, viel weiter auseinander als ihre Unsicherheiten: "
+     "etwas "
+     "anderes wirkt mit.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",

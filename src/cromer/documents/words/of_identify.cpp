@@ -70,6 +70,14 @@ constexpr Entry entries[] = {
      "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
      "Varianz, was Rauschen auch könnte; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, der "
      "schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
+    {"no_single_decay", error,
+     "no single swing that decays: the best one accounts for {percent:.1f} % of the variance, and what it "
+     "leaves is too large to find a law beside it; choose the part that swings freely with {|{--from} and "
+     "{--to}|the handles}, or another {|{--column}|column}",
+     "keine einzelne Schwingung, die abklingt: die beste erklärt {percent:.1f} % der Varianz, und was sie "
+     "übrig lässt, ist zu viel, um daneben ein Gesetz zu finden; bitte mit {|{--from} und {--to}|den "
+     "Griffen} "
+     "den Teil wählen, der frei schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
     {"tops_cut_off", error,
      "the motion's peaks are cut off at the same value again and again: the sensor was out of its range; "
      "choose the later part with {|{--from}|the handles}",
@@ -329,11 +337,13 @@ constexpr Entry entries[] = {
     {"third_harmonic", clause,
      "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
      "from a spring, a damping or a sensor that is nonlinear in another way than the law",
-     "das Dreifache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die dritte "
+     "das Dreifache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
+     "dritte "
      "Harmonische, von einer Feder, einer Dämpfung oder einem Sensor, die auf andere Weise nichtlinear sind "
      "als das Gesetz"},
     {"higher_harmonic", clause,
-     "{order} times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: a harmonic of it, as "
+     "{order} times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: a harmonic of it, "
+     "as "
      "from a motion with corners or cut-off peaks",
      "das {order}-Fache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: eine "
      "Harmonische, wie von einer Bewegung mit Ecken oder abgeschnittenen Gipfeln"},
@@ -355,6 +365,10 @@ constexpr Entry entries[] = {
     {"level_until", clause,
      "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",
      "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
+    {"disturbed_until", clause,
+     "what comes before {time:.4g} s follows no law that the rest follows, as where a hand still moves it",
+     "was vor {time:.4g} s liegt, folgt keinem Gesetz, dem der Rest folgt, wie wenn eine Hand es noch "
+     "bewegt"},
     {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
     {"held_still_then_set_going", clause, "it is held still until {time:.4g} s and then set going",
      "bis {time:.4g} s wird festgehalten, dann in Gang gesetzt"},

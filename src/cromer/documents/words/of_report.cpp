@@ -107,6 +107,7 @@ constexpr Entry entries[] = {
     {"report_record", clause, "The recording, {used}.", "Die Aufnahme, {used}."},
     {"report_record_with_level", clause, "The recording, {used}, and the rest position by the law, {level}.",
      "Die Aufnahme, {used}, und die Ruhelage nach dem Gesetz, {level}."},
+    {"report_assumed", clause, "assumed", "angenommen"},
     {"report_is_measured", clause, "measured", "gemessen"},
     {"report_level", clause, "rest position", "Ruhelage"},
     {"report_time", clause, "time *t* (s)", "Zeit *t* (s)"},

@@ -175,12 +175,49 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
   return FreePart{from, Notice{"level_until", {{"time", kink->t}}}};
 }
 
+// What a swing itself makes of the second differences that noise is told by.
+double noise_of_swing(const SwingAbout& swing, double amplitude, const Record& record) {
+  const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
+  return amplitude * (1 - std::cos(two_pi * step / swing.period)) / std::sqrt(3);
+}
+
 // The noise of all samples, without what the swing itself makes of their second differences.
 double noise_beside(const SwingAbout& swing, double amplitude, const Record& record) {
-  const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
-  const double own = amplitude * (1 - std::cos(two_pi * step / swing.period)) / std::sqrt(3);
-  const double all = noise_of(record.y);
+  const double own = noise_of_swing(swing, amplitude, record), all = noise_of(record.y);
   return std::sqrt(std::max(0.0, all * all - own * own));
+}
+
+// The first sample, `first` or later, after which the values are no rougher than those of the rest: while a
+// hand is at it they shake. A quarter of a period later: it may still be there when half of one is calm.
+std::size_t steady_from(const Record& record, std::size_t first, const SwingAbout& swing, double amplitude) {
+  constexpr double rough = 3;
+  const double own = noise_of_swing(swing, amplitude, record);
+  const auto end_of = [&](std::size_t i) {
+    const double to = record.t[i] + 0.5 * swing.period;
+    return static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), to) -
+                                    record.t.begin());
+  };
+  std::size_t steady = first;
+  for (int half = 0; half < 6; ++half) {  // of a period: a hand is gone then
+    const std::size_t end = end_of(first);
+    if (end < first + 8 || end + 64 > record.y.size()) break;
+    const double noise = noise_of(record.y.subspan(first, end - first));
+    if (noise > rough * std::max(own, noise_of(record.y.subspan(end)))) steady = end + (end - first) / 2;
+    first = end;
+  }
+  return steady;
+}
+
+// Whether the means of four parts are alike: a swing that moves by steps of the sensor stays in a wide band
+// too.
+bool is_still(std::span<const double> held, double amplitude) {
+  constexpr std::size_t parts = 4;
+  const std::size_t each = held.size() / parts;
+  std::array<double, parts> means{};
+  for (std::size_t part = 0; part < parts; ++part)
+    for (std::size_t i = 0; i < each; ++i) means[part] += held[part * each + i] / static_cast<double>(each);
+  const auto [low, high] = extent_of(std::span<const double>(means));
+  return high - low < 0.35 * amplitude + 4 * noise_of(held) / std::sqrt(static_cast<double>(each));
 }
 
 // Held still, displaced or at rest.
@@ -212,8 +249,20 @@ std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& s
   // A swing stays so close to its turning point for a fifth of a period at most.
   if (last < 4 || last >= record.t.size() || record.t[last] - record.t[0] < 0.5 * swing.period)
     return std::nullopt;
+  if (!is_still(record.y.first(last), amplitude)) return std::nullopt;
   double from = record.t[last - 1];
   const double displaced = std::abs(held - swing.centre);
+  // What is held displaced is let go once: a step of the sensor where the swing turns comes back.
+  if (displaced >= 0.5 * amplitude) {
+    const double as_long = 0.8 * (record.t[last - 1] - record.t[0]);
+    double since = HUGE_VAL;  // when it came within the band
+    for (std::size_t i = last; i < record.t.size(); ++i) {
+      if (side(i) != 0)
+        since = HUGE_VAL;
+      else if (since = std::min(since, record.t[i]); record.t[i] - since > as_long)
+        return std::nullopt;
+    }
+  }
   // Where it was at rest, something has set it going: free it is when it comes back from its first large
   // swing.
   if (displaced < 0.5 * amplitude) {
@@ -224,7 +273,7 @@ std::optional<FreePart> after_the_hold(const Record& record, const SwingAbout& s
     const double first = record.y[i] - swing.centre;
     while (i < record.t.size() && (record.y[i] - swing.centre) * first > 0) ++i;
     if (i >= record.t.size()) return std::nullopt;
-    from = record.t[i];
+    from = record.t[steady_from(record, i, swing, amplitude)];
   }
   if (record.t.back() - from < 4 * swing.period) return std::nullopt;
   return FreePart{from, Notice{displaced < 0.5 * amplitude ? "held_still_then_set_going" : "held_still_until",

@@ -167,8 +167,10 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
     const auto n = static_cast<double>(record.t.size());
     if (against_noise > 60 && fit.independent_samples > 0.5 * n)
       return Refusal{FitStatus::too_noisy, Notice{"too_noisy", {{"percent", 100 * fit.explained}}}};
+    constexpr double much = 0.3;  // more than what wanders by chance has of a sinusoid
     return Refusal{FitStatus::no_oscillation,
-                   Notice{"noise_could_do_as_much", {{"percent", 100 * std::max(0.0, fit.explained)}}}};
+                   Notice{fit.explained > much ? "no_single_decay" : "noise_could_do_as_much",
+                          {{"percent", 100 * std::max(0.0, fit.explained)}}}};
   }
   if (is_clipped(record, amplitude, w)) return Refusal{FitStatus::clipped, Notice{"tops_cut_off"}};
   return refuse_frequency(fit);

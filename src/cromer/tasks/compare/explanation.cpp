@@ -55,6 +55,23 @@ std::optional<std::pair<double, double>> rates_at_the_ends(const FittedRecording
   return std::pair{start->estimate.value, end->estimate.value};
 }
 
+/// The least and the largest decay rate of single stretches, where they scatter about the law's far beyond
+/// their own uncertainties: three of them, root mean square.
+std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& recording) {
+  constexpr double far = 3;
+  const auto& rates = recording.decay_by_amplitude;
+  if (rates.size() < 3) return std::nullopt;
+  double squares = 0, least = HUGE_VAL, largest = -HUGE_VAL;
+  for (const AmplitudeRate& each : rates) {
+    const double off = (each.rate.value - each.law_rate) / each.rate.standard_error;
+    squares += off * off / static_cast<double>(rates.size());
+    least = std::min(least, each.rate.value);
+    largest = std::max(largest, each.rate.value);
+  }
+  if (!(squares > far * far)) return std::nullopt;
+  return std::pair{least, largest};
+}
+
 /// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
   if (curve.diverged)
@@ -107,6 +124,13 @@ Notice explanation(const CompareResult& comparison) {
                    {"last", rounded(ends ? ends->second : last, 3)},
                    {"one_rate", left},
                    {"end", end},
+                   {"method", method}}};
+  if (const auto scattered = scattered_rates(comparison.recording);
+      viscous && scattered && comparison.others_tried)
+    return Notice{"one_rate_while_stretches_scatter",
+                  {{"one_rate", left},
+                   {"least", rounded(scattered->first, 2)},
+                   {"largest", rounded(scattered->second, 2)},
                    {"method", method}}};
   if (viscous)
     return Notice{!comparison.others_tried ? "no_other_law_tried"

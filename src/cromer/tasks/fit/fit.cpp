@@ -281,6 +281,67 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
 namespace {
 
+bool has_notice(const FittedRecording& fitted, std::string_view code) {
+  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
+                     [&](const Notice& notice) { return notice.code == code; });
+}
+
+// Whether no law was found, or one that leaves a tenth of the swing.
+bool is_without_a_law(const FittedRecording& fitted) {
+  constexpr double nearly_all = 0.98;  // of the motion's squares
+  if (fitted.fit.is_usable())
+    return has_notice(fitted, "no_law_describes") && fitted.fit.explained < nearly_all;
+  return fitted.fit.status == FitStatus::no_oscillation && !fitted.wrong_input;
+}
+
+// The first of a few times, not too late, from which one decaying swing accounts for nearly all of the
+// motion, its beginning no worse than the rest; none if there is none.
+std::optional<double> swings_freely_from(const Series& series, const Watch& watch) {
+  constexpr double latest = 0.4, nearly_all = 0.95, fewest = 5;  // of the record; of its squares; periods
+  const auto [t, y] = without_outliers(series);
+  const Record whole{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
+  if (t.size() < 64) return std::nullopt;
+  const double duration = t.back() - t.front();
+  for (double share = 0.05; share < latest && !watch.interrupted(); share += 0.05) {
+    const auto first = static_cast<std::size_t>(
+        std::lower_bound(t.begin(), t.end(), t.front() + share * duration) - t.begin());
+    const Record part = whole.part(first, t.size() - first);
+    const LawFit swing = fit_law(part, {}, watch);
+    if (!swing.is_usable() || swing.explained < nearly_all || !(swing.decay_rate().low > 0)) continue;
+    const double period = two_pi / swing.swing_frequency().value;
+    if (part.t.back() - part.t.front() < fewest * period) continue;
+    const std::vector<double> left = residuals_of(swing, part);
+    double squares = 0;
+    std::size_t i = 0;
+    for (; i < left.size() && part.t[i] < part.t.front() + period; ++i) squares += left[i] * left[i];
+    constexpr double worse = 2;  // times the rms residual
+    if (squares < worse * worse * swing.residual.rms * swing.residual.rms * static_cast<double>(i))
+      return part.t.front();
+  }
+  return std::nullopt;
+}
+
+// Where no one law is found for the whole, as a hand moves it at first: the fit of what comes later, with a
+// notice.
+Result<FittedRecording> begin_later(FittedRecording whole, const Series& series, std::string_view file,
+                                    const FitOptions& options, const Watch& watch) {
+  if (options.from || options.to || whole.driven || !is_without_a_law(whole)) return whole;
+  const std::optional<double> from = swings_freely_from(whole.series, watch);
+  if (!from) return whole;
+  FitOptions later = options;
+  later.from = *from;
+  Result<FittedRecording> part = fit_series(series, file, later, watch);
+  if (!part || !part->succeeded() || is_without_a_law(*part)) return whole;
+  part->notices.insert(part->notices.begin(),
+                       Notice{"free_part_taken",
+                              {{"reason", Notice{"disturbed_until", {{"time", *from}}}},
+                               {"from", part->series.t.front()},
+                               {"kept", part->series.t.size()},
+                               {"samples", series.t.size()}}});
+  ++part->of_record;
+  return part;
+}
+
 Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, std::string_view file,
                                           const FitOptions& options, const Watch& watch) {
   const Result<Series> series = take_motion(recording, options.column, run, options.read);
@@ -294,7 +355,9 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     if (auto beating = fit_beats(*series, file, options, watch)) return *std::move(beating);
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
-    return recognise_drive(*std::move(free), *series, options, watch);
+    Result<FittedRecording> recognised = recognise_drive(*std::move(free), *series, options, watch);
+    if (!recognised) return recognised;
+    return begin_later(*std::move(recognised), *series, file, options, watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
@@ -314,11 +377,8 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
   constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
-  const auto doubted = [](const FittedRecording& each) {
-    return std::any_of(each.notices.begin(), each.notices.end(),
-                       [](const Notice& notice) { return notice.code == "no_law_describes"; });
-  };
-  if (fitted && !(fitted->succeeded() && fitted->fit.explained > well && !doubted(*fitted)))
+  if (fitted && (fitted->driven || !fitted->succeeded() || fitted->fit.explained <= well ||
+                 has_notice(*fitted, "no_law_describes")))
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
       fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});

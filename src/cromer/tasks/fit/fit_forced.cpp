@@ -244,7 +244,12 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
         grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
   describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, unit_of(force), true, watch);
   result.between_samples = name(result.fit.drive.force.between);
-  if (result.fit.is_usable()) result.notices.push_back(Notice{"force_taken_as_exact"});
+  if (result.driven) {
+    const std::optional<double> noise = result.fit.force_noise;
+    if (!noise) result.notices.push_back(Notice{"force_taken_as_exact"});
+    if (noise && *noise > 0)
+      result.notices.push_back(Notice{"force_is_noisy", {{"noise", *noise}, {"unit", unit_of(force)}}});
+  }
   add_unused_notices(result);
   std::vector<double> law_motion;
   if (result.driven && fitted < t.size())
