@@ -159,6 +159,23 @@ TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
   }
 }
 
+// Over few swings noise that wanders has more power at the swing's frequency than at the higher ones beside
+// it.
+TEST(Doubts, WanderingNoiseOverAFewSwingsIsNoWrongLaw) {
+  int told = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SyntheticRecord record = viscous_record({.w0 = 8, .g = 0.2, .position = 0.05}, even_times(130, 0.03));
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 5e-4);
+    double noise = 0;
+    for (double& y : record.y) y += noise = 0.9 * noise + normal(engine);
+    const LawFit fit = fit_law(record.record(), {});
+    for (const std::string& sentence : in_words(doubts(record.record(), fit, true)))
+      told += sentence.find("does not describe") != sentence.npos;
+  }
+  EXPECT_LE(told, 2);
+}
+
 // Of a body at 6 rad/s, driven at 5, and of what else pushes it.
 std::vector<std::string> driven_doubts_about(double second, double third_harmonic, double correlation,
                                              unsigned seed = 1) {

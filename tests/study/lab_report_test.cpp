@@ -336,7 +336,7 @@ TEST(LabReport, SaysOfHowManySamplesAPartIs) {
 TEST(LabReport, OfAMotionThatNoLawDescribesHasNoHeadline) {
   const std::string path = data("pendulum-phyphox/RawData_converted_from_xls.csv");
   SKIP_WITHOUT(path);
-  const Made lab = report({{"raw.csv", bytes_of(path)}});
+  const Made lab = report({{"raw.csv", bytes_of(path)}}, {{"from", "0 s"}});
   ASSERT_TRUE(lab.recordings.front().fitted.succeeded());
   EXPECT_THAT(lab.text(), HasSubstr("raw.csv: no law that was tried describes this motion."));
   EXPECT_THAT(lab.text(), Not(HasSubstr("a free swing at")));
@@ -475,7 +475,10 @@ TEST(LabReport, SpeaksGermanWithDecimalCommas) {
   EXPECT_EQ(lab.page.language, "de");
   EXPECT_THAT(lab.page.byline, HasSubstr("A. {Muster}"));
   const std::string text = lab.text();
-  EXPECT_THAT(text, HasSubstr("Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ohne die der Feder ist die Federkonstante"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "Mit einer Masse von 217,6\u00a0±\u00a00,3\u00a0g ohne die der Feder ist die Federkonstante"));
   EXPECT_THAT(text, HasSubstr("Abbildung 1."));
   EXPECT_THAT(text, HasSubstr("Mein *eigener* Text.\n# Ziel\nDie Federkonstante.\n# Was gemessen wurde"));
   EXPECT_THAT(text, HasSubstr("# Schluss\nSie passt.\n"));

@@ -364,11 +364,11 @@ std::vector<std::string> said_of(const std::string& bytes) {
   return result.ok() ? in_words(result->front().notices) : std::vector<std::string>{};
 }
 
-/// A pendulum at 0.8 Hz, turned about by hand before `until`.
+/// A pendulum at 0.8 Hz, moved by hand before `until`.
 std::string moved_by_hand(double until) {
   std::string bytes = "Time (s),Gyroscope z (rad/s)\n";
   for (int i = 0; i < 1500; ++i) {
-    const double t = 0.02 * i, hand = t < until ? 4 * std::sin(2.1 * t) * std::sin(11 * t) : 0;
+    const double t = 0.02 * i, hand = t < until ? -4 * t * (until - t) : 0;
     bytes += shortest(t) + "," +
              shortest(hand + 1.5 * std::exp(-0.03 * t) * std::cos(5.03 * t) + 0.02 * std::sin(1e4 * t * t)) +
              "\n";

@@ -11,6 +11,7 @@
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/least_squares/force_noise.h"
 #include "cromer/identify/least_squares/noise.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/propagate.h"
 
 namespace cromer::core {

@@ -316,15 +316,28 @@ constexpr Entry entries[] = {
 
     // Driven, free or two swings at once
     {"motion_is_driven", worth_knowing,
-     "the motion is driven, at {frequency:.6g} Hz: a free law would leave an rms residual of "
-     "{free:.3g}{unit: }, the "
-     "driven one leaves {driven:.3g}{unit: }; {|give fit {--drive-frequency} if it is known, or |}choose a "
-     "free part "
-     "with {|{--from} and {--to}|the handles}",
-     "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
-     "Reste von {free:.3g}{unit: }, das angetriebene lässt {driven:.3g}{unit: }; bitte {|für fit "
-     "{--drive-frequency} angeben, falls bekannt, oder |}mit {|{--from} und {--to}|den Griffen} einen freien "
-     "Teil wählen"},
+     "the motion is driven, at {frequency:.6g} Hz, and fitted as driven: a free law would leave an rms "
+     "residual "
+     "of {free:.3g}{unit: }, the driven one leaves {driven:.3g}{unit: }; {|where the drive's frequency is "
+     "known, "
+     "{--drive-frequency} names it; |}a part that swings freely is chosen with {|{--from} and {--to}|the "
+     "handles}",
+     "die Bewegung ist angetrieben, mit {frequency:.6g} Hz, und so angepasst: ein freies Gesetz ließe einen "
+     "Effektivwert der Reste von {free:.3g}{unit: }, das angetriebene lässt {driven:.3g}{unit: }; {|ist die "
+     "Frequenz des Antriebs bekannt, nennt sie {--drive-frequency}; |}einen Teil, der frei schwingt, wählt "
+     "man mit "
+     "{|{--from} und {--to}|den Griffen}"},
+    {"perhaps_on_a_string", worth_knowing,
+     "the file holds x and y of a point: if it hangs on a string or a rod, its law is that of the angle, and "
+     "{column} "
+     "alone looks like a bent spring, with a frequency that is somewhat off; let the tracker write the angle "
+     "about "
+     "the pivot, and fit that",
+     "die Datei enthält x und y eines Punkts: hängt er an einem Faden oder einer Stange, ist sein Gesetz das "
+     "des "
+     "Winkels, und {column} allein sieht aus wie eine krumme Feder, mit einer etwas falschen Frequenz; bitte "
+     "den "
+     "Winkel um den Aufhängepunkt ausgeben lassen und den anpassen"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
      "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",

@@ -361,6 +361,18 @@ constexpr Entry entries[] = {
     {"another_drive", clause, "another drive, or another swing",
      "ein anderer Antrieb oder eine andere Schwingung"},
 
+    {"times_slip", wrong_if_ignored,
+     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have lost or repeated "
+     "samples "
+     "there; fit the parts before and after with {|{--from} and {--to}|the handles}",
+     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Werte verloren oder "
+     "wiederholt "
+     "sein; bitte die Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
+    {"motion_without_a_bent_spring", clause, "the motion as well, without a bent spring",
+     "die Bewegung ebenso gut, ohne eine krumme Feder"},
+    {"part_of_what_is_left", clause, "part of what the law leaves",
+     "einen Teil dessen, was das Gesetz übrig lässt"},
+
     // From where on a motion is free.
     {"level_until", clause,
      "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",

@@ -195,7 +195,7 @@ Notice turning_over(const Record& record) {
 }
 
 bool leaves_a_line(std::span<const double> t, std::span<const double> residuals, double decay_rate, double w,
-                   double times) {
+                   double times, Background noise) {
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
   const DampedPhasor phasor({t.first(n), residuals.first(n), 0, 0});
@@ -212,7 +212,9 @@ bool leaves_a_line(std::span<const double> t, std::span<const double> residuals,
   for (int k = 1; k <= 24; ++k)
     for (const double sign : {-1.0, 1.0}) {
       const double at = w + sign * (2 * reach + k * std::max(resolution, (0.5 * w - 2 * reach) / 24));
-      if (at > 2 * resolution) beside.push_back(power(at));
+      if (!(at > 2 * resolution)) continue;
+      // Noise that wanders falls with the square of the frequency.
+      beside.push_back(power(at) * (noise == Background::may_wander ? (at / w) * (at / w) : 1));
     }
   return top > times * upper_median(beside);
 }
@@ -364,7 +366,8 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
     say(Notice{"law_over_a_stop", {{"law", to_text(fit.law)}, {"rms", fit.residual.rms}, {"unit", unit}}});
     return found;
   }
-  const bool line = leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value);
+  const bool line = leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value,
+                                  30, Background::may_wander);
   const Notice zero = wandering_zero(record, residuals, unit);
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail

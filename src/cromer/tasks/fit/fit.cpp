@@ -13,7 +13,9 @@
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/second_mode.h"
+#include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/fit_settings.h"
+#include "cromer/model/law_force.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
@@ -273,6 +275,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
+  if (Notice slip = slipped_times(kept, result.fit, watch); !slip.empty())
+    result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
@@ -325,7 +329,8 @@ std::optional<double> swings_freely_from(const Series& series, const Watch& watc
 // notice.
 Result<FittedRecording> begin_later(FittedRecording whole, const Series& series, std::string_view file,
                                     const FitOptions& options, const Watch& watch) {
-  if (options.from || options.to || whole.driven || !is_without_a_law(whole)) return whole;
+  if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
+    return whole;
   const std::optional<double> from = swings_freely_from(whole.series, watch);
   if (!from) return whole;
   FitOptions later = options;
@@ -373,6 +378,16 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
   return "";
 }
 
+// Whether x of a point was fitted whose y was recorded too, and its spring is bent: as of a pendulum on film.
+bool is_perhaps_on_a_string(const Recording& recording, const FittedRecording& fitted) {
+  const auto holds = [&](std::string_view name) {
+    return std::any_of(recording.table.columns.begin(), recording.table.columns.end(),
+                       [&](const Column& column) { return column.name == name; });
+  };
+  return fitted.series.column == "x" && holds("y") && fitted.fit.is_usable() &&
+         !is_linear(fitted.fit.law.without(dissipative_terms));
+}
+
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
@@ -382,6 +397,8 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
       fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});
+  if (fitted && is_perhaps_on_a_string(recording, *fitted))
+    fitted->notices.push_back(Notice{"perhaps_on_a_string", {{"column", fitted->series.column}}});
   // The inner force at the start is no parameter of the fit.
   if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
     fitted->notices.push_back(Notice{"hysteresis_from_zero"});
