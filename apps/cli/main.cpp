@@ -52,8 +52,8 @@ std::string overview() {
 }
 
 int unknown_command(std::string_view typed) {
-  std::error_code none;
-  if (std::filesystem::exists(typed, none))
+  std::error_code error;
+  if (std::filesystem::is_regular_file(typed, error))
     return refuse(
         fmt::format("\"{0}\" is a file: cromer inspect \"{0}\" tells what it holds, cromer report "
                     "\"{0}\" makes a report of it",

@@ -187,6 +187,7 @@ TEST(ForcedFit, IntervalsHoldUnderANoisyForce) {
                         {"viscous", slow, 1},
                         {"viscous", slow, 2},
                         {"viscous+drag", {.w0 = 9, .g = 0.1, .drag = 0.05}, 0}};
+  int all_held = 0;
   for (const Case& c : cases) {
     SCOPED_TRACE(testing::Message() << c.law << " " << c.derivative);
     constexpr int runs = 40;
@@ -201,24 +202,28 @@ TEST(ForcedFit, IntervalsHoldUnderANoisyForce) {
       held[1] += holds(fit.decay_rate(), c.truth.g);
       held[2] += holds(fit["force_gain"], c.truth.gain);
       ASSERT_TRUE(fit.force_noise);
-      told += *fit.force_noise > 0;
-      noise += *fit.force_noise / runs;
+      told += fit.force_noise->shows;
+      noise += fit.force_noise->deviation / runs;
     }
     EXPECT_GE(told, runs - 4);
     EXPECT_NEAR(noise, 0.03, 0.006);                  // seen by a few swings of the resonance only
     for (const int each : held) EXPECT_GE(each, 34);  // fewer in 1 of 300 of 95 %
+    all_held += held[0] + held[1] + held[2];
   }
+  EXPECT_LE(all_held, 472);  // of 480, where 456 are expected: nor too wide
 }
 
 TEST(ForcedFit, AnExactForceHasNoNoise) {
-  int told = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    const auto record = near_resonance({.w0 = 9, .g = 0.12}, seed, 0, 0);
-    const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
-    ASSERT_TRUE(fit.force_noise);
-    told += *fit.force_noise > 0;
+  for (const int derivative : {0, 1, 2}) {
+    int told = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      const auto record = near_resonance({.w0 = 9, .g = 0.12}, seed, 0, derivative);
+      const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
+      ASSERT_TRUE(fit.force_noise);
+      told += fit.force_noise->shows;
+    }
+    EXPECT_LE(told, 3) << derivative;
   }
-  EXPECT_LE(told, 3);
 }
 
 TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {

@@ -237,7 +237,7 @@ TEST(FreePartLimits, HeldAtHalfTheAmplitude) {
   const auto at_rest =
       Made{}.add(20, {0.484375}).add(5, {-0.25, -0.75, -1, -1, -0.75}).add(95, of_ten).free();
   ASSERT_TRUE(at_rest);
-  EXPECT_EQ(in_words(at_rest->reason), "it is held still until 2.375 s and then set going");
+  EXPECT_EQ(in_words(at_rest->reason), "it does not swing until 2.375 s and is then set going");
   // The first large swing is the one down, from the 23rd sample to the 26th.
   EXPECT_EQ(at_rest->from, 25 * h);
 }
@@ -273,7 +273,7 @@ TEST(FreePartLimits, ValuesThatStickOutWhileItIsHeldAreNoSwing) {
     return made.add(30, {0}).add(700, of_ten).free();
   };
   ASSERT_TRUE(held_with(1));
-  EXPECT_EQ(in_words(held_with(1)->reason).substr(0, 16), "it is held still");
+  EXPECT_EQ(in_words(held_with(1)->reason).substr(0, 17), "it does not swing");
   EXPECT_FALSE(held_with(10));
 }
 

@@ -30,20 +30,65 @@ TEST(SlippedTimes, AreFoundUnderEachLaw) {
           *law ? fit_law(record.record(), {.law = law_of(law)}) : choose_law(record.record(), {}).chosen;
       const Notice slip = slipped_times(record.record(), fit);
       ASSERT_EQ(slip.code, "times_slip") << seed << " " << to_text(fit.law);
-      EXPECT_THAT(in_words(slip), testing::HasSubstr(is_linear(fit.law) ? "part of what" : "a bent spring"));
+      EXPECT_THAT(
+          in_words(slip),
+          testing::HasSubstr(is_linear(fit.law) ? "part of what" : "proportional to the displacement"));
       EXPECT_NEAR(std::get<double>(slip.values[0].value), 16 + 0.8 * seed, 1) << seed;
+      EXPECT_THAT(in_words(slip), testing::HasSubstr("lost samples"));
       EXPECT_NEAR(std::get<double>(slip.values[1].value), 0.02 * (1 + seed % 2), 0.005) << seed;
     }
   }
 }
 
 TEST(SlippedTimes, ABentSpringIsNoSlip) {
-  const FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.03, .cubic = 6, .position = 0.3};
+  FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
   for (unsigned seed = 1; seed <= 10; ++seed) {
+    bent.cubic = seed % 2 ? 6 : -6;
     const auto record = with_samples_lost(bent, 2000, 0, seed);
-    const LawFit fit = choose_law(record.record(), {}).chosen;
-    EXPECT_TRUE(slipped_times(record.record(), fit).empty()) << seed << " " << to_text(fit.law);
+    for (const LawFit& fit : {choose_law(record.record(), {}).chosen, fit_law(record.record(), {})})
+      EXPECT_TRUE(slipped_times(record.record(), fit).empty()) << seed << " " << to_text(fit.law);
   }
+}
+
+TEST(SlippedTimes, NoiseThatWandersIsNoSlip) {
+  int told = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SyntheticRecord record{even_times(90, 0.035), {}, 0};
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 0.004);
+    double noise = 0;
+    for (const double t : record.t) {
+      noise = 0.95 * noise + normal(engine);
+      record.y.push_back(0.3 * std::exp(-0.2 * t) * std::cos(6 * t) + noise);
+    }
+    told += !slipped_times(record.record(), fit_law(record.record(), {})).empty();
+  }
+  EXPECT_LE(told, 1);
+}
+
+// Of velocities and accelerations, and of samples that came twice.
+TEST(SlippedTimes, AreFoundInDerivatives) {
+  for (const int derivative : {1, 2})
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      const FreeSwing straight{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
+      SyntheticRecord record = with_samples_lost(straight, 2000, 0, seed);
+      std::mt19937_64 engine(seed);
+      std::normal_distribution<double> normal(0, 2e-3 * std::pow(6, derivative));
+      for (std::size_t i = 0; i < record.t.size(); ++i) {
+        const double at = record.t[i] - (i < 900 ? 0 : 0.04), w = std::sqrt(36 - 0.03 * 0.03);
+        const double x = 0.3 * std::exp(-0.03 * at) * std::cos(w * at),
+                     v = -0.3 * std::exp(-0.03 * at) * w * std::sin(w * at) - 0.03 * x;
+        record.y[i] = (derivative == 1 ? v : -36 * x - 0.06 * v) + normal(engine);
+      }
+      Record seen = record.record();
+      seen.derivative = derivative;
+      const LawFit fit = fit_law(seen, {});
+      const Notice slip = slipped_times(seen, fit);
+      ASSERT_EQ(slip.code, "times_slip") << derivative << " " << seed;
+      EXPECT_THAT(in_words(slip), testing::HasSubstr("repeated samples"));
+      EXPECT_NEAR(std::get<double>(slip.values[0].value), 18, 1);
+      EXPECT_NEAR(std::get<double>(slip.values[1].value), 0.04, 0.005);
+    }
 }
 
 }  // namespace

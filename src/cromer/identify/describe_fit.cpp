@@ -7,12 +7,11 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/extent.h"
+#include "cromer/identify/answer_to_force.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/least_squares/force_noise.h"
 #include "cromer/identify/least_squares/noise.h"
-#include "cromer/model/law_force.h"
-#include "cromer/model/propagate.h"
 
 namespace cromer::core {
 namespace {
@@ -130,62 +129,26 @@ bool is_filtered(const DescribedMinimum& minimum, const Inverse& inverse, const 
          noise.correlation.coefficients.size() <= highest_order;
 }
 
-// The linear law that is nearest, on average over the motion's samples, to the force of the fitted one.
-std::optional<LinearLaw<double>> linear_law_of(const LawFit& fit, const Record& record) {
-  const Oscillator<double>& law = fit.motion.per_mass;
-  if (is_linear(fit.law)) return LinearLaw<double>{.decay_rate = law.damping / 2, .stiffness = law.stiffness};
-  if (fit.law.has<Hysteresis>()) return std::nullopt;
-  const Trajectory motion = motion_of(fit, record.t);
-  NormalEquations sums;
-  sums.size = 3;
-  for (std::size_t i = 0; i < motion.x.size(); ++i) {
-    const double x = motion.x[i], v = motion.v[i];
-    const std::array<double, 3> row = {x, v, 1};
-    sums.add_row(row, restoring_force(law, x) + resisting_force<any_terms>(law, fit.law, x, v));
-  }
-  const LinearFit nearest = solve(sums);
-  if (!nearest.ok || !(nearest.x[1] > 0)) return std::nullopt;
-  return LinearLaw<double>{.decay_rate = nearest.x[1] / 2, .stiffness = nearest.x[0]};
-}
-
-AnswerToForce answer_of(const LinearLaw<double>& law, double gain, double step, int derivative) {
-  const ImpulseResponse<double> whole = impulse_response(law, step), half = impulse_response(law, step / 2);
-  AnswerToForce answer;
-  answer.transition = {{{whole.position, whole.g}, {-law.stiffness * whole.g, whole.slope}}};
-  // Held for a step: the integrals of the impulse response, by Simpson's rule, and of its slope.
-  answer.entry = {gain * step * (4 * half.g + whole.g) / 6, gain * whole.g};
-  if (derivative == 0) answer.sight = {1, 0};
-  if (derivative == 1) answer.sight = {0, 1};
-  if (derivative == 2) answer.sight = {-law.stiffness, -2 * law.decay_rate}, answer.directly = gain;
-  return answer;
-}
-
-// The noise of a recorded force, where the residuals show it: estimates are known less well for it.
-void add_force_noise(EstimateNoise& known, LawFit& fit, const Record& record, const DescribedMinimum& minimum,
-                     const Noise& noise, std::span<const double> jacobian) {
-  const std::optional<LinearLaw<double>> law = linear_law_of(fit, record);
-  if (!law) return;
-  fit.force_noise = 0;
-  const int size = minimum.fitted.count;
-  const std::optional<ForceNoise> found =
-      find_force_noise(noise.grid, minimum.residuals, jacobian, size,
-                       answer_of(*law, fit.motion.force_gain, noise.grid.step, record.derivative));
-  if (!found) return;
-  const EstimateNoise before = known;
+// What the estimates' noise is with that of a recorded force: of each, the larger variance.
+EstimateNoise with_force_noise(const EstimateNoise& alone, const EstimateNoise& forced, int size) {
+  EstimateNoise both = forced;
   Parameters widening{};
-  bool counts = false;
   for (int i = 0; i < size; ++i) {
-    const double ratio = before.covariance[i][i] / found->of_estimates.covariance[i][i];
+    const double ratio = alone.covariance[i][i] / forced.covariance[i][i];
     widening[i] = std::sqrt(std::max(1.0, ratio));
-    known.degrees[i] = ratio > 1 ? before.degrees[i] : found->of_estimates.degrees[i];
-    counts = counts || ratio < 1;
+    if (ratio > 1) both.degrees[i] = alone.degrees[i];
   }
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j)
-      known.covariance[i][j] = found->of_estimates.covariance[i][j] * widening[i] * widening[j];
-  // The force's own samples may be closer than the motion's.
-  const double closer = std::max(1.0, noise.grid.step / fit.drive.force.spacing);
-  if (counts) fit.force_noise = found->deviation * std::sqrt(closer);
+    for (int j = 0; j < size; ++j) both.covariance[i][j] *= widening[i] * widening[j];
+  return both;
+}
+
+// By how much the standard error grows that grows most.
+double largest_growth(const EstimateNoise& alone, const EstimateNoise& forced, int size) {
+  double largest = 0;
+  for (int i = 0; i < size; ++i)
+    largest = std::max(largest, std::sqrt(forced.covariance[i][i] / alone.covariance[i][i]));
+  return largest;
 }
 
 EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum& minimum,
@@ -217,7 +180,22 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
         known.covariance[i][j] = variance * inverse.matrix[i][j] * std::sqrt(of(i) * of(j));
     }
   }
-  if (is_asked && !jacobian.empty()) add_force_noise(known, fit, record, minimum, noise, jacobian);
+  const std::optional<AnswerToForce> answer =
+      is_asked && !jacobian.empty() ? answer_to_force(fit, record, noise.grid) : std::nullopt;
+  if (const auto forced = answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count,
+                                                    inverse.matrix, *answer)
+                                 : std::nullopt) {
+    constexpr double told = 1.05;
+    // The force's own samples may be closer than the motion's.
+    const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
+    fit.force_noise = ForceNoiseSeen{.deviation = forced->deviation * closer, .shows = forced->shows};
+    fit.force_noise->counts = largest_growth(known, forced->of_estimates, fitted.count) > told;
+    known = with_force_noise(known, forced->of_estimates, fitted.count);
+    const Parameters bias = force_noise_bias(fit, fitted, record, noise.grid, inverse.matrix);
+    for (int i = 0; i < fitted.count; ++i)
+      for (int j = 0; j < fitted.count; ++j)
+        known.covariance[i][j] += forced->mean_square * bias[i] * forced->mean_square * bias[j];
+  }
   for (int i = 0; i < fitted.count; ++i)
     for (int j = 0; j < fitted.count; ++j)
       known.covariance[i][j] += minimum.rounding_bias[i] * minimum.rounding_bias[j];

@@ -33,6 +33,13 @@
 
 namespace cromer::core {
 
+/// Noise of a recorded force, as far as what the law leaves tells it. The uncertainties include it.
+struct ForceNoiseSeen {
+  double deviation = 0;  ///< of each sample (rms), the most likely [the force's unit]
+  bool shows = false;    ///< it is there; else it may be
+  bool counts = false;   ///< a standard error is larger for it, by a twentieth or more
+};
+
 /// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample,
 /// and of a harmonic drive amplitude and phase stand for cosine and sine. "unit" is that of the displacement.
 /// Damping terms that can only take energy are never negative: their intervals come from Student's t at the
@@ -54,9 +61,7 @@ struct LawFit {
   double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
   double student = 0;              ///< t of the 95 % intervals
   double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
-  /// Of each sample of a recorded force (rms) [its unit], 0 where none is seen: the uncertainties hold for
-  /// it. Empty where the force was taken as exact.
-  std::optional<double> force_noise{};
+  std::optional<ForceNoiseSeen> force_noise{};  ///< empty where the force was taken as exact
   std::vector<std::size_t> outliers;  ///< samples of the record that were set aside (see outliers.h)
   std::vector<Notice> notices;
 

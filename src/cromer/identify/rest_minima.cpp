@@ -152,20 +152,6 @@ double mixture_quantile(const std::vector<Component>& mixture, double p, double 
   return 0.5 * (low + high);
 }
 
-// Half the logarithm of the determinant.
-double half_log_determinant(const SquareMatrix& matrix, int size) {
-  SquareMatrix factor{};
-  double sum = 0;
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j <= i; ++j) {
-      double value = matrix[i][j];
-      for (int l = 0; l < j; ++l) value -= factor[i][l] * factor[j][l];
-      factor[i][j] = i == j ? std::sqrt(std::max(value, 1e-300)) : value / factor[j][j];
-      if (i == j) sum += std::log(factor[i][j]);
-    }
-  return sum;
-}
-
 }  // namespace
 
 void spread_over(LawFit& fit, const FittedParameters& fitted,
@@ -182,13 +168,15 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
   for (int i = 0; i < n; ++i) widest = std::max(widest, scale[i] = entry(i, i) / own[i][i]);
   if (!std::isfinite(widest) || !(widest > 0)) return;
 
+  const auto log_determinant = [n](const LeastSquaresSummary& minimum) {
+    return ScaledCholesky(minimum.equations.matrix, n, 0, all_free).log_determinant();
+  };
   std::vector<double> weights;
   double total = 0;
   for (const LeastSquaresSummary& minimum : minima) {
     const double above = minimum.equations.sum_of_squares - minima.front().equations.sum_of_squares;
-    const double narrower = half_log_determinant(minimum.equations.matrix, n) -
-                            half_log_determinant(minima.front().equations.matrix, n);
-    weights.push_back(std::exp(-0.5 * above / widest - narrower));
+    const double narrower = log_determinant(minimum) - log_determinant(minima.front());
+    weights.push_back(std::exp(-0.5 * (above / widest + narrower)));
     total += weights.back();
   }
   for (double& weight : weights) weight /= total;

@@ -80,6 +80,10 @@ constexpr bool may_grow(Law law) {
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;
 constexpr bool is_linear(Law law) { return linear_terms.contains(law); }
+/// Whether the restoring force is not proportional to the displacement.
+constexpr bool has_bent_spring(Law law) {
+  return !is_linear(law.without(dampings).without(law_with<Friction, Hysteresis>));
+}
 /// Terms whose force is a smooth function of position and velocity.
 inline constexpr Law smooth_terms =
     law_where([](const TermInfo&) { return true; }).without(law_with<Friction, Hysteresis>);

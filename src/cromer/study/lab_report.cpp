@@ -26,7 +26,7 @@ std::string typed(const Quantity& mass) {
 /// Whether a notice belongs beside the numbers of the summary: without it they would be misread.
 bool qualifies(std::string_view code) {
   return code == "beats_at_first" || code == "one_mass_for_unlike_runs" ||
-         code == "one_mass_for_unlike_files";
+         code == "one_mass_for_unlike_files" || code == "times_slip";
 }
 
 /// Of a step of rounding: what is less is rounding alone.
@@ -107,12 +107,10 @@ class Part : public LabTold {
 
   void key_figures() const {
     if (is_poorly_described()) return;
-    // An uncertainty that does not hold is not printed large.
-    const bool is_doubted = !first_doubt().empty();
     const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
       toml_.table("key_figure");
       toml_.text("name", words(code));
-      toml_.text("value", in_braces(value + (is_doubted ? ", 3" : ", concise")));
+      toml_.text("value", in_braces(value + large()));
       toml_.text("remark", remark);
     };
     // Of a swing whose frequency and damping change as it dies down.
@@ -122,15 +120,16 @@ class Part : public LabTold {
       key("frequency", "frequency",
           there.empty() ? words("report_period_is", {{"period", in_braces("period, 4")}}) : there);
     if (const Estimate* k = fitted_.find("stiffness"))
-      key("stiffness", "stiffness", interval("stiffness", *k));
+      key("stiffness", "stiffness", ends_of("stiffness", *k));
     if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
     if (fitted_.driven && fitted_.find("decay_rate"))
-      key("decay_rate", "decay_rate", interval("decay_rate", *fitted_.find("decay_rate")));
+      key("decay_rate", "decay_rate", ends_of("decay_rate", *fitted_.find("decay_rate")));
     if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
       key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
           named(fitted_.headline, "decay_rate_end") && !has_one_rate()
-              ? words("report_at_end", {{"rate", in_braces("decay_rate_end")}})
-              : interval("decay_rate_start", start->estimate));
+              ? words("report_at_end",
+                      {{"rate", in_braces(is_doubted() ? "decay_rate_end, 3" : "decay_rate_end")}})
+              : ends_of("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
       key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
     else if (is_known("quality_factor") && std::isfinite(fitted_.find("quality_factor")->high))
@@ -140,7 +139,7 @@ class Part : public LabTold {
   /// The row of this recording in the table of all.
   std::vector<std::string> row() const {
     const auto known = [&](std::string_view name) {
-      return named(fitted_.headline, name) ? in_braces(std::string(name) + ", concise") : std::string("–");
+      return named(fitted_.headline, name) ? in_braces(std::string(name) + large()) : std::string("–");
     };
     if (!fitted_.succeeded() || is_poorly_described()) return {verbatim(title()), "–", "–", "–", "–", "–"};
     return {verbatim(title()),       known("frequency"),
@@ -149,11 +148,18 @@ class Part : public LabTold {
   }
 
  private:
+  // An uncertainty that does not hold is not printed beside a large number.
+  bool is_doubted() const { return !first_doubt().empty(); }
+  std::string large() const { return is_doubted() ? ", 3" : ", concise"; }
+  std::string ends_of(std::string_view name, const Estimate& estimate) const {
+    return is_doubted() ? std::string() : interval(name, estimate);
+  }
+
   bool has_amplitude() const { return !fitted_.driven && is_known("at_amplitude"); }
   /// Whether the frequency or the damping changes as the swing dies down.
   bool depends_on_amplitude() const { return has_amplitude() && !is_linear(fitted_.fit.law); }
 
-  bool has_bent_spring() const { return !is_linear(fitted_.fit.law.without(dampings)); }
+  bool has_bent_spring() const { return core::has_bent_spring(fitted_.fit.law); }
 
   /// The amplitude of the fitted motion; "" where it is not known.
   std::string at_amplitude() const {
@@ -366,8 +372,9 @@ class Part : public LabTold {
 
   void decay() {
     const auto& stretches = fitted_.decay_by_amplitude;
-    const bool grows =
-        !stretches.empty() && stretches.front().rate.high < 0 && stretches.back().rate.high < 0;
+    const Parameter* start = named(fitted_.headline, "decay_rate_start");
+    const bool grows = !stretches.empty() && stretches.front().rate.high < 0 &&
+                       stretches.back().rate.high < 0 && (!start || start->estimate.value < 0);
     const bool compared = compared_ && !explanation(*compared_).empty(),
                several = compared_ && compared_->curves.size() > 1;
     const std::string ends = decay_ends();
@@ -544,7 +551,7 @@ class Part : public LabTold {
   /// Where forward Euler goes to when steps_until_it_leaves() ends.
   std::string_view why_it_leaves() const {
     const Law law = fitted_.fit.law;
-    if (is_linear(law.without(dampings))) return "report_leaves_far";
+    if (!core::has_bent_spring(law)) return "report_leaves_far";
     if (!law.has<Pendulum>()) return "report_leaves";
     return most_times_as_far * fitted_.find("at_amplitude")->value > pi ? "report_leaves_over_top"
                                                                         : "report_leaves_far";

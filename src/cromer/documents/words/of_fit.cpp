@@ -329,15 +329,11 @@ constexpr Entry entries[] = {
      "{|{--from} und {--to}|den Griffen}"},
     {"perhaps_on_a_string", worth_knowing,
      "the file holds x and y of a point: if it hangs on a string or a rod, its law is that of the angle, and "
-     "{column} "
-     "alone looks like a bent spring, with a frequency that is somewhat off; let the tracker write the angle "
-     "about "
-     "the pivot, and fit that",
+     "one "
+     "of {column} alone is only near it; let the tracker write the angle about the pivot, and fit that",
      "die Datei enthält x und y eines Punkts: hängt er an einem Faden oder einer Stange, ist sein Gesetz das "
-     "des "
-     "Winkels, und {column} allein sieht aus wie eine krumme Feder, mit einer etwas falschen Frequenz; bitte "
-     "den "
-     "Winkel um den Aufhängepunkt ausgeben lassen und den anpassen"},
+     "des Winkels, und eines von {column} allein nur ungefähr richtig; bitte den Winkel um den "
+     "Aufhängepunkt ausgeben lassen und den anpassen"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
      "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",
@@ -392,11 +388,15 @@ constexpr Entry entries[] = {
      "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
      "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
     {"force_is_noisy", worth_knowing,
-     "what the law leaves looks as noise of {noise:.2g}{unit: } in each sample of the recorded force would "
-     "make "
-     "it: the uncertainties are widened for it",
-     "was das Gesetz übrig lässt, sieht so aus, wie ein Rauschen von {noise:.2g}{unit: } in jeder Stelle der "
-     "aufgezeichneten Kraft es machen würde: die Unsicherheiten sind dafür verbreitert"},
+     "what the law leaves looks like noise of {noise:.2g}{unit: } in each sample of the recorded force; the "
+     "uncertainties include it",
+     "was das Gesetz übrig lässt, sieht aus wie ein Rauschen von {noise:.2g}{unit: } in jedem Messwert der "
+     "Kraft; die "
+     "Unsicherheiten enthalten es"},
+    {"force_may_be_noisy", detail,
+     "noise of the recorded force may hide in what the law leaves; the uncertainties allow for it",
+     "in dem, was das Gesetz übrig lässt, kann sich ein Rauschen der aufgezeichneten Kraft verbergen; die "
+     "Unsicherheiten berücksichtigen das"},
     {"axis_holds_gravity", worth_knowing,
      "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor "
      "shows "
@@ -558,7 +558,7 @@ constexpr Entry entries[] = {
      "to {last:n}\u00a01/s, as the restoring force is not proportional to the displacement.{method}",
      "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
      "{first:n} auf "
-     "{last:n}\u00a01/s, da die Rückstellkraft der Auslenkung nicht proportional ist.{method}"},
+     "{last:n}\u00a01/s, da die Rückstellkraft nicht proportional zur Auslenkung ist.{method}"},
     {"one_rate_is_best", clause,
      "No law that was tried tells more than one decay rate: {one_rate}, but {end}.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}, aber {end}.{method}"},

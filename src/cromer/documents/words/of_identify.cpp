@@ -71,10 +71,11 @@ constexpr Entry entries[] = {
      "Varianz, was Rauschen auch könnte; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, der "
      "schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
     {"no_single_decay", error,
-     "no single swing that decays: the best one accounts for {percent:.1f} % of the variance, and what it "
+     "no single decaying swing found: the best one accounts for {percent:.1f} % of the variance, and what it "
      "leaves is too large to find a law beside it; choose the part that swings freely with {|{--from} and "
      "{--to}|the handles}, or another {|{--column}|column}",
-     "keine einzelne Schwingung, die abklingt: die beste erklärt {percent:.1f} % der Varianz, und was sie "
+     "keine einzelne abklingende Schwingung gefunden: die beste erklärt {percent:.1f} % der Varianz, und was "
+     "sie "
      "übrig lässt, ist zu viel, um daneben ein Gesetz zu finden; bitte mit {|{--from} und {--to}|den "
      "Griffen} "
      "den Teil wählen, der frei schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
@@ -362,28 +363,31 @@ constexpr Entry entries[] = {
      "ein anderer Antrieb oder eine andere Schwingung"},
 
     {"times_slip", wrong_if_ignored,
-     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have lost or repeated "
-     "samples "
-     "there; fit the parts before and after with {|{--from} and {--to}|the handles}",
-     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Werte verloren oder "
-     "wiederholt "
-     "sein; bitte die Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
-    {"motion_without_a_bent_spring", clause, "the motion as well, without a bent spring",
-     "die Bewegung ebenso gut, ohne eine krumme Feder"},
+     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have {how} there; fit "
+     "the parts "
+     "before and after with {|{--from} and {--to}|the handles}",
+     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Messwerte {how} sein; "
+     "bitte die "
+     "Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
+    {"motion_without_a_bent_spring", clause,
+     "the motion at least as well, with a restoring force that is proportional to the displacement",
+     "die Bewegung mindestens ebenso gut, mit einer Rückstellkraft proportional zur Auslenkung"},
     {"part_of_what_is_left", clause, "part of what the law leaves",
      "einen Teil dessen, was das Gesetz übrig lässt"},
+    {"samples_lost", clause, "lost samples", "verloren"},
+    {"samples_repeated", clause, "repeated samples", "wiederholt"},
 
     // From where on a motion is free.
     {"level_until", clause,
      "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",
      "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
     {"disturbed_until", clause,
-     "what comes before {time:.4g} s follows no law that the rest follows, as where a hand still moves it",
+     "what comes before {time:.4g} s does not follow the law of the rest, as while a hand still moves it",
      "was vor {time:.4g} s liegt, folgt keinem Gesetz, dem der Rest folgt, wie wenn eine Hand es noch "
      "bewegt"},
     {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
-    {"held_still_then_set_going", clause, "it is held still until {time:.4g} s and then set going",
-     "bis {time:.4g} s wird festgehalten, dann in Gang gesetzt"},
+    {"held_still_then_set_going", clause, "it does not swing until {time:.4g} s and is then set going",
+     "bis {time:.4g} s schwingt es nicht, dann wird es in Gang gesetzt"},
 
     // Laws as they are typed.
     {"law_auto_in_sum", error,

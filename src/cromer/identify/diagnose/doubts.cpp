@@ -353,12 +353,12 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
   Record kept = record;
   kept.t = t;
   kept.y = y;
-  const Notice rises = is_fed(fit) && described ? growth(record, fit, period) : rise(kept, period, noise);
+  const Notice rises = is_fed(fit) && described ? growth(kept, fit, period) : rise(kept, period, noise);
   say(rises);
-  if (rises.empty()) say(steadiness(record, fit, period));
+  if (rises.empty()) say(steadiness(kept, fit, period));
   say(few_samples(record, fit.swing_frequency().value));
-  say(coarseness(record, fit, unit));
-  const Notice stop = rises.empty() ? sudden_stop(record, period, unit, described) : Notice{};
+  say(coarseness(kept, fit, unit));
+  const Notice stop = rises.empty() ? sudden_stop(kept, period, unit, described) : Notice{};
   say(stop);
   if (described) return found;
   if (!stop.empty()) {

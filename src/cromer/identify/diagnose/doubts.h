@@ -41,15 +41,19 @@ Notice few_samples(const Record& record, double angular_frequency);
 /// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
 Notice turning_over(const Record& record);
 
-/// The noise that a line stands out of: the same at all frequencies, or falling with their square where it
-/// falls at all.
+/// The noise that a line stands out of: the same at all frequencies, or one that may fall with their square,
+/// as what wanders does: powers are then compared times the square of the frequency.
 enum class Background { even, may_wander };
+
+/// How many times the power beside it a line has that a wrong law leaves, at least.
+inline constexpr double line_of_a_wrong_law = 30;
 
 /// True if the residuals at times t have a line about this angular frequency [rad/s], that of a swing which
 /// decays at a rate [1/s], or of a drive, or a multiple of them: more than `times` the median power on either
 /// side. A wrong law leaves such a line, noise does not.
 bool leaves_a_line(std::span<const double> t, std::span<const double> residuals, double decay_rate,
-                   double angular_frequency, double times = 30, Background noise = Background::even);
+                   double angular_frequency, double times = line_of_a_wrong_law,
+                   Background noise = Background::even);
 
 /// Whether residuals of a motion y are smooth, and larger than twice the noise from sample to sample, than a
 /// rounding step and than arithmetic makes them. A wrong law leaves such where a period has many samples.

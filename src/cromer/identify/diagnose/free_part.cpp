@@ -202,7 +202,8 @@ std::size_t steady_from(const Record& record, std::size_t first, const SwingAbou
     const std::size_t end = end_of(first);
     if (end < first + 8 || end + 64 > record.y.size()) break;
     const double noise = noise_of(record.y.subspan(first, end - first));
-    if (noise > rough * std::max(own, noise_of(record.y.subspan(end)))) steady = end + (end - first) / 2;
+    if (noise > rough * std::max(own, noise_of(record.y.subspan(end))))
+      steady = std::min(end + (end - first) / 2, record.y.size() - 1);
     first = end;
   }
   return steady;

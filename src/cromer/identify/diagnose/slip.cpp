@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "cromer/identify/least_squares/normal_equations.h"
+#include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/sampling.h"
-#include "cromer/model/law_force.h"
+#include "cromer/model/law.h"
 
 namespace cromer::core {
 namespace {
@@ -37,7 +38,18 @@ class SlipSearch {
   struct Found {
     std::size_t at = 0;
     double slip = 0, rest = HUGE_VAL;
+    Parameters x{};
   };
+
+  // What a slip leaves.
+  std::vector<double> left_by(const Found& found) const {
+    std::vector<double> left = residuals_;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const std::array<double, 6> row = row_of(i, found.at);
+      for (std::size_t j = 0; j < row.size(); ++j) left[i] -= found.x[j] * row[j];
+    }
+    return left;
+  }
 
   // Of a slip before one of at most so many samples, spread evenly.
   Found best(std::size_t from, std::size_t to, std::size_t most) const {
@@ -46,17 +58,21 @@ class SlipSearch {
     for (std::size_t at = from; at < to; at += stride) {
       NormalEquations sums{.size = 6};
       for (std::size_t i = 0; i < rows_.size(); ++i) {
-        std::array<double, 6> row = rows_[i];
-        if (i < at) row[5] = 0;
-        sums.add_row(row, residuals_[i]);
+        sums.add_row(row_of(i, at), residuals_[i]);
       }
       if (const LinearFit fit = solve(sums); fit.ok && fit.rest < found.rest)
-        found = {at, fit.x[5], fit.rest};
+        found = {at, fit.x[5], fit.rest, fit.x};
     }
     return found;
   }
 
  private:
+  std::array<double, 6> row_of(std::size_t i, std::size_t slips_at) const {
+    std::array<double, 6> row = rows_[i];
+    if (i < slips_at) row[5] = 0;
+    return row;
+  }
+
   const Record& record_;
   std::vector<double> residuals_;
   std::vector<std::array<double, 6>> rows_;
@@ -65,30 +81,47 @@ class SlipSearch {
 }  // namespace
 
 Notice slipped_times(const Record& record, const LawFit& fit, const Watch& watch) {
-  constexpr std::size_t most = 20'000, few = 48;  // samples that are worth the search; places
+  constexpr std::size_t longest = 20'000;  // samples that are worth the search
+  constexpr double smooth = 0.2;           // of the residuals, from sample to sample: else they are noise
   const std::size_t n = record.t.size();
-  const bool bent = !is_linear(fit.law.without(dissipative_terms));
-  constexpr double smooth = 0.2,
-                   clearly_less = 0.9;  // correlation from sample to sample; of the rms residual
+  const bool bent = has_bent_spring(fit.law);
   if (!bent && !(fit.residual.autocorrelation > smooth)) return {};
-  if (fit.drive.kind != DriveKind::none || n < 64 || n > most) return {};
+  if (fit.law.has<Pendulum>() || fit.drive.kind != DriveKind::none || n < 64 || n > longest) return {};
   const LawFit straight = fit_law(record, {}, watch);
   std::vector<double> residuals = residuals_of(straight, record);
   if (!straight.is_usable() || residuals.size() != n || watch.interrupted()) return {};
+
   const SlipSearch search(record, straight, std::move(residuals));
-  const std::size_t edge = n / 10;  // what is odd there may be a beginning
-  SlipSearch::Found found = search.best(edge, n - edge, few);
-  const std::size_t around = std::max<std::size_t>(1, n / few);
+  constexpr std::size_t places = 48;
+  const std::size_t edge = n / 10;  // what is odd there may be a beginning or an end
+  SlipSearch::Found found = search.best(edge, n - edge, places);
+  const std::size_t around = std::max<std::size_t>(1, n / places);
   found = search.best(std::max(edge, found.at - std::min(around, found.at)),
-                      std::min(n - edge, found.at + around), few);
+                      std::min(n - edge, found.at + around), places);
+  const double steps = std::abs(found.slip) / median_step(record.t),
+               angle = std::abs(found.slip) * straight.motion.angular_frequency();
+  constexpr double fewest = 0.5, most = 10, farthest = 0.7;  // between samples; [rad] where a slip is linear
+  if (steps < fewest || steps > most || angle > farthest) return {};
+
   const double rest = std::sqrt(found.rest / static_cast<double>(n));
-  const double steps = std::abs(found.slip) / median_step(record.t);
-  constexpr double least = 0.5, most_steps = 10;  // between samples
-  if (steps < least || steps > most_steps || rest > (bent ? 1 : clearly_less) * fit.residual.rms) return {};
+  constexpr double clearly = 0.9;  // of the rms residual
+  if (rest > (bent ? 1 : clearly) * fit.residual.rms) return {};
+  // Noise that wanders is part slip by chance: as many samples count as are independent.
+  const std::vector<double> left = search.left_by(found);
+  const double correlation = std::clamp(autocorrelations(left, find_grid(record.t), 1)[1], 0.0, 0.999);
+  const double independent = static_cast<double>(n) * (1 - correlation) / (1 + correlation);
+  constexpr double by_chance = 30;  // of twice the logarithm of the likelihood, over all places
+  if (independent * 2 * std::log(straight.residual.rms / rest) < by_chance) return {};
+  // A phase that bends, as a nonlinear spring makes it, is half explained by one that jumps.
+  if (!bent) {
+    const LawFit softening = fit_law(record, {.law = law_of("viscous+cubic")}, watch);
+    if (!softening.is_usable() || rest > clearly * softening.residual.rms) return {};
+  }
   return Notice{"times_slip",
                 {{"t", record.t[found.at]},
                  {"slip", std::abs(found.slip)},
-                 {"what", Notice{bent ? "motion_without_a_bent_spring" : "part_of_what_is_left"}}}};
+                 {"what", Notice{bent ? "motion_without_a_bent_spring" : "part_of_what_is_left"}},
+                 {"how", Notice{found.slip > 0 ? "samples_repeated" : "samples_lost"}}}};
 }
 
 }  // namespace cromer::core

@@ -5,10 +5,11 @@
 
 namespace cromer::core {
 
-/// Where a viscous law whose times slip once, by half a step between samples or more, leaves no more than the
-/// fit with its bent spring, or clearly less than the fit without one: a notice that tells when and by how
-/// much. A shift of the phase at one time looks like a frequency that changes as the swing dies down. Else
-/// empty.
+/// When, by how much and which way times slip: a viscous law whose times slip once then leaves no more than
+/// the fit with its nonlinear spring, or a tenth less than the fit without one and than a cubic spring. Slips
+/// from half a step between samples to ten are found, of less than a tenth of a period. A phase that jumps
+/// once looks like a frequency that changes as the swing dies down. Empty where nothing slips, and of more
+/// than 20,000 samples.
 Notice slipped_times(const Record& record, const LawFit& fit, const Watch& watch = {});
 
 }  // namespace cromer::core

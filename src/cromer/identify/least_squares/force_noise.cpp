@@ -27,6 +27,13 @@ struct StateCovariance {
     vv += factor * direction[1] * direction[1];
   }
 
+  // To rounding: a filter that is steady stays so.
+  bool is_as(const StateCovariance& before) const {
+    constexpr double negligible = 1e-13;
+    return std::abs(xx - before.xx) <= negligible * xx && std::abs(vv - before.vv) <= negligible * vv &&
+           std::abs(xv - before.xv) <= negligible * std::sqrt(xx * vv);
+  }
+
   StateCovariance after(const std::array<Pair, 2>& a) const {
     const Pair x = times(a[0]), v = times(a[1]);
     return {product(a[0], x), product(a[0], v), product(a[1], v)};
@@ -57,7 +64,6 @@ class Innovations {
     StateCovariance spread;
     Pair gain{};
     double variance = 1, logarithms = 0;
-    std::size_t still = 0;
     bool is_steady = false;  // gain and variance change no more
     for (std::size_t i = 0; i < residuals_.size(); ++i) {
       for (std::size_t steps = i > 0 ? grid_.at(i) - grid_.at(i - 1) : 1; steps > 1; --steps) {
@@ -67,7 +73,8 @@ class Innovations {
         is_steady = false;
       }
       if (!is_steady) {
-        const double before = variance, direct = answer_.directly;
+        const StateCovariance before = spread;
+        const double direct = answer_.directly;
         const Pair seen = spread.times(answer_.sight);
         variance = product(answer_.sight, seen) + 1 + rho * direct * direct;
         for (std::size_t part = 0; part < 2; ++part)
@@ -76,10 +83,7 @@ class Innovations {
         spread = spread.after(answer_.transition);
         spread.add(answer_.entry, rho);
         spread.add(gain, -variance);
-        constexpr std::size_t a_while = 32;
-        constexpr double negligible = 1e-12;
-        still = std::abs(variance - before) < negligible * variance ? still + 1 : 0;
-        is_steady = still >= a_while;
+        is_steady = spread.is_as(before);
       }
       Row innovation{};
       for (std::size_t a = 0; a < size_; ++a) innovation[a] = jacobian_[i * size_ + a];
@@ -93,10 +97,11 @@ class Innovations {
       logarithms += std::log(variance);
     }
     const NormalEquations equations = sums.equations(size_);
+    const ScaledCholesky factor(equations.matrix, equations.size, 0, all_free);
     const LinearFit fit = solve(equations);
-    if (!fit.ok || !(fit.rest > 0)) return {};
+    if (!factor.ok() || !(fit.rest > 0)) return {};
     const double left = static_cast<double>(residuals_.size() - size_), a = fit.rest / left;
-    return {logarithms + log_determinant(equations) + left * std::log(a), a};
+    return {logarithms + factor.log_determinant() + left * std::log(a), a};
   }
 
   // Hᵀ times what each sample does to the estimates: what each sample of the force does to them, as the sums
@@ -186,73 +191,116 @@ class Innovations {
     }
   }
 
-  // By the Cholesky factor of the matrix of unit diagonal.
-  static double log_determinant(const NormalEquations& sums) {
-    const auto n = static_cast<std::size_t>(sums.size);
-    SquareMatrix factor{};
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        double rest = sums.matrix[i][j] / std::sqrt(sums.matrix[i][i] * sums.matrix[j][j]);
-        for (std::size_t l = 0; l < j; ++l) rest -= factor[i][l] * factor[j][l];
-        factor[i][j] = i == j ? std::sqrt(std::max(rest, 1e-300)) : rest / factor[j][j];
-        if (i == j) sum += 2 * std::log(factor[i][i]) + std::log(sums.matrix[i][i]);
-      }
-    return sum;
-  }
-
   const SampleGrid& grid_;
   std::span<const double> residuals_, jacobian_;
   std::size_t size_;
   const AnswerToForce& answer_;
 };
 
+// What noise of the force may be there, rho times a, and how likely that is.
+struct PossibleNoise {
+  double rho = 0, variance = 0, weight = 0;
+};
+
+// Every deviation of the force's noise is as likely as another before the record is seen: that of log rho is
+// then the likelihood times the root of rho.
 template <std::size_t width>
-std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::size_t n,
-                                         std::span<const double> jacobian, int size) {
+class NoiseSearch {
+ public:
+  NoiseSearch(const Innovations<width>& filter, double unit) : filter_(filter), unit_(unit) {
+    // By coarse steps, and then by halves about the best.
+    constexpr double lowest = -16, highest = 16, coarse = 4, fine = 0.1;
+    best_ = at(lowest);
+    for (double log_rho = lowest + coarse; log_rho <= highest; log_rho += coarse) take(at(log_rho));
+    for (double reach = coarse / 2; reach > fine; reach /= 2)
+      for (const double log_rho : {best_.log_rho - reach, best_.log_rho + reach}) take(at(log_rho));
+  }
+
+  // Whether white noise of the motion alone would look like this in one record of a hundred only.
+  bool shows() const {
+    constexpr double rare = 5.41;  // of half a chi-squared with one degree of freedom
+    return filter_.at(0).deviance - best_.deviance > rare;
+  }
+
+  double most_likely_deviation() const { return std::sqrt(best_.variance * rho(best_)); }
+
+  std::vector<PossibleNoise> possible() const {
+    constexpr double aside = 0.3, unlikely = 8, narrowest = 0.05, widest = 1;
+    constexpr int most = 60;
+    const double curvature =
+        (density(at(best_.log_rho - aside)) + density(at(best_.log_rho + aside)) - 2 * density(best_)) /
+        (aside * aside);
+    const double step = std::clamp(0.5 / std::sqrt(std::max(curvature, 1e-9)), narrowest, widest);
+    std::vector<PossibleNoise> found = {{rho(best_), best_.variance, 1}};
+    for (const double sign : {-1.0, 1.0})
+      for (int i = 1; i < most; ++i) {
+        const Point point = at(best_.log_rho + sign * i * step);
+        const double less = density(point) - density(best_);
+        if (!(less < unlikely)) break;
+        found.push_back({rho(point), point.variance, std::exp(-less)});
+      }
+    double sum = 0;
+    for (const PossibleNoise& each : found) sum += each.weight;
+    for (PossibleNoise& each : found) each.weight /= sum;
+    return found;
+  }
+
+ private:
+  struct Point {
+    double log_rho = 0, deviance = HUGE_VAL, variance = 0;
+  };
+
+  Point at(double log_rho) const {
+    const auto likelihood = filter_.at(unit_ * std::exp(log_rho));
+    return {log_rho, likelihood.deviance, likelihood.variance};
+  }
+  void take(const Point& point) {
+    if (point.deviance < best_.deviance) best_ = point;
+  }
+  double rho(const Point& point) const { return unit_ * std::exp(point.log_rho); }
+  // Minus the logarithm of the probability density of log rho.
+  static double density(const Point& point) { return 0.5 * (point.deviance - point.log_rho); }
+
+  const Innovations<width>& filter_;
+  double unit_;
+  Point best_;
+};
+
+template <std::size_t width>
+std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::size_t n, int size,
+                                         const SquareMatrix& inverse_matrix) {
   const double unit = 1 / filter.reach();
   if (!std::isfinite(unit)) return std::nullopt;
-  const auto deviance = [&](double log_rho) { return filter.at(unit * std::exp(log_rho)).deviance; };
-
-  // The likelihood has one hump: coarse steps first, then thirds of its surroundings.
-  constexpr double lowest = -16, highest = 16, coarse = 4, fine = 0.05;
-  double best = lowest, least = deviance(lowest);
-  for (double at = lowest + coarse; at <= highest; at += coarse)
-    if (const double here = deviance(at); here < least) best = at, least = here;
-  // A share of the variances as small as this one is none.
-  constexpr double rare = 5.41;  // of half a chi-squared with one degree of freedom, 1 of 100
-  if (!(filter.at(0).deviance - least > rare)) return std::nullopt;
-  for (double reach = coarse / 2; reach > fine; reach /= 2)
-    for (const double at : {best - reach, best + reach})
-      if (const double here = deviance(at); here < least) best = at, least = here;
-
-  NormalEquations sums;
-  sums.size = size;
-  Parameters row{};
-  for (std::size_t i = 0; i < jacobian.size(); i += static_cast<std::size_t>(size)) {
-    std::copy_n(jacobian.begin() + static_cast<std::ptrdiff_t>(i), size, row.begin());
-    sums.add_row(row, 0);
+  const NoiseSearch<width> search(filter, unit);
+  const std::vector<PossibleNoise> possible = search.possible();
+  ForceNoise found{.deviation = search.most_likely_deviation(), .shows = search.shows()};
+  double alone = 0;  // a, on average
+  for (const PossibleNoise& each : possible) {
+    alone += each.weight * each.variance;
+    found.mean_square += each.weight * each.variance * each.rho;
   }
-  const SquareMatrix inverse_matrix = inverse(sums.matrix, size);
-  if (!std::isfinite(inverse_matrix[0][0])) return std::nullopt;
-  const SquareMatrix by_force = filter.by_the_force(inverse_matrix);
-  const double rho = unit * std::exp(best), a = filter.at(rho).variance;
 
-  // How well the logarithms of rho and a are known, from the curvature of the likelihood.
-  constexpr double aside = 0.3;
-  const auto below = filter.at(rho * std::exp(-aside)), above = filter.at(rho * std::exp(aside));
-  const double curvature = (below.deviance + above.deviance - 2 * least) / (aside * aside);
-  const double of_rho = 2 / std::max(curvature, 1e-9);
-  const double a_with_rho = std::log(above.variance / below.variance) / (2 * aside);
-  ForceNoise found{.deviation = std::sqrt(a * rho), .of_estimates = {}};
+  // Variances whose inverses are distributed as chi-squared make Student's t, of the inverse's mean and of
+  // twice the inverse square of its relative spread in degrees of freedom.
+  const SquareMatrix by_force = filter.by_the_force(inverse_matrix);
   const double left = static_cast<double>(n) - size;
+  SquareMatrix& covariance = found.of_estimates.covariance;
+  Parameters scale{};
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j)
-      found.of_estimates.covariance[i][j] = a * (inverse_matrix[i][j] + rho * by_force[i][j]);
-    const double share = rho * by_force[i][i] / (inverse_matrix[i][i] + rho * by_force[i][i]);
-    const double slope = a_with_rho + share;
-    found.of_estimates.degrees[i] = std::clamp(2 / (slope * slope * of_rho + 2 / left), 1.0, left);
+      covariance[i][j] = alone * inverse_matrix[i][j] + found.mean_square * by_force[i][j];
+    double mean = 0, square = 0;  // of the inverse
+    for (const PossibleNoise& each : possible) {
+      const double inverse = 1 / (each.variance * (inverse_matrix[i][i] + each.rho * by_force[i][i]));
+      mean += each.weight * inverse;
+      square += each.weight * inverse * inverse;
+    }
+    scale[i] = 1 / std::sqrt(mean * covariance[i][i]);
+    const double spread = std::max(0.0, square / (mean * mean) - 1);
+    found.of_estimates.degrees[i] = std::clamp(1 / (spread / 2 + 1 / left), 1.0, left);
   }
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) covariance[i][j] *= scale[i] * scale[j];
   return found;
 }
 
@@ -260,16 +308,29 @@ std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::
 
 std::optional<ForceNoise> find_force_noise(const SampleGrid& grid, std::span<const double> residuals,
                                            std::span<const double> jacobian, int size,
-                                           const AnswerToForce& answer) {
+                                           const SquareMatrix& inverse_matrix, const AnswerToForce& answer) {
   const std::size_t n = residuals.size();
   if (n < static_cast<std::size_t>(size) + 2) return std::nullopt;
-  static_assert(max_parameters < 22);
+  // Whole registers, and one column for the residuals.
+  static_assert(max_parameters < 24);
   const auto by = [&]<std::size_t width>(std::integral_constant<std::size_t, width>) {
-    return force_noise_by(Innovations<width>(grid, residuals, jacobian, size, answer), n, jacobian, size);
+    return force_noise_by(Innovations<width>(grid, residuals, jacobian, size, answer), n, size,
+                          inverse_matrix);
   };
   if (size < 8) return by(std::integral_constant<std::size_t, 8>{});
   if (size < 12) return by(std::integral_constant<std::size_t, 12>{});
-  return by(std::integral_constant<std::size_t, 22>{});
+  return by(std::integral_constant<std::size_t, 24>{});
+}
+
+double answer_norm(const AnswerToForce& answer, std::size_t places) {
+  StateCovariance spread;
+  double sum = 0;
+  for (std::size_t i = 0; i < places; ++i) {
+    sum += product(answer.sight, spread.times(answer.sight)) + answer.directly * answer.directly;
+    spread = spread.after(answer.transition);
+    spread.add(answer.entry, 1);
+  }
+  return sum;
 }
 
 }  // namespace cromer::core

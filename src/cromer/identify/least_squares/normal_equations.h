@@ -77,6 +77,13 @@ class ScaledCholesky {
   /// False where the matrix is not positive definite to rounding.
   bool ok() const { return ok_; }
 
+  /// The logarithm of the determinant; only when ok() and all are free.
+  double log_determinant() const {
+    double sum = 0;
+    for (int i = 0; i < size_; ++i) sum += 2 * std::log(factor_[i][i] / scale_[i]);
+    return sum;
+  }
+
   /// The x with matrix * x = right; only when ok().
   Parameters solve(const Parameters& right) const {
     Parameters x{};

@@ -77,7 +77,7 @@ Result<std::vector<CompareResult>> compare(const Recording& recording, const Com
 /// Whether the one constant rate is the mean of the segments' rates: those of an amplitude, which are the
 /// law's own where the springs are linear.
 inline bool has_mean_rate(const FittedRecording& recording) {
-  return recording.decay_rate_mean && is_linear(recording.fit.law.without(dissipative_terms));
+  return recording.decay_rate_mean && !has_bent_spring(recording.fit.law);
 }
 
 }  // namespace cromer::core

@@ -118,13 +118,6 @@ Notice explanation(const CompareResult& comparison) {
     if (Notice adds = method_adds(curves[i], unit); !adds.empty())
       method = Notice{"one_then_another", {{"one", std::move(adds)}, {"another", std::move(method)}}};
   const bool only_best = is_far_off_at_the_end(one);
-  if (viscous && !is_linear(law.law) && !constant && comparison.others_tried)
-    return Notice{only_best ? "viscous_is_best" : "viscous_is_enough",
-                  {{"first", rounded(ends ? ends->first : first, 3)},
-                   {"last", rounded(ends ? ends->second : last, 3)},
-                   {"one_rate", left},
-                   {"end", end},
-                   {"method", method}}};
   if (const auto scattered = scattered_rates(comparison.recording);
       viscous && scattered && comparison.others_tried)
     return Notice{"one_rate_while_stretches_scatter",
@@ -132,12 +125,19 @@ Notice explanation(const CompareResult& comparison) {
                    {"least", rounded(scattered->first, 2)},
                    {"largest", rounded(scattered->second, 2)},
                    {"method", method}}};
+  if (viscous && !is_linear(law.law) && !constant && comparison.others_tried)
+    return Notice{only_best ? "viscous_is_best" : "viscous_is_enough",
+                  {{"first", rounded(ends ? ends->first : first, 3)},
+                   {"last", rounded(ends ? ends->second : last, 3)},
+                   {"one_rate", left},
+                   {"end", end},
+                   {"method", method}}};
   if (viscous)
     return Notice{!comparison.others_tried ? "no_other_law_tried"
                   : only_best              ? "one_rate_is_best"
                                            : "one_rate_is_enough",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};
-  const bool bent = !is_linear(law.law.without(dampings));
+  const bool bent = has_bent_spring(law.law);
   if (rates.size() < 2 || alike)
     return Notice{
         !rates.empty() && constant && bent ? "one_rate_but_not_the_motion" : "one_rate_is_not_enough",

@@ -14,8 +14,8 @@
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/diagnose/slip.h"
+#include "cromer/identify/diagnose/undisturbed.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/model/law_force.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
@@ -114,15 +114,19 @@ void keep_part(const FitOptions& part, Series& series, FittedSamples& samples) {
   samples = without_outliers(series);
 }
 
+Notice free_part_taken(const Notice& reason, const Series& kept, std::size_t samples) {
+  return Notice{
+      "free_part_taken",
+      {{"reason", reason}, {"from", kept.t.front()}, {"kept", kept.t.size()}, {"samples", samples}}};
+}
+
 // What is driven or held at first is left out, with a notice.
 void begin_where_free(Series& series, FittedSamples& samples, std::vector<Notice>& notices) {
   const auto part = find_free_part({samples.t, samples.y, series.resolution});
   if (!part) return;
   const std::size_t all = series.t.size();
   keep_part({.from = part->from}, series, samples);
-  notices.push_back(Notice{
-      "free_part_taken",
-      {{"reason", part->reason}, {"from", series.t.front()}, {"kept", series.t.size()}, {"samples", all}}});
+  notices.push_back(free_part_taken(part->reason, series, all));
 }
 
 // A swing that is caught in full swing is taken until then, with a notice.
@@ -290,39 +294,12 @@ bool has_notice(const FittedRecording& fitted, std::string_view code) {
                      [&](const Notice& notice) { return notice.code == code; });
 }
 
-// Whether no law was found, or one that leaves a tenth of the swing.
+// Whether no law was found, or one that leaves a seventh of the swing.
 bool is_without_a_law(const FittedRecording& fitted) {
   constexpr double nearly_all = 0.98;  // of the motion's squares
   if (fitted.fit.is_usable())
     return has_notice(fitted, "no_law_describes") && fitted.fit.explained < nearly_all;
   return fitted.fit.status == FitStatus::no_oscillation && !fitted.wrong_input;
-}
-
-// The first of a few times, not too late, from which one decaying swing accounts for nearly all of the
-// motion, its beginning no worse than the rest; none if there is none.
-std::optional<double> swings_freely_from(const Series& series, const Watch& watch) {
-  constexpr double latest = 0.4, nearly_all = 0.95, fewest = 5;  // of the record; of its squares; periods
-  const auto [t, y] = without_outliers(series);
-  const Record whole{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
-  if (t.size() < 64) return std::nullopt;
-  const double duration = t.back() - t.front();
-  for (double share = 0.05; share < latest && !watch.interrupted(); share += 0.05) {
-    const auto first = static_cast<std::size_t>(
-        std::lower_bound(t.begin(), t.end(), t.front() + share * duration) - t.begin());
-    const Record part = whole.part(first, t.size() - first);
-    const LawFit swing = fit_law(part, {}, watch);
-    if (!swing.is_usable() || swing.explained < nearly_all || !(swing.decay_rate().low > 0)) continue;
-    const double period = two_pi / swing.swing_frequency().value;
-    if (part.t.back() - part.t.front() < fewest * period) continue;
-    const std::vector<double> left = residuals_of(swing, part);
-    double squares = 0;
-    std::size_t i = 0;
-    for (; i < left.size() && part.t[i] < part.t.front() + period; ++i) squares += left[i] * left[i];
-    constexpr double worse = 2;  // times the rms residual
-    if (squares < worse * worse * swing.residual.rms * swing.residual.rms * static_cast<double>(i))
-      return part.t.front();
-  }
-  return std::nullopt;
 }
 
 // Where no one law is found for the whole, as a hand moves it at first: the fit of what comes later, with a
@@ -331,7 +308,9 @@ Result<FittedRecording> begin_later(FittedRecording whole, const Series& series,
                                     const FitOptions& options, const Watch& watch) {
   if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
     return whole;
-  const std::optional<double> from = swings_freely_from(whole.series, watch);
+  const auto [t, y] = without_outliers(whole.series);
+  const std::optional<double> from = swings_freely_from(
+      {t, y, whole.series.resolution, std::max(0, derivative_order(whole.series.quantity))}, watch);
   if (!from) return whole;
   FitOptions later = options;
   later.from = *from;
@@ -360,9 +339,8 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     if (auto beating = fit_beats(*series, file, options, watch)) return *std::move(beating);
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
-    Result<FittedRecording> recognised = recognise_drive(*std::move(free), *series, options, watch);
-    if (!recognised) return recognised;
-    return begin_later(*std::move(recognised), *series, file, options, watch);
+    return begin_later(recognise_drive(*std::move(free), *series, options, watch), *series, file, options,
+                       watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
@@ -385,7 +363,7 @@ bool is_perhaps_on_a_string(const Recording& recording, const FittedRecording& f
                        [&](const Column& column) { return column.name == name; });
   };
   return fitted.series.column == "x" && holds("y") && fitted.fit.is_usable() &&
-         !is_linear(fitted.fit.law.without(dissipative_terms));
+         has_bent_spring(fitted.fit.law);
 }
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,

@@ -245,10 +245,12 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, unit_of(force), true, watch);
   result.between_samples = name(result.fit.drive.force.between);
   if (result.driven) {
-    const std::optional<double> noise = result.fit.force_noise;
+    const std::optional<ForceNoiseSeen> noise = result.fit.force_noise;
     if (!noise) result.notices.push_back(Notice{"force_taken_as_exact"});
-    if (noise && *noise > 0)
-      result.notices.push_back(Notice{"force_is_noisy", {{"noise", *noise}, {"unit", unit_of(force)}}});
+    if (noise && noise->counts)
+      result.notices.push_back(
+          noise->shows ? Notice{"force_is_noisy", {{"noise", noise->deviation}, {"unit", unit_of(force)}}}
+                       : Notice{"force_may_be_noisy"});
   }
   add_unused_notices(result);
   std::vector<double> law_motion;
