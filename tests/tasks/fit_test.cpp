@@ -384,7 +384,7 @@ TEST(FitTask, WhatAHandMovedAtFirstIsLeftOut) {
   EXPECT_GE(fitted.series.t.front(), 2.9);
   EXPECT_LE(fitted.series.t.front(), 6);
   expect_within(fitted.find("angular_frequency"), 5.03, 0.01);
-  EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("where a hand still moves it")));
+  EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("while a hand still moves it")));
   // Not where a part was asked for, and not where too little is left.
   FitOptions whole;
   whole.from = 0;
