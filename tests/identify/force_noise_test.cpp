@@ -85,7 +85,7 @@ TEST(ForceNoise, IsThatOfTheDenseLikelihood) {
       for (int a = 0; a < size; ++a)
         for (int b = 0; b < size; ++b) inverse_matrix[a][b] = inverse(a, b);
       const std::vector<double> residuals(r.data(), r.data() + n);
-      const auto found = find_force_noise(grid, residuals, rows, size, inverse_matrix, of);
+      const auto found = find_force_noise(grid, residuals, rows, size, inverse_matrix, of, HUGE_VAL);
       ASSERT_TRUE(found);
       ASSERT_TRUE(found->shows);
       const double a = likelihood(std::exp(best)).second;
@@ -129,7 +129,7 @@ TEST(ForceNoise, OfTheMotionsSensorAloneIsNone) {
     for (double& each : residuals) each -= mean;
     SquareMatrix inverse_matrix{};
     inverse_matrix[0][0] = 1.0 / n;
-    told += find_force_noise({}, residuals, rows, 1, inverse_matrix, answer(0))->shows;
+    told += find_force_noise({}, residuals, rows, 1, inverse_matrix, answer(0), HUGE_VAL)->shows;
   }
   EXPECT_LE(told, 7);  // of 2 expected
 }

@@ -182,12 +182,15 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
   }
   const std::optional<AnswerToForce> answer =
       is_asked && !jacobian.empty() ? answer_to_force(fit, record, noise.grid) : std::nullopt;
-  if (const auto forced = answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count,
-                                                    inverse.matrix, *answer)
-                                 : std::nullopt) {
+  // The force's own samples may be closer than the motion's.
+  const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
+  // White noise would show from sample to sample of the force; a sensor that smooths hides part of it.
+  constexpr double smoothed = 2;
+  if (const auto forced =
+          answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count, inverse.matrix,
+                                    *answer, smoothed * noise_of(fit.drive.force.samples) / closer)
+                 : std::nullopt) {
     constexpr double told = 1.05;
-    // The force's own samples may be closer than the motion's.
-    const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
     fit.force_noise = ForceNoiseSeen{.deviation = forced->deviation * closer, .shows = forced->shows};
     fit.force_noise->counts = largest_growth(known, forced->of_estimates, fitted.count) > told;
     known = with_force_noise(known, forced->of_estimates, fitted.count);

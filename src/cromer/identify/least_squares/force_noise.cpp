@@ -224,21 +224,29 @@ class NoiseSearch {
 
   double most_likely_deviation() const { return std::sqrt(best_.variance * rho(best_)); }
 
-  std::vector<PossibleNoise> possible() const {
+  // Of deviations up to the largest, unless a larger one shows.
+  std::vector<PossibleNoise> possible(double largest) const {
+    const bool any = shows();
     constexpr double aside = 0.3, unlikely = 8, narrowest = 0.05, widest = 1;
     constexpr int most = 60;
     const double curvature =
         (density(at(best_.log_rho - aside)) + density(at(best_.log_rho + aside)) - 2 * density(best_)) /
         (aside * aside);
     const double step = std::clamp(0.5 / std::sqrt(std::max(curvature, 1e-9)), narrowest, widest);
-    std::vector<PossibleNoise> found = {{rho(best_), best_.variance, 1}};
+    std::vector<PossibleNoise> found;
+    const auto take_in = [&](const Point& point, double weight) {
+      if (any || point.variance * rho(point) <= largest * largest)
+        found.push_back({rho(point), point.variance, weight});
+    };
+    take_in(best_, 1);
     for (const double sign : {-1.0, 1.0})
       for (int i = 1; i < most; ++i) {
         const Point point = at(best_.log_rho + sign * i * step);
         const double less = density(point) - density(best_);
         if (!(less < unlikely)) break;
-        found.push_back({rho(point), point.variance, std::exp(-less)});
+        take_in(point, std::exp(-less));
       }
+    if (found.empty()) return {{0, filter_.at(0).variance, 1}};
     double sum = 0;
     for (const PossibleNoise& each : found) sum += each.weight;
     for (PossibleNoise& each : found) each.weight /= sum;
@@ -268,11 +276,11 @@ class NoiseSearch {
 
 template <std::size_t width>
 std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::size_t n, int size,
-                                         const SquareMatrix& inverse_matrix) {
+                                         const SquareMatrix& inverse_matrix, double largest) {
   const double unit = 1 / filter.reach();
   if (!std::isfinite(unit)) return std::nullopt;
   const NoiseSearch<width> search(filter, unit);
-  const std::vector<PossibleNoise> possible = search.possible();
+  const std::vector<PossibleNoise> possible = search.possible(largest);
   ForceNoise found{.deviation = search.most_likely_deviation(), .shows = search.shows()};
   double alone = 0;  // a, on average
   for (const PossibleNoise& each : possible) {
@@ -308,14 +316,15 @@ std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::
 
 std::optional<ForceNoise> find_force_noise(const SampleGrid& grid, std::span<const double> residuals,
                                            std::span<const double> jacobian, int size,
-                                           const SquareMatrix& inverse_matrix, const AnswerToForce& answer) {
+                                           const SquareMatrix& inverse_matrix, const AnswerToForce& answer,
+                                           double largest) {
   const std::size_t n = residuals.size();
   if (n < static_cast<std::size_t>(size) + 2) return std::nullopt;
   // Whole registers, and one column for the residuals.
   static_assert(max_parameters < 24);
   const auto by = [&]<std::size_t width>(std::integral_constant<std::size_t, width>) {
     return force_noise_by(Innovations<width>(grid, residuals, jacobian, size, answer), n, size,
-                          inverse_matrix);
+                          inverse_matrix, largest);
   };
   if (size < 8) return by(std::integral_constant<std::size_t, 8>{});
   if (size < 12) return by(std::integral_constant<std::size_t, 12>{});

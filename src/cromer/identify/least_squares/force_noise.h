@@ -28,16 +28,18 @@ struct AnswerToForce {
 struct ForceNoise {
   double deviation = 0;  ///< of each sample of the force (rms), the most likely [the answer's unit of force]
   bool shows = false;  ///< noise of the motion's sensor alone would look like this in one record of a hundred
-  double mean_square = 0;      ///< its variance, over all that are possible
+  double mean_square = 0;        ///< its variance, over all that are possible
   EstimateNoise of_estimates{};  ///< over all noises of the force that are possible, none among them
 };
 
 /// Of residuals and their Jacobian, sample by sample with respect to `size` parameters, and the inverse of
 /// the normal matrix. Empty where the answer grows without end. Gaps are those of the grid: a body that rings
 /// on through a longer one than it tells is answered wrongly.
+/// No deviation beyond `largest` is possible, unless it shows.
 std::optional<ForceNoise> find_force_noise(const SampleGrid& grid, std::span<const double> residuals,
                                            std::span<const double> jacobian, int size,
-                                           const SquareMatrix& inverse_matrix, const AnswerToForce& answer);
+                                           const SquareMatrix& inverse_matrix, const AnswerToForce& answer,
+                                           double largest);
 
 /// The mean sum of the squares of the answers at so many places of the grid to white noise of variance 1.
 double answer_norm(const AnswerToForce& answer, std::size_t places);
