@@ -180,24 +180,26 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
         known.covariance[i][j] = variance * inverse.matrix[i][j] * std::sqrt(of(i) * of(j));
     }
   }
-  const std::optional<AnswerToForce> answer =
-      is_asked && !jacobian.empty() ? answer_to_force(fit, record, noise.grid) : std::nullopt;
-  // The force's own samples may be closer than the motion's.
-  const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
-  // White noise would show from sample to sample of the force; a sensor that smooths hides part of it.
-  constexpr double smoothed = 2;
-  if (const auto forced =
-          answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count, inverse.matrix,
-                                    *answer, smoothed * noise_of(fit.drive.force.samples) / closer)
-                 : std::nullopt) {
-    constexpr double told = 1.05;
-    fit.force_noise = ForceNoiseSeen{.deviation = forced->deviation * closer, .shows = forced->shows};
-    fit.force_noise->counts = largest_growth(known, forced->of_estimates, fitted.count) > told;
-    known = with_force_noise(known, forced->of_estimates, fitted.count);
-    const Parameters bias = force_noise_bias(fit, fitted, record, noise.grid, inverse.matrix);
-    for (int i = 0; i < fitted.count; ++i)
-      for (int j = 0; j < fitted.count; ++j)
-        known.covariance[i][j] += forced->mean_square * bias[i] * forced->mean_square * bias[j];
+  if constexpr (fits_recorded_forces) {
+    const std::optional<AnswerToForce> answer =
+        is_asked && !jacobian.empty() ? answer_to_force(fit, record, noise.grid) : std::nullopt;
+    // The force's own samples may be closer than the motion's.
+    const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
+    // White noise would show from sample to sample of the force; a sensor that smooths hides part of it.
+    constexpr double smoothed = 2;
+    if (const auto forced =
+            answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count, inverse.matrix,
+                                      *answer, smoothed * noise_of(fit.drive.force.samples) / closer)
+                   : std::nullopt) {
+      constexpr double told = 1.05;
+      fit.force_noise = ForceNoiseSeen{.deviation = forced->deviation * closer, .shows = forced->shows};
+      fit.force_noise->counts = largest_growth(known, forced->of_estimates, fitted.count) > told;
+      known = with_force_noise(known, forced->of_estimates, fitted.count);
+      const Parameters bias = force_noise_bias(fit, fitted, record, noise.grid, inverse.matrix);
+      for (int i = 0; i < fitted.count; ++i)
+        for (int j = 0; j < fitted.count; ++j)
+          known.covariance[i][j] += forced->mean_square * bias[i] * forced->mean_square * bias[j];
+    }
   }
   for (int i = 0; i < fitted.count; ++i)
     for (int j = 0; j < fitted.count; ++j)

@@ -5,6 +5,13 @@
 
 namespace cromer::core {
 
+/// The page, which must be small, looks for no slips.
+#ifdef CROMER_PAGE
+inline constexpr bool looks_for_slips = false;
+#else
+inline constexpr bool looks_for_slips = true;
+#endif
+
 /// When, by how much and which way times slip: a viscous law whose times slip once then leaves no more than
 /// the fit with its nonlinear spring, or a tenth less than the fit without one and than a cubic spring. Slips
 /// from half a step between samples to ten are found, of less than a tenth of a period. A phase that jumps

@@ -279,8 +279,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
-  if (Notice slip = slipped_times(kept, result.fit, watch); !slip.empty())
-    result.notices.push_back(std::move(slip));
+  if constexpr (looks_for_slips)
+    if (Notice slip = slipped_times(kept, result.fit, watch); !slip.empty())
+      result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
