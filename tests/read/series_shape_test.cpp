@@ -116,6 +116,19 @@ TEST(Rounding, AQuantumIsTheSmallestDifference) {
   EXPECT_DOUBLE_EQ(rounding_step(exceptions), 0.01);
 }
 
+// A sonar shifts its own steps now and then.
+TEST(Rounding, OfGroupsOfValuesIsTheStepBetweenThem) {
+  const auto step = [](int count, double shift) {
+    return rounding_step(made(count, [=](int i) {
+      return scattered(i) % 5 * 0.172 + (i % 7 == 0 ? shift : 0) - (i % 11 == 0 ? shift : 0);
+    }));
+  };
+  EXPECT_NEAR(step(1000, 0.0208), 0.172, 1e-12);
+  EXPECT_NEAR(step(1000, 0.0148), 0.172, 1e-12);
+  EXPECT_DOUBLE_EQ(step(1000, 0.0608), 0.0001);  // no groups: they are as far apart as their values
+  EXPECT_DOUBLE_EQ(step(100, 0.0208), 0.0001);   // groups by chance
+}
+
 TEST(Rounding, OfWhatIsNoMultipleOfAQuantum) {
   // Differences of 1, 2, 3, ... steps are multiples, others are none; 19 of 20 suffice.
   const auto with_odd = [](int odd) {

@@ -1,3 +1,4 @@
+#include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
 
 #include <gmock/gmock.h>

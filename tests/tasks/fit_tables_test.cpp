@@ -10,6 +10,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/decay_rates.h"
+#include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/fitted_quantities.h"

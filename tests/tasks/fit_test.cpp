@@ -364,13 +364,14 @@ std::vector<std::string> said_of(const std::string& bytes) {
   return result.ok() ? in_words(result->front().notices) : std::vector<std::string>{};
 }
 
-/// A pendulum at 0.8 Hz, moved by hand before `until`.
-std::string moved_by_hand(double until) {
+/// A pendulum at 0.8 Hz, moved by hand before `until` [s], and stopped from `stop` on.
+std::string moved_by_hand(double until, double stop = HUGE_VAL) {
   std::string bytes = "Time (s),Gyroscope z (rad/s)\n";
   for (int i = 0; i < 1500; ++i) {
     const double t = 0.02 * i, hand = t < until ? -4 * t * (until - t) : 0;
     bytes += shortest(t) + "," +
-             shortest(hand + 1.5 * std::exp(-0.03 * t) * std::cos(5.03 * t) + 0.02 * std::sin(1e4 * t * t)) +
+             shortest(hand + (t < stop ? 1 : 0.3) * 1.5 * std::exp(-0.03 * t) * std::cos(5.03 * t) +
+                      0.02 * std::sin(1e4 * t * t)) +
              "\n";
   }
   return bytes;
@@ -392,6 +393,18 @@ TEST(FitTask, WhatAHandMovedAtFirstIsLeftOut) {
               testing::Each(testing::Not(HasSubstr("a hand"))));
   EXPECT_THAT(in_words(fit(moved_by_hand(20), "phone.csv", {})->front().notices),
               testing::Each(testing::Not(HasSubstr("a hand"))));
+}
+
+TEST(FitTask, WhatAHandStopsAtLastIsLeftOutToo) {
+  for (const double stop : {29.0, 29.4, 28.2}) {
+    const auto result = fit(moved_by_hand(3, stop), "phone.csv", {});
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
+    const FittedRecording& fitted = result->front();
+    EXPECT_LE(fitted.series.t.back(), stop);
+    EXPECT_GE(fitted.series.t.back(), stop - 1.5);
+    expect_within(fitted.find("decay_rate"), 0.03, 0.004);
+    EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("while a hand moves or stops it")));
+  }
 }
 
 TEST(FitTask, SaysThatAnAxisHoldsGravity) {

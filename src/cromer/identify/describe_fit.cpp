@@ -7,11 +7,10 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/extent.h"
-#include "cromer/identify/answer_to_force.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
-#include "cromer/identify/least_squares/force_noise.h"
 #include "cromer/identify/least_squares/noise.h"
+#include "cromer/identify/noise_of_force_in_fit.h"
 
 namespace cromer::core {
 namespace {
@@ -129,28 +128,6 @@ bool is_filtered(const DescribedMinimum& minimum, const Inverse& inverse, const 
          noise.correlation.coefficients.size() <= highest_order;
 }
 
-// What the estimates' noise is with that of a recorded force: of each, the larger variance.
-EstimateNoise with_force_noise(const EstimateNoise& alone, const EstimateNoise& forced, int size) {
-  EstimateNoise both = forced;
-  Parameters widening{};
-  for (int i = 0; i < size; ++i) {
-    const double ratio = alone.covariance[i][i] / forced.covariance[i][i];
-    widening[i] = std::sqrt(std::max(1.0, ratio));
-    if (ratio > 1) both.degrees[i] = alone.degrees[i];
-  }
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) both.covariance[i][j] *= widening[i] * widening[j];
-  return both;
-}
-
-// By how much the standard error grows that grows most.
-double largest_growth(const EstimateNoise& alone, const EstimateNoise& forced, int size) {
-  double largest = 0;
-  for (int i = 0; i < size; ++i)
-    largest = std::max(largest, std::sqrt(forced.covariance[i][i] / alone.covariance[i][i]));
-  return largest;
-}
-
 EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum& minimum,
                        const Inverse& inverse, const Noise& noise) {
   const FittedParameters& fitted = minimum.fitted;
@@ -180,27 +157,9 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
         known.covariance[i][j] = variance * inverse.matrix[i][j] * std::sqrt(of(i) * of(j));
     }
   }
-  if constexpr (fits_recorded_forces) {
-    const std::optional<AnswerToForce> answer =
-        is_asked && !jacobian.empty() ? answer_to_force(fit, record, noise.grid) : std::nullopt;
-    // The force's own samples may be closer than the motion's.
-    const double closer = std::sqrt(std::max(1.0, noise.grid.step / fit.drive.force.spacing));
-    // White noise would show from sample to sample of the force; a sensor that smooths hides part of it.
-    constexpr double smoothed = 2;
-    if (const auto forced =
-            answer ? find_force_noise(noise.grid, minimum.residuals, jacobian, fitted.count, inverse.matrix,
-                                      *answer, smoothed * noise_of(fit.drive.force.samples) / closer)
-                   : std::nullopt) {
-      constexpr double told = 1.05;
-      fit.force_noise = ForceNoiseSeen{.deviation = forced->deviation * closer, .shows = forced->shows};
-      fit.force_noise->counts = largest_growth(known, forced->of_estimates, fitted.count) > told;
-      known = with_force_noise(known, forced->of_estimates, fitted.count);
-      const Parameters bias = force_noise_bias(fit, fitted, record, noise.grid, inverse.matrix);
-      for (int i = 0; i < fitted.count; ++i)
-        for (int j = 0; j < fitted.count; ++j)
-          known.covariance[i][j] += forced->mean_square * bias[i] * forced->mean_square * bias[j];
-    }
-  }
+  if constexpr (fits_recorded_forces)
+    if (is_asked && !jacobian.empty())
+      known = with_noise_of_force(fit, record, minimum, jacobian, inverse.matrix, noise.grid, known);
   for (int i = 0; i < fitted.count; ++i)
     for (int j = 0; j < fitted.count; ++j)
       known.covariance[i][j] += minimum.rounding_bias[i] * minimum.rounding_bias[j];

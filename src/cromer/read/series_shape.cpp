@@ -136,6 +136,38 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
   return found;
 }
 
+/// The step between groups of values that lie close together, as a sensor makes them that shifts its own
+/// coarse steps by a little now and then. 0 where the groups are not far from each other or not evenly spaced.
+double step_between_groups(const std::vector<double>& distinct) {
+  constexpr double apart = 5, even = 0.12;  // a gap between groups over one within; of a step
+  constexpr std::size_t fewest = 3;         // groups
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < distinct.size(); ++i) gaps.push_back(distinct[i] - distinct[i - 1]);
+  const std::vector<double> ordered = sorted(gaps);
+  std::size_t split = 0;
+  for (std::size_t i = 1; i < ordered.size(); ++i)
+    if (split == 0 || ordered[i] / ordered[i - 1] > ordered[split] / ordered[split - 1]) split = i;
+  if (split == 0 || ordered[split] < apart * ordered[split - 1]) return 0;
+  const double between = ordered[split];
+  std::vector<double> middles;
+  for (std::size_t first = 0, i = 1; i <= distinct.size(); ++i) {
+    if (i < distinct.size() && gaps[i - 1] < between) continue;
+    if (distinct[i - 1] - distinct[first] > between / 2) return 0;
+    middles.push_back((distinct[first] + distinct[i - 1]) / 2);
+    first = i;
+  }
+  if (middles.size() < fewest) return 0;
+  double step = middles.back() - middles.front();
+  for (std::size_t i = 1; i < middles.size(); ++i) step = std::min(step, middles[i] - middles[i - 1]);
+  double steps = 0;
+  for (std::size_t i = 1; i < middles.size(); ++i) {
+    const double count = (middles[i] - middles[i - 1]) / step;
+    if (std::fabs(count - std::nearbyint(count)) > even * std::nearbyint(count)) return 0;
+    steps += std::nearbyint(count);
+  }
+  return (middles.back() - middles.front()) / steps;
+}
+
 }  // namespace
 
 double median_seen(std::span<const double> sizes) {
@@ -185,7 +217,11 @@ double rounding_step(std::span<const double> all) {
     counts += count;
   }
   const bool even = static_cast<double>(multiples) >= 0.95 * static_cast<double>(distinct.size() - 1);
-  if (!even || counts == 0) return decimal;
+  if (!even || counts == 0) {
+    constexpr double repeated = 20;  // times each value, so that groups are none of chance
+    const bool few = repeated * static_cast<double>(distinct.size()) < static_cast<double>(values.size());
+    return few ? std::max(decimal, step_between_groups(distinct)) : decimal;
+  }
   // A step of one decimal place is exactly that, not a mean with binary noise.
   const double mean = sum / counts;
   return decimal > 0 && std::fabs(mean - decimal) < 0.01 * decimal ? decimal : mean;

@@ -14,8 +14,9 @@ constexpr double unseen = -1;
 double median_seen(std::span<const double> sizes);
 
 /// The step of evenly quantised values: the smallest difference that occurs, if nearly all others are its
-/// multiples; else the last decimal place, if there are at most six. 0 where none is seen. Where only
-/// two values occur, their difference is the step.
+/// multiples; else, of groups of few values that come again and again, evenly spaced and far apart, the step
+/// from group to group; else the last decimal place, if there are at most six. 0 where none is seen. Where
+/// only two values occur, their difference is the step.
 double rounding_step(std::span<const double> values);
 
 /// Single samples that stick out: their distance from the cubic through the four neighbours is more than 12

@@ -43,7 +43,7 @@ std::span<const std::span<const Entry>> catalogue();
 extern const std::span<const Entry> words_of_base, words_of_read, words_of_live, words_of_identify,
     words_of_fit, words_of_simulate, words_of_recognise, words_of_sweep, words_of_spectrum, words_of_options,
     words_of_files, words_of_masses, words_of_study, words_of_door, words_of_program, words_of_report,
-    words_of_page, words_of_modes, words_of_networks, words_of_curves;
+    words_of_page, words_of_modes, words_of_networks, words_of_curves, words_of_program_fits;
 
 /// The entry of a code; nullptr where there is none.
 const Entry* find_entry(std::string_view code);

@@ -59,8 +59,7 @@ constexpr Entry entries[] = {
     // Grids
     {"no_grid", error,
      "\"{text}\" {what}; a grid is low:high:points, low:high:points:log, or a list with commas",
-     "„{text}“ {what}; ein Gitter ist von:bis:Punkte, von:bis:Punkte:log oder eine "
-     "Liste mit Kommas"},
+     "„{text}“ {what}; ein Gitter ist von:bis:Punkte, von:bis:Punkte:log oder eine Liste mit Kommas"},
     {"grid_without_points", clause, "has no number of points", "nennt keine Zahl von Punkten"},
     {"grid_of_pieces", clause, "has {pieces} pieces", "hat {pieces} Teile"},
     {"grid_ends_with", clause, "ends with \"{end}\", where only log can stand",

@@ -40,33 +40,11 @@ constexpr Entry entries[] = {
      "den Widerstandsbeiwert einer Scheibe"},
     {"seed_without_monte_carlo", error, "{--seed} needs {--monte-carlo}: it is the seed of its trials",
      "{--seed} braucht {--monte-carlo}: damit beginnen dessen Versuche"},
-    {"no_spring_without_force", error,
-     "{--no-spring} needs {--force-column}: a body without a spring does not swing, and only a recorded "
-     "force shows its law",
-     "{--no-spring} braucht {--force-column}: ein Körper ohne Feder schwingt nicht, und nur eine "
-     "aufgenommene Kraft zeigt sein Gesetz"},
     {"pendulum_without_spring", error,
      "{--no-spring} and {--law} pendulum exclude each other: a pendulum's weight is its spring",
      "{--no-spring} und {--law} pendulum schließen einander aus: beim Pendel ist das Gewicht die Feder"},
     {"from_behind_to", error, "{--from} {from} must lie before {--to} {to}",
      "{--from} {from} muss vor {--to} {to} liegen"},
-    {"two_drives", error,
-     "{--force-column} and {--drive-frequency} exclude each other: the drive is recorded, or it is harmonic",
-     "{--force-column} und {--drive-frequency} schließen einander aus: der Antrieb ist aufgenommen oder "
-     "harmonisch"},
-    {"between_samples_without_force", error,
-     "{--between-samples} needs {--force-column}: it says what a recorded force did between its samples",
-     "{--between-samples} braucht {--force-column}: es sagt, was eine aufgenommene Kraft zwischen ihren "
-     "Messwerten tat"},
-    {"between_samples_unknown", error,
-     "{--between-samples}: \"{typed}\" is none of linear, hold, band-limited and auto",
-     "{--between-samples}: „{typed}“ ist weder linear noch hold, band-limited oder auto"},
-    {"hold_out_without_force", error,
-     "{--hold-out} needs {--force-column}: only a motion whose force is known can be predicted",
-     "{--hold-out} braucht {--force-column}: nur eine Bewegung, deren Kraft bekannt ist, lässt sich "
-     "vorhersagen"},
-    {"hold_out_outside", error, "{--hold-out} {share}: it must lie above 0 and at most at 90 %",
-     "{--hold-out} {share}: das muss über 0 und höchstens bei 90 % liegen"},
     {"not_of_a_driven_motion", error,
      "{option:option} is not for a driven motion, whose amplitude the drive keeps up; fit a free decay, for "
      "instance a part of the record after the drive has stopped, with {|{--from} and {--to}|the handles}",
@@ -112,8 +90,7 @@ constexpr Entry entries[] = {
      "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {|{--from} and "
      "{--to}|the handles}",
      "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit {|{--from} und {--to}|den Griffen} "
-     "eine Seite "
-     "wählen"},
+     "eine Seite wählen"},
     {"all_set_aside", error, "all values of column \"{column}\" are set aside",
      "alle Werte der Spalte „{column}“ sind beiseitegelegt"},
     {"free_part_taken", worth_knowing,
@@ -121,25 +98,28 @@ constexpr Entry entries[] = {
      "{|{--from} and {--to}|the handles} choose another part",
      "{reason}: was ab {from:.4g} s folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit "
      "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+    {"free_middle_taken", worth_knowing,
+     "what comes before {from:.4g} s and after {to:.4g} s does not follow the law of the rest, as while a "
+     "hand moves or stops it: {kept} of {samples} samples between are taken for a free motion; "
+     "{|{--from} and {--to}|the handles} choose another part",
+     "was vor {from:.4g} s und nach {to:.4g} s liegt, folgt nicht dem Gesetz des Rests, wie wenn eine Hand "
+     "es bewegt oder anhält: {kept} von {samples} Messwerten dazwischen gelten als freie Bewegung; mit "
+     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it, as when a hand catches it: only what comes before, to {until:.4g} s, {kept} "
-     "of "
-     "{samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
-     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
-     "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: das Gesetz wird nur an den Teil "
-     "davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} und {--to}|den "
-     "Griffen} lässt sich "
-     "ein anderer wählen"},
+     "of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose another part",
+     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von "
+     "{amplitude:.3g}{unit: } auf weniger als ein Zehntel davon, als hielte eine Hand sie an: das Gesetz "
+     "wird nur an den Teil davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit "
+     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer wählen"},
     {"driven_until_stop", worth_knowing,
-     "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, to "
-     "{until:.4g} s, {kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose "
-     "another "
-     "part",
+     "the motion stops between {from:.4g} and {to:.4g} s, as when its drive ends: only what comes before, "
+     "to {until:.4g} s, {kept} of {samples} samples, is fitted; {|{--from} and {--to}|the handles} choose "
+     "another part",
      "die Bewegung endet zwischen {from:.4g} und {to:.4g} s, wie wenn der Antrieb aufhört: das Gesetz wird "
      "nur an den Teil davor angepasst, bis {until:.4g} s, {kept} von {samples} Messwerten; mit {|{--from} "
-     "und "
-     "{--to}|den Griffen} lässt sich ein anderer wählen"},
+     "und {--to}|den Griffen} lässt sich ein anderer wählen"},
     {"sensor_loses_motion", worth_knowing,
      "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
      "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
@@ -192,8 +172,7 @@ constexpr Entry entries[] = {
      "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
     {"long_period_for_reynolds", worth_knowing,
      "each Reynolds number is the largest of half a second, less than half the period of {period:.3g} s: "
-     "where "
-     "the swing's fastest moment lies outside, the number is smaller than that of the swing",
+     "where the swing's fastest moment lies outside, the number is smaller than that of the swing",
      "jede Reynolds-Zahl ist die größte einer halben Sekunde, weniger als die halbe Periode von {period:.3g} "
      "s: liegt der schnellste Augenblick der Schwingung außerhalb, ist die Zahl kleiner als die der "
      "Schwingung"},
@@ -221,8 +200,6 @@ constexpr Entry entries[] = {
      "abhängt"},
     {"bandwidth_bias", clause, "too wide unless the record lasts until the swing has died down",
      "zu breit, wenn die Aufnahme nicht dauert, bis die Schwingung abgeklungen ist"},
-    {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
-    {"of_the_force", clause, "force: {what}", "Kraft: {what}"},
 
     // Segments
     {"segment_too_short", worth_knowing,
@@ -269,47 +246,6 @@ constexpr Entry entries[] = {
      "drives the motion as well or instead, or it has another law",
      "das Gesetz erklärt {share:.0f} % der Varianz, und der Rest ist kein Rauschen: etwas anderes treibt "
      "die Bewegung auch oder stattdessen, oder sie hat ein anderes Gesetz"},
-    {"force_is_the_motion", error,
-     "{--force-column}: \"{column}\" is the column that is fitted; say which holds the motion with "
-     "{--column}",
-     "{--force-column}: „{column}“ ist die Spalte, die angepasst wird; bitte mit {--column} sagen, welche "
-     "die Bewegung enthält"},
-    {"force_is_too_short", error, "force column \"{column}\" has fewer than two values",
-     "die Kraftspalte „{column}“ hat weniger als zwei Werte"},
-    {"force_never_changes", error,
-     "force column \"{column}\" is {value:n} throughout: a force that never changes drives nothing; leave "
-     "out {--force-column} to fit the free motion",
-     "die Kraftspalte „{column}“ ist durchweg {value:n}: eine Kraft, die sich nie ändert, treibt nichts an; "
-     "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
-    {"force_has_a_gap", error,
-     "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is not "
-     "known; choose one side of it with {|{--from} and {--to}|the handles}, or fill it in",
-     "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
-     "ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} eine Seite wählen oder sie füllen"},
-    {"force_has_gaps", error,
-     "force column \"{column}\" has {gaps} gaps, the first {length:.6g} s long at {t:.6g} s: what the force "
-     "did there is not known; choose a part without gaps with {|{--from} and {--to}|the handles}, or fill "
-     "them in",
-     "die Kraftspalte „{column}“ hat {gaps} Lücken, die erste {length:.6g} s lang bei {t:.6g} s: was die "
-     "Kraft da tat, ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} einen Teil ohne Lücken "
-     "wählen oder sie "
-     "füllen"},
-    {"force_is_uneven", error,
-     "{@line}: the times are not evenly spaced ({t:.6g} s where {expected:.6g} s is expected, one sample "
-     "every {spacing:.6g} s); a recorded force needs even samples: resample the recording first",
-     "{@line}: die Zeiten haben nicht gleiche Abstände ({t:.6g} s, wo {expected:.6g} s erwartet wird, ein "
-     "Messwert je {spacing:.6g} s); eine aufgenommene Kraft braucht gleichmäßige Messwerte: bitte die "
-     "Aufnahme erst auf solche umrechnen"},
-    {"force_ends", error,
-     "force column \"{force}\" goes from {from:.6g} to {to:.6g} s, and column \"{column}\" has a value at "
-     "{t:.6g} s; choose the part that both have with {|{--from} and {--to}|the handles}",
-     "die Kraftspalte „{force}“ geht von {from:.6g} bis {to:.6g} s, und die Spalte „{column}“ hat einen "
-     "Wert bei {t:.6g} s; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, den beide haben"},
-    {"force_at_other_times", error,
-     "force column \"{force}\" has other times than column \"{column}\": {t:.9g} s lies between two of its "
-     "samples; resample one of them first",
-     "die Kraftspalte „{force}“ hat andere Zeiten als die Spalte „{column}“: {t:.9g} s liegt zwischen zwei "
-     "ihrer Messwerte; bitte erst eine von beiden umrechnen"},
     {"drive_is_another", wrong_if_ignored,
      "the steady oscillation has {found:.6g} Hz, not the {asked:.6g} Hz of {--drive-frequency}",
      "die gleichbleibende Schwingung hat {found:.6g} Hz, nicht die {asked:.6g} Hz von {--drive-frequency}"},
@@ -317,20 +253,17 @@ constexpr Entry entries[] = {
     // Driven, free or two swings at once
     {"motion_is_driven", worth_knowing,
      "the motion is driven, at {frequency:.6g} Hz, and fitted as driven: a free law would leave an rms "
-     "residual "
-     "of {free:.3g}{unit: }, the driven one leaves {driven:.3g}{unit: }; {|where the drive's frequency is "
-     "known, "
-     "{--drive-frequency} names it; |}a part that swings freely is chosen with {|{--from} and {--to}|the "
-     "handles}",
+     "residual of {free:.3g}{unit: }, the driven one leaves {driven:.3g}{unit: }; {|where the drive's "
+     "frequency is known, {--drive-frequency} names it; |}a part that swings freely is chosen with "
+     "{|{--from} and {--to}|the handles}",
      "die Bewegung ist angetrieben, mit {frequency:.6g} Hz, und so angepasst: ein freies Gesetz ließe einen "
      "Effektivwert der Reste von {free:.3g}{unit: }, das angetriebene lässt {driven:.3g}{unit: }; {|ist die "
      "Frequenz des Antriebs bekannt, nennt sie {--drive-frequency}; |}einen Teil, der frei schwingt, wählt "
-     "man mit "
-     "{|{--from} und {--to}|den Griffen}"},
+     "man mit {|{--from} und {--to}|den Griffen}"},
     {"perhaps_on_a_string", worth_knowing,
-     "the file holds x and y of a point: if it hangs on a string or a rod, its law is that of the angle, and "
-     "one "
-     "of {column} alone is only near it; let the tracker write the angle about the pivot, and fit that",
+     "the file holds x and y of a point: if it hangs on a string or a rod, its law is that of the angle, "
+     "and one of {column} alone is only near it; let the tracker write the angle about the pivot, and fit "
+     "that",
      "die Datei enthält x und y eines Punkts: hängt er an einem Faden oder einer Stange, ist sein Gesetz das "
      "des Winkels, und eines von {column} allein nur ungefähr richtig; bitte den Winkel um den "
      "Aufhängepunkt ausgeben lassen und den anpassen"},
@@ -365,8 +298,7 @@ constexpr Entry entries[] = {
     {"no_single_swing", error,
      "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}",
      "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder {|mit {--column} "
-     "eine|eine} andere "
-     "Spalte wählen"},
+     "eine|eine} andere Spalte wählen"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
@@ -382,34 +314,16 @@ constexpr Entry entries[] = {
      "{--drive-frequency} auto looks for a drive elsewhere",
      "mit {asked:.6g} Hz treibt nichts diese Bewegung, soweit zu sehen ist ({compared}): als freie Bewegung "
      "angepasst; {--drive-frequency} auto sucht anderswo nach einem Antrieb"},
-    {"force_taken_as_exact", worth_knowing,
-     "the recorded force is taken as exact: what noise of its sensor does to the motion is not in the "
-     "uncertainties, and near the resonance that is much",
-     "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
-     "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
-    {"force_is_noisy", worth_knowing,
-     "what the law leaves looks like noise of {noise:.2g}{unit: } in each sample of the recorded force; the "
-     "uncertainties include it",
-     "was das Gesetz übrig lässt, sieht aus wie ein Rauschen von {noise:.2g}{unit: } in jedem Messwert der "
-     "Kraft; die "
-     "Unsicherheiten enthalten es"},
-    {"force_may_be_noisy", detail,
-     "noise of the recorded force may hide in what the law leaves; the uncertainties allow for it",
-     "in dem, was das Gesetz übrig lässt, kann sich ein Rauschen der aufgezeichneten Kraft verbergen; die "
-     "Unsicherheiten berücksichtigen das"},
     {"axis_holds_gravity", worth_knowing,
      "the values lie about {mean:.3g} m/s²: this axis holds gravity. Along a pendulum's string a sensor "
-     "shows "
-     "twice the frequency and twice the decay rate; an axis across the string shows the swing itself",
+     "shows twice the frequency and twice the decay rate; an axis across the string shows the swing itself",
      "die Werte liegen um {mean:.3g} m/s²: diese Achse enthält die Schwerkraft. Längs eines Pendelfadens "
-     "zeigt "
-     "ein Sensor das Doppelte der Frequenz und der Abklingrate; eine Achse quer zum Faden zeigt die "
+     "zeigt ein Sensor das Doppelte der Frequenz und der Abklingrate; eine Achse quer zum Faden zeigt die "
      "Schwingung selbst"},
     {"settled_or_free", wrong_if_ignored,
      "the motion of {frequency:.6g} Hz does not die down: driven and settled, or free and without damping, "
-     "it "
-     "looks the same, and no drive is told from it; fitted as a free motion. Record from where a drive is "
-     "switched on or off",
+     "it looks the same, and no drive is told from it; fitted as a free motion. Record from where a drive "
+     "is switched on or off",
      "die Bewegung mit {frequency:.6g} Hz klingt nicht ab: angetrieben und eingeschwungen oder frei und "
      "ungedämpft sieht sie gleich aus, und ein Antrieb ist daran nicht zu erkennen; als freie Bewegung "
      "angepasst. Bitte von dort aufnehmen, wo ein Antrieb ein- oder ausgeschaltet wird"},
@@ -557,8 +471,7 @@ constexpr Entry entries[] = {
      "Viscous damping alone is enough: {one_rate}, and {end}. The amplitude's own rate goes from {first:n} "
      "to {last:n}\u00a01/s, as the restoring force is not proportional to the displacement.{method}",
      "Viskose Dämpfung allein genügt: {one_rate}, und {end}. Die Rate der Amplitude selbst geht von "
-     "{first:n} auf "
-     "{last:n}\u00a01/s, da die Rückstellkraft nicht proportional zur Auslenkung ist.{method}"},
+     "{first:n} auf {last:n}\u00a01/s, da die Rückstellkraft nicht proportional zur Auslenkung ist.{method}"},
     {"one_rate_is_best", clause,
      "No law that was tried tells more than one decay rate: {one_rate}, but {end}.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}, aber {end}.{method}"},
@@ -571,15 +484,11 @@ constexpr Entry entries[] = {
      "proportional ist.{method}"},
     {"one_rate_while_stretches_scatter", clause,
      "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches "
-     "lie "
-     "between {least:n} and {largest:n}\u00a01/s, far more apart than their own uncertainties: something "
-     "else "
-     "takes part.{method}",
+     "lie between {least:n} and {largest:n}\u00a01/s, far more apart than their own uncertainties: "
+     "something else takes part.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte "
-     "liegen "
-     "aber zwischen {least:n} und {largest:n}\u00a01/s, viel weiter auseinander als ihre Unsicherheiten: "
-     "etwas "
-     "anderes wirkt mit.{method}"},
+     "liegen aber zwischen {least:n} und {largest:n}\u00a01/s, viel weiter auseinander als ihre "
+     "Unsicherheiten: etwas anderes wirkt mit.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",

@@ -74,11 +74,10 @@ constexpr Entry entries[] = {
      "no single decaying swing found: the best one accounts for {percent:.1f} % of the variance, and what it "
      "leaves is too large to find a law beside it; choose the part that swings freely with {|{--from} and "
      "{--to}|the handles}, or another {|{--column}|column}",
-     "keine einzelne abklingende Schwingung gefunden: die beste erklärt {percent:.1f} % der Varianz, und was "
-     "sie "
-     "übrig lässt, ist zu viel, um daneben ein Gesetz zu finden; bitte mit {|{--from} und {--to}|den "
-     "Griffen} "
-     "den Teil wählen, der frei schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
+     "keine einzelne abklingende Schwingung gefunden: die beste erklärt {percent:.1f} % der Varianz, und "
+     "was sie übrig lässt, ist zu viel, um daneben ein Gesetz zu finden; bitte mit {|{--from} und "
+     "{--to}|den Griffen} den Teil wählen, der frei schwingt, oder {|mit {--column} eine|eine} andere "
+     "Spalte"},
     {"tops_cut_off", error,
      "the motion's peaks are cut off at the same value again and again: the sensor was out of its range; "
      "choose the later part with {|{--from}|the handles}",
@@ -184,8 +183,8 @@ constexpr Entry entries[] = {
      "Abklingrate sind kaum geweitet"},
     {"uncertainties_widened", detail,
      "{correlated}: the uncertainties are widened to those of {independent_samples:.0f} independent samples",
-     "{correlated}: die Unsicherheiten sind auf die von {independent_samples:.0f} unabhängigen "
-     "Messwerte geweitet"},
+     "{correlated}: die Unsicherheiten sind auf die von {independent_samples:.0f} unabhängigen Messwerte "
+     "geweitet"},
 
     // The choice of a law.
     {"laws_compared_on_a_part", detail,
@@ -290,14 +289,12 @@ constexpr Entry entries[] = {
      "the zero jumps by {jump:.3g}{unit: } at {time:.4g} s: choose one side of it with {|{--from} and "
      "{--to}|the handles}",
      "der Nullpunkt springt um {jump:.3g}{unit: } bei {time:.4g} s: bitte mit {|{--from} und {--to}|den "
-     "Griffen} eine "
-     "Seite wählen"},
+     "Griffen} eine Seite wählen"},
     {"swing_stops", wrong_if_ignored,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
-     "less than a tenth of it, as when a hand catches it: end before with {|{--to}|the "
-     "handles}",
-     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von {amplitude:.3g}{unit: "
-     "} auf weniger als ein Zehntel davon, als hielte eine Hand sie an: bitte mit "
+     "less than a tenth of it, as when a hand catches it: end before with {|{--to}|the handles}",
+     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s, von einer Amplitude von "
+     "{amplitude:.3g}{unit: } auf weniger als ein Zehntel davon, als hielte eine Hand sie an: bitte mit "
      "{|{--to}|den Griffen} vorher enden"},
     {"law_over_a_stop", wrong_if_ignored,
      "the law {law} is fitted to the swing and to what follows the stop, and leaves {rms:.3g}{unit: } (rms): "
@@ -339,13 +336,11 @@ constexpr Entry entries[] = {
      "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
      "from a spring, a damping or a sensor that is nonlinear in another way than the law",
      "das Dreifache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
-     "dritte "
-     "Harmonische, von einer Feder, einer Dämpfung oder einem Sensor, die auf andere Weise nichtlinear sind "
-     "als das Gesetz"},
+     "dritte Harmonische, von einer Feder, einer Dämpfung oder einem Sensor, die auf andere Weise "
+     "nichtlinear sind als das Gesetz"},
     {"higher_harmonic", clause,
      "{order} times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: a harmonic of it, "
-     "as "
-     "from a motion with corners or cut-off peaks",
+     "as from a motion with corners or cut-off peaks",
      "das {order}-Fache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: eine "
      "Harmonische, wie von einer Bewegung mit Ecken oder abgeschnittenen Gipfeln"},
     {"second_mode", clause,
@@ -362,29 +357,13 @@ constexpr Entry entries[] = {
     {"another_drive", clause, "another drive, or another swing",
      "ein anderer Antrieb oder eine andere Schwingung"},
 
-    {"times_slip", wrong_if_ignored,
-     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have {how} there; fit "
-     "the parts "
-     "before and after with {|{--from} and {--to}|the handles}",
-     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Messwerte {how} sein; "
-     "bitte die "
-     "Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
-    {"motion_without_a_bent_spring", clause,
-     "the motion at least as well, with a restoring force that is proportional to the displacement",
-     "die Bewegung mindestens ebenso gut, mit einer Rückstellkraft proportional zur Auslenkung"},
-    {"part_of_what_is_left", clause, "part of what the law leaves",
-     "einen Teil dessen, was das Gesetz übrig lässt"},
-    {"samples_lost", clause, "lost samples", "verloren"},
-    {"samples_repeated", clause, "repeated samples", "wiederholt"},
-
     // From where on a motion is free.
     {"level_until", clause,
      "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",
      "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
     {"disturbed_until", clause,
      "what comes before {time:.4g} s does not follow the law of the rest, as while a hand still moves it",
-     "was vor {time:.4g} s liegt, folgt keinem Gesetz, dem der Rest folgt, wie wenn eine Hand es noch "
-     "bewegt"},
+     "was vor {time:.4g} s liegt, folgt nicht dem Gesetz des Rests, wie wenn eine Hand es noch bewegt"},
     {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
     {"held_still_then_set_going", clause, "it does not swing until {time:.4g} s and is then set going",
      "bis {time:.4g} s schwingt es nicht, dann wird es in Gang gesetzt"},

@@ -19,8 +19,7 @@ constexpr Entry entries[] = {
     // Lines through several masses
     {"masses_unlike_recordings", error,
      "{--masses}: {masses:mass is|masses are} given for {recordings:recording|recordings}; each recording, "
-     "and each "
-     "run in one, needs its own",
+     "and each run in one, needs its own",
      "{--masses}: {masses:Masse|Massen} für {recordings:Aufnahme|Aufnahmen}; jede Aufnahme und jeder Lauf "
      "darin braucht eine eigene"},
     {"run_left_out_of_line", worth_knowing, "{file}, run {run} is left out of the line: {why}",
@@ -51,8 +50,7 @@ constexpr Entry entries[] = {
     {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
     {"plateaus_unlike_masses", error,
      "{file}: {masses:mass is|masses are} given, and {found:plateau is|plateaus are} found{where}; choose "
-     "the part "
-     "with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
+     "the part with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
      "{file}: {masses} Massen sind angegeben und {found:Ruhelage|Ruhelagen} gefunden{where}; bitte mit "
      "{|{--from} und {--to}|den Griffen} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene "
      "Datei geben"},
@@ -80,8 +78,7 @@ constexpr Entry entries[] = {
      "without {--static}",
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:.2g} m "
      "(Effektivwert), und der Mittelwert gilt; bitte mit {|{--from} und {--to}|den Griffen} einen ruhigen "
-     "Teil wählen oder "
-     "die Schwingung ohne {--static} anpassen"},
+     "Teil wählen oder die Schwingung ohne {--static} anpassen"},
     {"holds_out_of_order", wrong_if_ignored,
      "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
      "holds?",

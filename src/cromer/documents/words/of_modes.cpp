@@ -18,8 +18,7 @@ constexpr Entry entries[] = {
      "{fewest}"},
     {"no_modes_found", error,
      "no mode was found: no pole keeps its frequency, damping and shape as the model grows; a longer "
-     "recording, or one "
-     "with fewer missing values, shows more",
+     "recording, or one with fewer missing values, shows more",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
      "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr"},
     {"no_modes_in_band", error,
@@ -29,8 +28,7 @@ constexpr Entry entries[] = {
      "{highest:.4g} Hz zeigen: {--from-frequency} und {--to-frequency} wählen ein anderes Band"},
     {"channel_dies", error,
      "\"{column}\" stops in full swing and keeps one value from {time:.6g} s on, as where a sensor or its "
-     "cable "
-     "fails: {--to} {time:.6g} takes what comes before",
+     "cable fails: {--to} {time:.6g} takes what comes before",
      "„{column}“ bleibt mitten in der Schwingung stehen und behält ab {time:.6g} s einen Wert, wie wenn ein "
      "Sensor oder sein Kabel versagt: {--to} {time:.6g} nimmt, was davor liegt"},
     {"rests_at_the_end", worth_knowing,
@@ -40,17 +38,14 @@ constexpr Entry entries[] = {
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
      "nothing moves for the first {length:.3g} s: the result is for the motion from {from:.4g} s on; "
-     "{--from} takes "
-     "another beginning",
+     "{--from} takes another beginning",
      "in den ersten {length:.3g} s bewegt sich nichts: das Ergebnis gilt für die Bewegung ab {from:.4g} s; "
      "{--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
      "for the first {length:.3g} s it is held or still being let go: the result is for the motion from "
-     "{from:.4g} s "
-     "on; {--from} takes another beginning",
+     "{from:.4g} s on; {--from} takes another beginning",
      "in den ersten {length:.3g} s wird es gehalten oder noch losgelassen: das Ergebnis gilt für die "
-     "Bewegung ab "
-     "{from:.4g} s; {--from} wählt einen anderen Anfang"},
+     "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,
@@ -65,8 +60,7 @@ constexpr Entry entries[] = {
      "from the first third to the last the steps between samples change by {percent:.2g} %: if the sensor's "
      "clock drifts, frequencies are off by about as much",
      "vom ersten zum letzten Drittel ändern sich die Abstände der Messwerte um {percent:.2g} %: läuft die "
-     "Uhr des "
-     "Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
+     "Uhr des Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
     {"modes_of_random_forces", clause,
      "the motion does not decay from the first used sample on: these are modes under random forces, by "
      "subspace identification (orders to {order}, correlations over {reach:.3g} s)",
@@ -99,31 +93,25 @@ constexpr Entry entries[] = {
      "Eigenschwingung; sie wurde vor der Suche nach Eigenschwingungen abgezogen"},
     {"more_modes_than_channels", wrong_if_ignored,
      "there are {modes} modes and {channels} channels: if each channel is a mass, some of them are no modes "
-     "but part of "
-     "a motion that is not linear (dry friction, large angles, a nonlinear spring)",
-     "es gibt {modes} Eigenschwingungen und {channels} Kanäle: ist jeder Kanal eine Masse, so gehören einige "
-     "zu keiner "
-     "Eigenschwingung, sondern zu einer nichtlinearen Bewegung (trockene Reibung, große Winkel, nichtlineare "
-     "Feder)"},
+     "but part of a motion that is not linear (dry friction, large angles, a nonlinear spring)",
+     "es gibt {modes} Eigenschwingungen und {channels} Kanäle: ist jeder Kanal eine Masse, so gehören "
+     "einige zu keiner Eigenschwingung, sondern zu einer nichtlinearen Bewegung (trockene Reibung, große "
+     "Winkel, nichtlineare Feder)"},
     {"fewer_modes_than_channels", worth_knowing,
      "there are {channels} channels and {modes:mode|modes}: if each channel is a mass, the others were "
      "hardly excited, or they lie above half the rate",
      "es gibt {channels} Kanäle und {modes:Eigenschwingung|Eigenschwingungen}: ist jeder Kanal eine Masse, "
      "so wurden die anderen kaum angeregt, oder sie liegen über der halben Abtastrate"},
     {"few_decay_times", worth_knowing,
-     "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one would "
-     "make its "
-     "intervals surer",
-     "die Aufnahme enthält nur {times:.2g} Abklingzeiten der Eigenschwingung bei {frequency:.4g} Hz: "
-     "eine längere "
-     "macht ihre Vertrauensbereiche sicherer"},
+     "the recording holds only {times:.2g} decay times of the mode at {frequency:.4g} Hz: a longer one "
+     "would make its intervals surer",
+     "die Aufnahme enthält nur {times:.2g} Abklingzeiten der Eigenschwingung bei {frequency:.4g} Hz: eine "
+     "längere macht ihre Vertrauensbereiche sicherer"},
     {"peak_without_mode", worth_knowing,
      "the spectrum has a peak at {frequency:.4g} Hz where no mode was found: it may be a strongly damped "
-     "mode, two "
-     "modes too close to be told apart, or a machine",
+     "mode, two modes too close to be told apart, or a machine",
      "das Spektrum hat bei {frequency:.4g} Hz einen Gipfel, wo keine Eigenschwingung gefunden wurde: "
-     "vielleicht eine "
-     "stark gedämpfte, zwei zu nah beieinander, oder eine Maschine"},
+     "vielleicht eine stark gedämpfte, zwei zu nah beieinander, oder eine Maschine"},
 };
 
 }  // namespace

@@ -39,8 +39,8 @@ constexpr Entry entries[] = {
      "drive_amplitude braucht eine drive_frequency; bei einer festen Kraft ist sie 0"},
     {"static_friction_below_friction", error,
      "static_friction: it must be at least friction ({friction} {unit}), not {static_friction} {unit}",
-     "static_friction: das muss mindestens friction sein ({friction} {unit}), nicht "
-     "{static_friction} {unit}"},
+     "static_friction: das muss mindestens friction sein ({friction} {unit}), nicht {static_friction} "
+     "{unit}"},
     // Options.
     {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
@@ -138,9 +138,8 @@ constexpr Entry entries[] = {
     {"network_value_undetermined", error, "the record does not tell the {value}: give it, or leave it out",
      "die Aufnahme bestimmt nicht: {value}; bitte angeben oder weglassen"},
     {"network_not_converged", error,
-     "the fit has not converged after {iterations:iteration|iterations}: perhaps the network lacks a link or "
-     "a "
-     "term, or the columns stand in another order than the masses; {hint}",
+     "the fit has not converged after {iterations:iteration|iterations}: perhaps the network lacks a link "
+     "or a term, or the columns stand in another order than the masses; {hint}",
      "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert: vielleicht fehlt dem Netz eine "
      "Verbindung oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; {hint}"},
     {"network_leaves_a_motion", wrong_if_ignored,
@@ -183,9 +182,8 @@ constexpr Entry entries[] = {
      "{swapped:.2f}), and as they stand they do not ({mac:.2f}); columns are to stand in the order of the "
      "masses",
      "„{first}“ und „{second}“ scheinen vertauscht zu sein: tauscht man sie, stimmen die Formen mit denen "
-     "des Netzes "
-     "überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen in der "
-     "Reihenfolge der Massen stehen"},
+     "des Netzes überein (mittlerer MAC {swapped:.2f}), so wie sie stehen nicht ({mac:.2f}); Spalten sollen "
+     "in der Reihenfolge der Massen stehen"},
     {"channel_looks_reversed", wrong_if_ignored,
      "\"{column}\" looks reversed against the other channels: with its sign changed the shapes agree with "
      "the network's (mean MAC {reversed:.2f}), and as it stands they do not ({mac:.2f}); see which way the "

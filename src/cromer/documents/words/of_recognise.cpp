@@ -55,8 +55,7 @@ constexpr Entry entries[] = {
      "{method} with a step of {step:.6g} s (each velocity is one step later than its position, as where the "
      "position is stepped first)",
      "{method} mit einem Schritt von {step:.6g} s (jede Geschwindigkeit ist einen Schritt später als ihr "
-     "Ort, wie "
-     "dort, wo erst der Ort weitergeht)"},
+     "Ort, wie dort, wo erst der Ort weitergeht)"},
     {"maker_without_step", clause, "{method}", "{method}"},
     {"the_same_map", clause, " (the same map: {methods:and})", " (dieselbe Abbildung: {methods:and})"},
     {"or_others_alike", clause, ", or {count:other|others} below it that the digits do not tell from it,",
@@ -87,16 +86,14 @@ constexpr Entry entries[] = {
      "das Gesetz prüfen, oder es ist eine andere Spielart eines Verfahrens"},
     {"rows_made_by_none", clause,
      "none of the methods made these rows: it may be another method, another law, or noise. The nearest, "
-     "{maker}, is "
-     "off by {percent:.2g} % of the motion, {times:.2g} times what rounding does",
+     "{maker}, is off by {percent:.2g} % of the motion, {times:.2g} times what rounding does",
      "keines der Verfahren hat diese Zeilen gemacht: es mag ein anderes Verfahren sein, ein anderes Gesetz "
      "oder Rauschen. Das nächste, {maker}, weicht um {percent:.2g} % der Bewegung ab, das {times:.2g}-Fache "
      "der Rundung"},
     {"rows_made_by_none_of_all_alike", clause,
      "none of the methods made these rows. The nearest, {maker}, is off by {percent:.2g} % of the motion, "
      "{times:.2g} times what rounding does, and others are as far off: the law is likely to be another one, "
-     "or the "
-     "rows hold noise",
+     "or the rows hold noise",
      "keines der Verfahren hat diese Zeilen gemacht. Das nächste, {maker}, weicht um {percent:.2g} % der "
      "Bewegung ab, das {times:.2g}-Fache der Rundung, und andere ebenso: wahrscheinlich ist das Gesetz ein "
      "anderes, oder die Zeilen enthalten Rauschen"},
@@ -109,8 +106,7 @@ constexpr Entry entries[] = {
      "{ratio:.5g} wurden zusammen mit dem Verfahren angepasst"},
     {"more_is_left_than_rounding", worth_knowing,
      "what is left of the rows is {times:.2g} times what rounding makes, though far less than by any other "
-     "method: the "
-     "numbers of the law may be off a little",
+     "method: the numbers of the law may be off a little",
      "von den Zeilen bleibt das {times:.2g}-Fache der Rundung übrig, wenn auch viel weniger als bei jedem "
      "anderen Verfahren: die Zahlen des Gesetzes sind vielleicht ein wenig falsch"},
     {"recognising_was_interrupted", clause, "interrupted: not all methods were tried",

@@ -8,14 +8,12 @@ using enum Use;
 constexpr Entry entries[] = {
     // The report of one's own recordings: its head.
     {"report_file_head", clause,
-     "# To make the report again: cromer report study.toml -o report\n"
-     "# A second run updates the numbers, but not the choice of sentences, which the first run made. For\n"
-     "# other recordings, another mass or another part start with: cromer report FILE... -o report",
-     "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht\n"
-     "# Ein neuer Lauf setzt die Zahlen neu ein; welche Sätze hier stehen, hat der erste bestimmt. Für "
-     "andere\n"
-     "# Aufnahmen, eine andere Masse oder einen anderen Teil neu beginnen: cromer report DATEI... -o "
-     "bericht"},
+     "# To make the report again: cromer report study.toml -o report\n# A second run updates the numbers, "
+     "but not the choice of sentences, which the first run made. For\n# other recordings, another mass or "
+     "another part start with: cromer report FILE... -o report",
+     "# Der Bericht entsteht von neuem durch: cromer report study.toml -o bericht\n# Ein neuer Lauf setzt "
+     "die Zahlen neu ein; welche Sätze hier stehen, hat der erste bestimmt. Für andere\n# Aufnahmen, eine "
+     "andere Masse oder einen anderen Teil neu beginnen: cromer report DATEI... -o bericht"},
     {"report_title", clause, "The law of motion in {file}", "Das Bewegungsgesetz in {file}"},
     {"report_title_of_several", clause, "The laws of motion of {count} recordings",
      "Die Bewegungsgesetze von {count} Aufnahmen"},
@@ -164,23 +162,18 @@ constexpr Entry entries[] = {
      "solcher Aufnahmen, falls das Gesetz stimmt."},
     {"report_few_degrees", clause,
      "The 95 % intervals are wider than ± suggests, those of: {names:and}. What disturbs them is slow, so "
-     "the "
-     "record holds few independent values of it, or ± stands at a bound.",
+     "the record holds few independent values of it, or ± stands at a bound.",
      "Das 95-%-Intervall ist weiter, als ± vermuten lässt, bei: {names:and}. Was hier stört, ist langsam, "
-     "und "
-     "die Aufnahme enthält davon nur wenige unabhängige Werte, oder der Wert liegt an einer Grenze."},
+     "und die Aufnahme enthält davon nur wenige unabhängige Werte, oder der Wert liegt an einer Grenze."},
     {"report_few_degrees_of_most", clause,
      "Most of the 95 % intervals are wider than ± suggests: what disturbs the motion is slow, so the record "
      "holds few independent values of it. They count, not ±.",
      "Die meisten 95-%-Intervalle sind weiter, als ± vermuten lässt: was die Bewegung stört, ist langsam, "
-     "und "
-     "die Aufnahme enthält davon nur wenige unabhängige Werte. Sie zählen, nicht ±."},
+     "und die Aufnahme enthält davon nur wenige unabhängige Werte. Sie zählen, nicht ±."},
     {"report_energy_beside_amplitude", clause,
      "Damping ratio and quality factor are those of the linear damper that takes as much energy in a cycle; "
-     "the "
-     "decrement is that of the amplitude. Under this law the two are not tied as they are under viscous "
-     "damping "
-     "and a linear spring.",
+     "the decrement is that of the amplitude. Under this law the two are not tied as they are under viscous "
+     "damping and a linear spring.",
      "Dämpfungsgrad und Güte sind die des linearen Dämpfers, der je Periode ebenso viel Energie nimmt; das "
      "Dekrement ist das der Amplitude. Nach diesem Gesetz hängen sie nicht so zusammen wie bei viskoser "
      "Dämpfung und linearer Feder."},
@@ -230,8 +223,7 @@ constexpr Entry entries[] = {
      "The measured motion, and the envelope of a simulation with one constant decay rate; it leaves {one} "
      "(root mean square).",
      "Die gemessene Bewegung und die Hüllkurve einer Simulation mit einer festen Abklingrate; sie lässt "
-     "{one} übrig "
-     "(Effektivwert)."},
+     "{one} übrig (Effektivwert)."},
 
     // Spring constant and Reynolds number.
     {"report_stiffness", clause, "How stiff the spring is", "Wie steif die Feder ist"},
@@ -239,9 +231,7 @@ constexpr Entry entries[] = {
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, and the mass of {mass}, "
      "*k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
      "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, und der Masse von {mass} "
-     "folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; "
-     "95 %: "
-     "{interval}."},
+     "folgt *k* = *m ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
     {"report_without_spring_mass", clause,
      "The spring's own mass, a third of which moves along, is not counted ({--spring-mass}): with it the "
      "spring constant is larger.",
@@ -249,19 +239,16 @@ constexpr Entry entries[] = {
      "ihr ist die Federkonstante größer."},
     {"report_stiffness_with_spring", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
-     "third of the spring's own mass, *k* = "
-     "(*m* + "
-     "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}.",
+     "third of the spring's own mass, *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "{interval}.",
      "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, der Masse von {mass} und "
-     "einem Drittel der Masse der Feder folgt *k* = "
-     "(*m* + "
-     "*m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: {interval}."},
+     "einem Drittel der Masse der Feder folgt *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 "
+     "%: {interval}."},
     {"report_small_swings_stiffness", clause,
      "That is its stiffness for small swings, as this law has them; the frequency of {frequency} is that of "
      "swings of {amplitude}, and does not give the same *k*.",
      "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die "
-     "von "
-     "Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
+     "von Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",
@@ -276,14 +263,12 @@ constexpr Entry entries[] = {
      "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it "
      "reaches {last}.",
      "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde "
-     "erreicht sie "
-     "{last}."},
+     "erreicht sie {last}."},
     {"report_not_stokes", clause,
      "A drag in proportion to the velocity (Stokes) needs Re well below 1: at its fastest, no swing of this "
      "recording is so slow.",
      "Ein Widerstand proportional zur Geschwindigkeit (Stokes) braucht ein Re weit unter 1: an der "
-     "schnellsten Stelle "
-     "ist es bei keiner Schwingung dieser Aufnahme so klein."},
+     "schnellsten Stelle ist es bei keiner Schwingung dieser Aufnahme so klein."},
     {"report_air", clause, "The air has {temperature}, its kinematic viscosity *ν* is {viscosity}.",
      "Die Luft hat {temperature}, ihre kinematische Viskosität *ν* ist {viscosity}."},
     {"report_air_assumed", clause,
@@ -296,8 +281,7 @@ constexpr Entry entries[] = {
     {"report_reynolds_caption", clause,
      "The largest Reynolds number in each half second, from the fitted velocity and the disc's diameter.",
      "Die größte Reynolds-Zahl in jeder halben Sekunde, aus der angepassten Geschwindigkeit und dem "
-     "Durchmesser der "
-     "Scheibe."},
+     "Durchmesser der Scheibe."},
     {"report_reynolds_axis", clause, "Reynolds number Re", "Reynolds-Zahl Re"},
 
     // What two methods make of the law.
@@ -307,8 +291,7 @@ constexpr Entry entries[] = {
      "The law, from the same start, by two methods with steps of {step}, about {steps:.0f} in a period, "
      "beside {reference}.",
      "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in "
-     "einer Periode, "
-     "neben {reference}."},
+     "einer Periode, neben {reference}."},
     {"report_leaves", clause,
      "They end at {t}, before forward Euler goes to where the spring gives way, or {times:g} times as far as "
      "the law.",
@@ -365,8 +348,7 @@ constexpr Entry entries[] = {
      "The law was found in a motion whose steady amplitude is {amplitude}; far above it the figures are "
      "untested.",
      "Gefunden ist das Gesetz an einer Bewegung, die mit {amplitude} Amplitude eingeschwungen ist; weit "
-     "darüber "
-     "sind die Abbildungen nicht geprüft."},
+     "darüber sind die Abbildungen nicht geprüft."},
     {"report_resonance_title", clause, "Amplitude against drive frequency",
      "Amplitude gegen Frequenz des Antriebs"},
     {"report_resonance_caption", clause, "The amplitude of the steady motion, by the law.",

@@ -206,8 +206,8 @@ constexpr Entry entries[] = {
     {"column_holds_no_acceleration", error,
      "column \"{column}\" holds {kind}, not an acceleration (m/s^2 or g); choose another with "
      "{option:option}",
-     "die Spalte „{column}“ enthält {kind}, keine Beschleunigung (m/s^2 oder g); bitte mit "
-     "{option:option} eine andere wählen"},
+     "die Spalte „{column}“ enthält {kind}, keine Beschleunigung (m/s^2 oder g); bitte mit {option:option} "
+     "eine andere wählen"},
     {"column_has_no_sample", error,
      "column \"{column}\" has no sample, and a {use} needs at least two samples",
      "die Spalte „{column}“ hat keinen Messwert, und ein {use} braucht mindestens zwei"},
@@ -267,9 +267,8 @@ constexpr Entry entries[] = {
      "a state every {kept:.4g} s is less than two in a period of {period:.4g} s: drawn, they show a slower "
      "swing that is not there; a shorter {--step} or a smaller {--every} shows the real one",
      "ein Zustand alle {kept:.4g} s ist weniger als zwei je Periode von {period:.4g} s: gezeichnet zeigen "
-     "sie eine "
-     "langsamere Schwingung, die es nicht gibt; ein kürzerer {--step} oder ein kleineres {--every} zeigt die "
-     "wirkliche"},
+     "sie eine langsamere Schwingung, die es nicht gibt; ein kürzerer {--step} oder ein kleineres {--every} "
+     "zeigt die wirkliche"},
     {"unstable_at_any_step", wrong_if_ignored,
      "{method} is unstable for this law whatever the step: the motion will grow",
      "{method} ist bei diesem Gesetz mit jedem Schritt instabil: die Bewegung wird wachsen"},
@@ -404,14 +403,12 @@ constexpr Entry entries[] = {
      "schwang im Mittel mit {frequency:.6g} rad/s, {amplitude:.4g} m nach jeder Seite"},
     {"swung_less_and_less", clause,
      "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turning points "
-     "down to "
-     "{last:.4g} m",
+     "down to {last:.4g} m",
      "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
      "herunter auf {last:.4g} m"},
     {"swung_more_and_more", clause,
      "swung at {frequency:.6g} rad/s on average, from {first:.4g} m between its first two turning points up "
-     "to "
-     "{last:.4g} m",
+     "to {last:.4g} m",
      "schwang im Mittel mit {frequency:.6g} rad/s, von {first:.4g} m zwischen den ersten zwei Umkehrpunkten "
      "hinauf auf {last:.4g} m"},
     {"kept_its_energy", clause, "kept its {energy:.4g} J", "behielt seine {energy:.4g} J"},

@@ -88,8 +88,8 @@ constexpr Entry entries[] = {
      "Grad"},
     {"ground_ends_moving", worth_knowing,
      "{file}: the integrated velocity ends at {velocity:.3g} m/s, {percent:.0f} % of its largest: the "
-     "recording ends "
-     "while the ground moves, or its baseline drifts; {--baseline} and {--band-pass} take a drift off",
+     "recording ends while the ground moves, or its baseline drifts; {--baseline} and {--band-pass} take a "
+     "drift off",
      "{file}: die integrierte Geschwindigkeit endet bei {velocity:.3g} m/s, {percent:.0f} % ihrer größten: "
      "die Aufnahme endet, während der Boden sich bewegt, oder ihre Nulllinie driftet; {--baseline} und "
      "{--band-pass} nehmen eine Drift weg"},
@@ -102,8 +102,7 @@ constexpr Entry entries[] = {
      "{--files} pairs: {files:file does|files do} not come in pairs; name the two components of each motion "
      "one after the other",
      "{--files} pairs: {files:Datei ergibt|Dateien ergeben} keine Paare; bitte die zwei Komponenten jeder "
-     "Bewegung "
-     "nacheinander nennen"},
+     "Bewegung nacheinander nennen"},
     {"file_of_one_motion", error,
      "{option:option} writes a file of one motion; ask for the motions one after the other",
      "{option:option} schreibt eine Datei einer einzigen Bewegung; bitte die Bewegungen nacheinander"},

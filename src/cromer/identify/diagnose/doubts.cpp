@@ -367,7 +367,7 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
     return found;
   }
   const bool line = leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value,
-                                  30, Background::may_wander);
+                                  line_of_a_wrong_law, Background::may_wander);
   const Notice zero = wandering_zero(record, residuals, unit);
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
@@ -396,7 +396,7 @@ bool something_is_left(const Record& record, const LawFit& fit) {
     return true;
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,
   // whose power is not the same on both sides, does so often, and would be taken for terms.
-  const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
+  const double times = fit.residual.autocorrelation < 0.5 ? 12 : line_of_a_wrong_law;
   for (const double w : {fit.swing_frequency().value, fit.motion.drive_frequency})
     for (int multiple = 1; w > 0 && multiple <= 3; ++multiple)
       if (leaves_a_line(record.t, residuals, fit.decay_rate().value, multiple * w, times)) return true;

@@ -19,7 +19,7 @@ namespace {
 class SlipSearch {
  public:
   SlipSearch(const Record& record, const LawFit& straight, std::vector<double> residuals)
-      : record_(record), residuals_(std::move(residuals)) {
+      : residuals_(std::move(residuals)) {
     const double w0 = straight.motion.angular_frequency(), g = straight.motion.decay_rate();
     const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
     const Trajectory motion = motion_of(straight, record.t);
@@ -37,8 +37,10 @@ class SlipSearch {
 
   struct Found {
     std::size_t at = 0;
-    double slip = 0, rest = HUGE_VAL;
-    Parameters x{};
+    double rest = HUGE_VAL;
+    Parameters x{};  // by each row
+
+    double slip() const { return x[5]; }
   };
 
   // What a slip leaves.
@@ -57,11 +59,8 @@ class SlipSearch {
     const std::size_t stride = std::max<std::size_t>(1, (to - from) / most);
     for (std::size_t at = from; at < to; at += stride) {
       NormalEquations sums{.size = 6};
-      for (std::size_t i = 0; i < rows_.size(); ++i) {
-        sums.add_row(row_of(i, at), residuals_[i]);
-      }
-      if (const LinearFit fit = solve(sums); fit.ok && fit.rest < found.rest)
-        found = {at, fit.x[5], fit.rest, fit.x};
+      for (std::size_t i = 0; i < rows_.size(); ++i) sums.add_row(row_of(i, at), residuals_[i]);
+      if (const LinearFit fit = solve(sums); fit.ok && fit.rest < found.rest) found = {at, fit.rest, fit.x};
     }
     return found;
   }
@@ -73,7 +72,6 @@ class SlipSearch {
     return row;
   }
 
-  const Record& record_;
   std::vector<double> residuals_;
   std::vector<std::array<double, 6>> rows_;
 };
@@ -98,8 +96,8 @@ Notice slipped_times(const Record& record, const LawFit& fit, const Watch& watch
   const std::size_t around = std::max<std::size_t>(1, n / places);
   found = search.best(std::max(edge, found.at - std::min(around, found.at)),
                       std::min(n - edge, found.at + around), places);
-  const double steps = std::abs(found.slip) / median_step(record.t),
-               angle = std::abs(found.slip) * straight.motion.angular_frequency();
+  const double steps = std::abs(found.slip()) / median_step(record.t),
+               angle = std::abs(found.slip()) * straight.motion.angular_frequency();
   constexpr double fewest = 0.5, most = 10, farthest = 0.7;  // between samples; [rad] where a slip is linear
   if (steps < fewest || steps > most || angle > farthest) return {};
 
@@ -119,9 +117,9 @@ Notice slipped_times(const Record& record, const LawFit& fit, const Watch& watch
   }
   return Notice{"times_slip",
                 {{"t", record.t[found.at]},
-                 {"slip", std::abs(found.slip)},
+                 {"slip", std::abs(found.slip())},
                  {"what", Notice{bent ? "motion_without_a_bent_spring" : "part_of_what_is_left"}},
-                 {"how", Notice{found.slip > 0 ? "samples_repeated" : "samples_lost"}}}};
+                 {"how", Notice{found.slip() > 0 ? "samples_repeated" : "samples_lost"}}}};
 }
 
 }  // namespace cromer::core

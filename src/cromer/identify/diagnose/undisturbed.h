@@ -1,4 +1,4 @@
-// From where on a motion that was disturbed at first is one decaying swing.
+// The part of a motion, disturbed at first, that is one decaying swing.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,16 @@
 
 namespace cromer::core {
 
-/// The first of a few times [s], a twentieth of the record apart and none later than two fifths of it, from
+struct FreeSwing {
+  double from = 0;             // [s]
+  std::optional<double> to{};  ///< [s] empty: to the record's end
+};
+
+/// From the first of a few times, a twentieth of the record apart and none later than two fifths of it, from
 /// which a viscous law accounts for 95 % of the motion over five periods or more and is no worse in the first
 /// one: the rms residual there is less than twice the whole, and that no larger than 1.3 times what the best
-/// of these times leaves. Empty where there is none.
-std::optional<double> swings_freely_from(const Record& record, const Watch& watch = {});
+/// of these times leaves. To the end, or to where a last half period leaves residuals 2.5 times those of the
+/// median one (three such at most), as where a hand stops the swing. Empty where there is no such time.
+std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core

@@ -214,19 +214,18 @@ class NoiseSearch {
     for (double log_rho = lowest + coarse; log_rho <= highest; log_rho += coarse) take(at(log_rho));
     for (double reach = coarse / 2; reach > fine; reach /= 2)
       for (const double log_rho : {best_.log_rho - reach, best_.log_rho + reach}) take(at(log_rho));
+    constexpr double rare = 5.41;  // of half a chi-squared with one degree of freedom
+    without_ = filter_.at(0);
+    shows_ = without_.deviance - best_.deviance > rare;
   }
 
   // Whether white noise of the motion alone would look like this in one record of a hundred only.
-  bool shows() const {
-    constexpr double rare = 5.41;  // of half a chi-squared with one degree of freedom
-    return filter_.at(0).deviance - best_.deviance > rare;
-  }
+  bool shows() const { return shows_; }
 
   double most_likely_deviation() const { return std::sqrt(best_.variance * rho(best_)); }
 
   // Of deviations up to the largest, unless a larger one shows.
   std::vector<PossibleNoise> possible(double largest) const {
-    const bool any = shows();
     constexpr double aside = 0.3, unlikely = 8, narrowest = 0.05, widest = 1;
     constexpr int most = 60;
     const double curvature =
@@ -235,7 +234,7 @@ class NoiseSearch {
     const double step = std::clamp(0.5 / std::sqrt(std::max(curvature, 1e-9)), narrowest, widest);
     std::vector<PossibleNoise> found;
     const auto take_in = [&](const Point& point, double weight) {
-      if (any || point.variance * rho(point) <= largest * largest)
+      if (shows_ || point.variance * rho(point) <= largest * largest)
         found.push_back({rho(point), point.variance, weight});
     };
     take_in(best_, 1);
@@ -246,7 +245,7 @@ class NoiseSearch {
         if (!(less < unlikely)) break;
         take_in(point, std::exp(-less));
       }
-    if (found.empty()) return {{0, filter_.at(0).variance, 1}};
+    if (found.empty()) return {{0, without_.variance, 1}};
     double sum = 0;
     for (const PossibleNoise& each : found) sum += each.weight;
     for (PossibleNoise& each : found) each.weight /= sum;
@@ -272,6 +271,8 @@ class NoiseSearch {
   const Innovations<width>& filter_;
   double unit_;
   Point best_;
+  typename Innovations<width>::Likelihood without_;
+  bool shows_ = false;
 };
 
 template <std::size_t width>

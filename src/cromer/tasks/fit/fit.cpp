@@ -19,6 +19,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
+#include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
@@ -303,26 +304,29 @@ bool is_without_a_law(const FittedRecording& fitted) {
   return fitted.fit.status == FitStatus::no_oscillation && !fitted.wrong_input;
 }
 
-// Where no one law is found for the whole, as a hand moves it at first: the fit of what comes later, with a
+// Where no one law is found for the whole, as a hand moves it at first: the fit of what swings freely, with a
 // notice.
 Result<FittedRecording> begin_later(FittedRecording whole, const Series& series, std::string_view file,
                                     const FitOptions& options, const Watch& watch) {
   if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
     return whole;
   const auto [t, y] = without_outliers(whole.series);
-  const std::optional<double> from = swings_freely_from(
+  const std::optional<FreeSwing> swing = find_free_swing(
       {t, y, whole.series.resolution, std::max(0, derivative_order(whole.series.quantity))}, watch);
-  if (!from) return whole;
+  if (!swing) return whole;
   FitOptions later = options;
-  later.from = *from;
+  later.from = swing->from;
+  later.to = swing->to;
   Result<FittedRecording> part = fit_series(series, file, later, watch);
   if (!part || !part->succeeded() || is_without_a_law(*part)) return whole;
-  part->notices.insert(part->notices.begin(),
-                       Notice{"free_part_taken",
-                              {{"reason", Notice{"disturbed_until", {{"time", *from}}}},
-                               {"from", part->series.t.front()},
-                               {"kept", part->series.t.size()},
-                               {"samples", series.t.size()}}});
+  const Notice taken = swing->to ? Notice{"free_middle_taken",
+                                          {{"from", swing->from},
+                                           {"to", *swing->to},
+                                           {"kept", part->series.t.size()},
+                                           {"samples", series.t.size()}}}
+                                 : free_part_taken(Notice{"disturbed_until", {{"time", swing->from}}},
+                                                   part->series, series.t.size());
+  part->notices.insert(part->notices.begin(), taken);
   ++part->of_record;
   return part;
 }

@@ -5,18 +5,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/extent.h"
-#include "cromer/base/pi.h"
-#include "cromer/base/quantity.h"
 #include "cromer/identify/choose/choose_law.h"
-#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
+#include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_options.h"
-#include "cromer/tasks/fit/fitted_quantities.h"
-#include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/simulate/drive_record.h"
 
@@ -112,88 +107,7 @@ bool is_outlier(const Series& series, std::size_t i) {
   return found != series.outliers.end() && found->t == series.t[i];
 }
 
-// Fills what both kinds of driven fits have.
-void describe_forced_fit(FittedRecording& result, LawChoice&& choice, const Record& record,
-                         const std::vector<double>& t, std::string_view force_unit, bool has_force_column,
-                         const Watch& watch) {
-  result.fit = std::move(choice.chosen);
-  result.of_record = result.notices.size();
-  result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
-  for (const LawFit& candidate : choice.candidates)
-    if (candidate.residual.rms > 0)
-      result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
-                                   candidate.status == FitStatus::converged,
-                                   has_force_column ? std::string(name(candidate.drive.force.between)) : ""});
-  const LawFit& fit = result.fit;
-  if (!fit.is_usable()) return;
-  const FitOptions& options = result.options;
-  const Body body = body_of(options);
-  const std::string unit = unit_of(result.series);
-  const int derivative = std::max(0, derivative_order(result.series.quantity));
-  if (derivative > 0) result.notices.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
-  DrivenMotion& motion = result.driven.emplace();
-  motion.states = motion_of(fit, t);
-  motion.motion = observed_motion(fit.motion, fit.drive, t, derivative, fit.step);
-  result.parameters = law_parameters(fit, unit, derivative, force_unit);
-  add_force_parameters(result, body);
-  result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
-  result.headline = headline_of(result);
-  if (result.find("stiffness")) {
-    result.stiffness_budget = stiffness_budget(fit, body);
-    if (options.monte_carlo)
-      result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed, watch);
-  }
-  for (Notice& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
-                                     law_is_chosen(options), unit))
-    result.notices.push_back(std::move(doubt));
-  if (fit.law.shares(springs) && fit.motion.decay_rate() >= fit.motion.angular_frequency())
-    result.notices.push_back(Notice{"overdamped_law"});
-  if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
-    result.notices.push_back(Notice{"something_else_drives", {{"share", 100 * fit.explained}}});
-  if (Notice wide = widening(fit, result.series.t.size()); !wide.empty())
-    result.notices.push_back(std::move(wide));
-}
-
-/// Whether the body's own swing beats with the drive's while it dies down: both show, they are close, and at
-/// least one whole beat is seen before the swing is gone. Else empty.
-Notice beats_at_first(const FittedRecording& result) {
-  const LawFit& fit = result.fit;
-  const Estimate *push = fit.find("drive_amplitude"), *phase = fit.find("drive_phase");
-  const std::optional<double> swings_at = damped_frequency_of(fit);
-  if (!push || !phase || !swings_at) return {};
-  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate(),
-               w = fit.motion.drive_frequency, own = *swings_at;
-  const SteadyState steady =
-      frequency_response({.mass = 1, .stiffness = w0 * w0, .damping = 2 * g}, push->value, w);
-  const double angle = phase->value - steady.phase_lag;
-  const double x = fit.motion.position - steady.amplitude * std::cos(angle),
-               v = fit.motion.velocity + w * steady.amplitude * std::sin(angle);
-  const double swing = std::hypot(x, (v + g * x) / own), beat = two_pi / std::abs(w - own);
-  const double duration = result.series.t.back() - result.series.t.front();
-  constexpr double shows = 0.2, close = 3, gone = 2;
-  if (swing < shows * steady.amplitude || steady.amplitude < shows * swing || beat < close * two_pi / w ||
-      beat * g > gone || beat > duration)
-    return {};
-  return Notice{"beats_at_first",
-                {{"beat", beat}, {"own", own / two_pi}, {"drive", w / two_pi}, {"rate", g}}};
-}
-
-void add_unused_notices(FittedRecording& result) {
-  const FitOptions& options = result.options;
-  for (const std::string_view unused : unused_if_driven(options))
-    result.notices.push_back(Notice{"unused_if_driven", {{"option", unused}}});
-  const bool has_drag = result.find("drag_coefficient") != nullptr;
-  if (options.disc_diameter)
-    result.notices.push_back(Notice{has_drag ? "driven_has_no_reynolds" : "driven_has_no_drag_number"});
-}
-
 }  // namespace
-
-std::optional<double> damped_frequency_of(const LawFit& driven) {
-  const double w0 = driven.motion.angular_frequency(), g = driven.motion.decay_rate();
-  const double w = damped_frequency({.decay_rate = g, .stiffness = w0 * w0});
-  return is_linear(driven.law) && g > 0 && w > 0 ? std::optional(w) : std::nullopt;
-}
 
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch) {
@@ -242,7 +156,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   for (const double at : result.series.t)
     of_series.push_back(
         grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
-  describe_forced_fit(result, std::move(choice), whole.first(fitted), of_series, unit_of(force), true, watch);
+  describe_driven_fit(result, std::move(choice), whole.first(fitted), of_series, unit_of(force), watch);
   result.between_samples = name(result.fit.drive.force.between);
   if (result.driven) {
     const std::optional<ForceNoiseSeen> noise = result.fit.force_noise;
@@ -274,51 +188,6 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
     ++held.samples;
   }
   held.rms = std::sqrt(held.rms / static_cast<double>(held.samples));
-  return result;
-}
-
-Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
-                                   const Watch& watch, double rms_to_beat) {
-  Result<Series> used = samples_in_use(motion, options);
-  if (!used) return used.error();
-  const Result<std::optional<Law>> law = law_of(options);
-  if (!law) return law.error();
-  const Result<std::optional<double>> drive = drive_of(options);
-  if (!drive) return drive.error();
-
-  FittedRecording result = row_to_fit(motion, *std::move(used), file, options);
-  const Series& series = result.series;
-  const auto [t, y] = without_outliers(series);
-  if (t.empty()) return Error{"all_set_aside", {{"column", motion.column}}};
-  const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
-  if (*drive && **drive > two_pi * highest)
-    return Error{"drive_not_seen",
-                 {{"asked", **drive / two_pi}, {"rate", 2 * highest}, {"highest", highest}}};
-  // The law's motion begins at the first sample that the fit sees.
-  if (series.t.front() < t.front()) {
-    FitOptions later;
-    later.from = t.front();
-    result.series = *used_part(std::move(result.series), later);
-  }
-  LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
-  settings.drive_frequency = *drive;
-  settings.rms_to_beat = rms_to_beat;
-  const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity)),
-                      series.clock_error};
-  describe_forced_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false,
-                      watch);
-  add_unused_notices(result);
-  const LawFit& fit = result.fit;
-  if (!result.driven) return result;
-  const Body body = body_of(options);
-  result.simulate = simulate_settings(fit, series, body.mass ? body.effective_mass().value : 1);
-  const double found = fit.motion.drive_frequency;
-  if (fit.status == FitStatus::converged && *drive &&
-      std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
-    result.notices.push_back(
-        Notice{"drive_is_another", {{"found", found / two_pi}, {"asked", **drive / two_pi}}});
-  if (Notice beats = beats_at_first(result); fit.status == FitStatus::converged && !beats.empty())
-    result.notices.push_back(std::move(beats));
   return result;
 }
 

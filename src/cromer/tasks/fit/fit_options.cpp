@@ -2,25 +2,18 @@
 
 #include <cmath>
 
+#include "cromer/identify/motion/motion.h"
 #include "cromer/read/samples_between.h"
+#include "cromer/tasks/fit/force_options.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
 namespace {
 
 /// Checks that each option of a driven fit is given where it has a meaning, with a value that it can have.
-Result<void> check_forced_options(const FitOptions& options) {
-  if (!options.force_column.empty() && !options.drive_frequency.empty()) return Error{"two_drives"};
-  if (!options.between_samples.empty()) {
-    if (options.force_column.empty()) return Error{"between_samples_without_force"};
-    if (!reading_of(options) && options.between_samples != "auto")
-      return Error{"between_samples_unknown", {{"typed", options.between_samples}}};
-  }
-  if (options.hold_out) {
-    if (options.force_column.empty()) return Error{"hold_out_without_force"};
-    if (!(*options.hold_out > 0 && *options.hold_out <= 0.9))
-      return Error{"hold_out_outside", {{"share", *options.hold_out}}};
-  }
+Result<void> check_driven_options(const FitOptions& options) {
+  if constexpr (fits_recorded_forces)
+    if (const Result<void> good = check_force_options(options); !good) return good;
   if (!is_driven(options)) return {};
   for (const std::string_view unused : unused_if_driven(options))
     return Error{"not_of_a_driven_motion", {{"option", unused}}};
@@ -79,8 +72,7 @@ Result<void> check_fit_options(const FitOptions& given) {
   if (options.seed_given && !options.monte_carlo) return Error{"seed_without_monte_carlo"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
-  if (options.no_spring && options.force_column.empty()) return Error{"no_spring_without_force"};
-  if (const Result<void> good = check_forced_options(options); !good) return good;
+  if (const Result<void> good = check_driven_options(options); !good) return good;
   if (const Result<void> good = check_from_before_to(options.from, options.to); !good) return good;
   if (const auto law = law_of(options); !law) return law.error();
   return {};

@@ -1,4 +1,4 @@
-#include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fit_driven.h"
 
 #include <algorithm>
 #include <cmath>

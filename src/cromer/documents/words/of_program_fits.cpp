@@ -1,0 +1,109 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+// What the page's fits look for not.
+constexpr Entry entries[] = {
+    // A recorded force
+    {"no_spring_without_force", error,
+     "{--no-spring} needs {--force-column}: a body without a spring does not swing, and only a recorded "
+     "force shows its law",
+     "{--no-spring} braucht {--force-column}: ein Körper ohne Feder schwingt nicht, und nur eine "
+     "aufgenommene Kraft zeigt sein Gesetz"},
+    {"two_drives", error,
+     "{--force-column} and {--drive-frequency} exclude each other: the drive is recorded, or it is harmonic",
+     "{--force-column} und {--drive-frequency} schließen einander aus: der Antrieb ist aufgenommen oder "
+     "harmonisch"},
+    {"between_samples_without_force", error,
+     "{--between-samples} needs {--force-column}: it says what a recorded force did between its samples",
+     "{--between-samples} braucht {--force-column}: es sagt, was eine aufgenommene Kraft zwischen ihren "
+     "Messwerten tat"},
+    {"between_samples_unknown", error,
+     "{--between-samples}: \"{typed}\" is none of linear, hold, band-limited and auto",
+     "{--between-samples}: „{typed}“ ist weder linear noch hold, band-limited oder auto"},
+    {"hold_out_without_force", error,
+     "{--hold-out} needs {--force-column}: only a motion whose force is known can be predicted",
+     "{--hold-out} braucht {--force-column}: nur eine Bewegung, deren Kraft bekannt ist, lässt sich "
+     "vorhersagen"},
+    {"hold_out_outside", error, "{--hold-out} {share}: it must lie above 0 and at most at 90 %",
+     "{--hold-out} {share}: das muss über 0 und höchstens bei 90 % liegen"},
+    {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
+    {"of_the_force", clause, "force: {what}", "Kraft: {what}"},
+    {"force_is_the_motion", error,
+     "{--force-column}: \"{column}\" is the column that is fitted; say which holds the motion with "
+     "{--column}",
+     "{--force-column}: „{column}“ ist die Spalte, die angepasst wird; bitte mit {--column} sagen, welche "
+     "die Bewegung enthält"},
+    {"force_is_too_short", error, "force column \"{column}\" has fewer than two values",
+     "die Kraftspalte „{column}“ hat weniger als zwei Werte"},
+    {"force_never_changes", error,
+     "force column \"{column}\" is {value:n} throughout: a force that never changes drives nothing; leave "
+     "out {--force-column} to fit the free motion",
+     "die Kraftspalte „{column}“ ist durchweg {value:n}: eine Kraft, die sich nie ändert, treibt nichts an; "
+     "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
+    {"force_has_a_gap", error,
+     "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is not "
+     "known; choose one side of it with {|{--from} and {--to}|the handles}, or fill it in",
+     "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
+     "ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} eine Seite wählen oder sie füllen"},
+    {"force_has_gaps", error,
+     "force column \"{column}\" has {gaps} gaps, the first {length:.6g} s long at {t:.6g} s: what the force "
+     "did there is not known; choose a part without gaps with {|{--from} and {--to}|the handles}, or fill "
+     "them in",
+     "die Kraftspalte „{column}“ hat {gaps} Lücken, die erste {length:.6g} s lang bei {t:.6g} s: was die "
+     "Kraft da tat, ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} einen Teil ohne Lücken "
+     "wählen oder sie füllen"},
+    {"force_is_uneven", error,
+     "{@line}: the times are not evenly spaced ({t:.6g} s where {expected:.6g} s is expected, one sample "
+     "every {spacing:.6g} s); a recorded force needs even samples: resample the recording first",
+     "{@line}: die Zeiten haben nicht gleiche Abstände ({t:.6g} s, wo {expected:.6g} s erwartet wird, ein "
+     "Messwert je {spacing:.6g} s); eine aufgenommene Kraft braucht gleichmäßige Messwerte: bitte die "
+     "Aufnahme erst auf solche umrechnen"},
+    {"force_ends", error,
+     "force column \"{force}\" goes from {from:.6g} to {to:.6g} s, and column \"{column}\" has a value at "
+     "{t:.6g} s; choose the part that both have with {|{--from} and {--to}|the handles}",
+     "die Kraftspalte „{force}“ geht von {from:.6g} bis {to:.6g} s, und die Spalte „{column}“ hat einen "
+     "Wert bei {t:.6g} s; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, den beide haben"},
+    {"force_at_other_times", error,
+     "force column \"{force}\" has other times than column \"{column}\": {t:.9g} s lies between two of its "
+     "samples; resample one of them first",
+     "die Kraftspalte „{force}“ hat andere Zeiten als die Spalte „{column}“: {t:.9g} s liegt zwischen zwei "
+     "ihrer Messwerte; bitte erst eine von beiden umrechnen"},
+    {"force_taken_as_exact", worth_knowing,
+     "the recorded force is taken as exact: what noise of its sensor does to the motion is not in the "
+     "uncertainties, and near the resonance that is much",
+     "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
+     "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
+    {"force_is_noisy", worth_knowing,
+     "what the law leaves looks like noise of {noise:.2g}{unit: } in each sample of the recorded force; the "
+     "uncertainties include it",
+     "was das Gesetz übrig lässt, sieht aus wie ein Rauschen von {noise:.2g}{unit: } in jedem Messwert der "
+     "Kraft; die Unsicherheiten enthalten es"},
+    {"force_may_be_noisy", detail,
+     "noise of the recorded force may hide in what the law leaves; the uncertainties allow for it",
+     "in dem, was das Gesetz übrig lässt, kann sich ein Rauschen der aufgezeichneten Kraft verbergen; die "
+     "Unsicherheiten berücksichtigen das"},
+
+    // Times that slip
+    {"times_slip", wrong_if_ignored,
+     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have {how} there; fit "
+     "the parts before and after with {|{--from} and {--to}|the handles}",
+     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Messwerte {how} "
+     "sein; bitte die Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
+    {"motion_without_a_bent_spring", clause,
+     "the motion at least as well, with a restoring force that is proportional to the displacement",
+     "die Bewegung mindestens ebenso gut, mit einer Rückstellkraft proportional zur Auslenkung"},
+    {"part_of_what_is_left", clause, "part of what the law leaves",
+     "einen Teil dessen, was das Gesetz übrig lässt"},
+    {"samples_lost", clause, "lost samples", "verloren"},
+    {"samples_repeated", clause, "repeated samples", "wiederholt"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_program_fits = entries;
+
+}  // namespace cromer::core
