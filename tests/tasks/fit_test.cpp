@@ -418,7 +418,7 @@ TEST(FitTask, SuggestsDegreesWhereAPendulumSeemsToTurnOver) {
   const auto suggests = [](const std::string& header, double amplitude) {
     const auto said = said_of(swing_about(0, amplitude, header));
     return std::any_of(said.begin(), said.end(), [](const std::string& each) {
-      return each.find("if the angles are degrees") != each.npos;
+      return each.find("if it is in degrees") != each.npos;
     });
   };
   EXPECT_TRUE(suggests("t (s),angle", 40));

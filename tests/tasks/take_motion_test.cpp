@@ -100,5 +100,42 @@ TEST(Axis, WhereNothingSwingsNoneIsChosen) {
   EXPECT_FALSE(take_motion(*read_recording(still, "still.csv", {}), "", 1, {}).ok());
 }
 
+/// x and y of a point on film: of a pendulum of 0.84 m, or on a spring that moves along y.
+std::string film(bool of_pendulum, const std::string& header) {
+  std::string text = header + "\n";
+  for (int i = 0; i < 600; ++i) {
+    const double t = i / 30.0, swing = 0.3 * std::exp(-0.03 * t) * std::cos(3.4 * t);
+    const double x = of_pendulum ? 0.84 * std::sin(swing) : 0.0003 * std::sin(1e4 * t * t),
+                 y = of_pendulum ? -0.84 * std::cos(swing) : swing;
+    text += shortest(t) + "\t" + shortest(x) + "\t" + shortest(y) + "\n";
+  }
+  return text;
+}
+
+TEST(Axis, OfAPendulumOnFilmTheAngleIsTaken) {
+  for (const char* header : {"mass A\nt\tx\ty", "t (s)\tx (m)\ty (m)"}) {
+    const auto recording = read_recording(film(true, header), "film.txt", {});
+    const auto series = take_motion(*recording, "", 1, {});
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
+    EXPECT_EQ(series->column, "angle(x,y) (rad)");
+    EXPECT_THAT(in_words(series->notices).front(), HasSubstr("x and y lie on an arc of radius 0.8"));
+    const auto fitted = fit(*recording, {});
+    ASSERT_TRUE(fitted.ok()) << in_words(fitted.error());
+    EXPECT_NEAR(fitted->front().find("frequency")->value, 3.4 / 6.283185, 1e-4);
+    FitOptions of_x;
+    of_x.column = "x";
+    EXPECT_THAT(in_words(fit(*recording, of_x)->front().notices),
+                testing::Contains(HasSubstr("--column \"angle(x,y)\" fits the angle")));
+  }
+}
+
+TEST(Axis, OfASpringOnFilmTheLivelierIsTaken) {
+  const auto recording = read_recording(film(false, "t (s)\tx (m)\ty (m)"), "film.txt", {});
+  const auto series = take_motion(*recording, "", 1, {});
+  ASSERT_TRUE(series.ok()) << in_words(series.error());
+  EXPECT_EQ(series->column, "y (m)");
+  EXPECT_THAT(in_words(series->notices).front(), HasSubstr("it swings most clearly"));
+}
+
 }  // namespace
 }  // namespace cromer::core

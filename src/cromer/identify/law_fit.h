@@ -38,6 +38,7 @@ struct ForceNoiseSeen {
   double deviation = 0;  ///< of each sample (rms), the most likely [the force's unit]
   bool shows = false;    ///< it is there; else it may be
   bool counts = false;   ///< a standard error is larger for it, by a twentieth or more
+  double bic = 0;        ///< Bayesian information criterion of the fit with such noise
 };
 
 /// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample,

@@ -142,9 +142,11 @@ EstimateNoise with_noise_of_force(LawFit& fit, const Record& record, const Descr
                        smoothed * noise_of(fit.drive.force.samples) / closer);
   if (!found) return known;
   constexpr double told = 1.05;
-  fit.force_noise = {.deviation = found->deviation * closer,
-                     .shows = found->shows,
-                     .counts = largest_growth(known, found->of_estimates, fitted.count) > told};
+  fit.force_noise = {
+      .deviation = found->deviation * closer,
+      .shows = found->shows,
+      .counts = largest_growth(known, found->of_estimates, fitted.count) > told,
+      .bic = found->deviance + fitted.count * std::log(static_cast<double>(minimum.residuals.size()))};
   EstimateNoise both = larger_of(known, found->of_estimates, fitted.count);
   const Parameters bias = bias_by_noise(*body, fit.motion.angular_frequency(), fitted,
                                         grid.at(record.t.size() - 1) + 1, inverse_matrix);

@@ -93,7 +93,8 @@ Result<void> check_run(const Recording& recording, int run);
 std::vector<std::size_t> motion_columns(const Recording& recording, int run);
 
 /// Takes one column of a run (from 1) as a series. `column` is matched exactly, else without case, decoration
-/// and unit. If it is empty, the one of motion_columns() is taken.
+/// and unit; "angle(x,y)" is computed (angle_about_pivot.h). If it is empty, the one of motion_columns() is
+/// taken.
 /// Several that fit, or several of which only the names are known, are an Error that lists them. The times
 /// are those of the time column before it.
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,

@@ -137,7 +137,8 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
 }
 
 /// The step between groups of values that lie close together, as a sensor makes them that shifts its own
-/// coarse steps by a little now and then. 0 where the groups are not far from each other or not evenly spaced.
+/// coarse steps by a little now and then. 0 where the groups are not far from each other or not evenly
+/// spaced.
 double step_between_groups(const std::vector<double>& distinct) {
   constexpr double apart = 5, even = 0.12;  // a gap between groups over one within; of a step
   constexpr std::size_t fewest = 3;         // groups

@@ -7,6 +7,7 @@
 
 #include "cromer/base/extent.h"
 #include "cromer/base/quantity.h"
+#include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
@@ -137,6 +138,32 @@ Notice column_is_the_time(const Recording& recording, std::size_t time) {
                 {{"column", column_title(columns[time])}, {"others", quoted_titles(columns, others)}}};
 }
 
+/// Whether the file has a column of just this name.
+bool has_column(const Table& table, std::string_view name) {
+  return std::any_of(table.columns.begin(), table.columns.end(),
+                     [&](const Column& column) { return column.name == name; });
+}
+
+/// An angle of two columns, as if the file held it.
+Result<Series> take_angle(const Recording& recording, ComputedAngle angle, const ReadOptions& options) {
+  const Column &x = recording.table.columns[angle.x], &y = recording.table.columns[angle.y];
+  Recording with_angle = recording;
+  with_angle.table = std::move(angle.table);
+  if (auto& sets = with_angle.set_of_column; !sets.empty())
+    sets.insert(sets.begin() + static_cast<std::ptrdiff_t>(angle.column), sets[angle.x]);
+  auto series = take_series(with_angle, name_of_angle(x, y), x.run, options);
+  if (!series) return series;
+  std::vector<Notice> notices{
+      Notice{"angle_about_pivot",
+             {{"x", x.name},
+              {"y", y.name},
+              {"radius", format_quantity({angle.arc.radius, angle.arc.radius_error},
+                                         x.unit.empty() ? si_unit_of(x.quantity) : x.unit)}}}};
+  say_assumed_unit(x, notices);
+  series->notices.insert(series->notices.begin(), notices.begin(), notices.end());
+  return series;
+}
+
 }  // namespace
 
 std::string unit_of(const Series& series) {
@@ -174,6 +201,11 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   const auto refuse = [&](Notice reason) { return Error{in_file(recording.file, std::move(reason))}; };
   const auto& columns = recording.table.columns;
   if (const auto known = check_run(recording, run); !known) return known.error();
+  if (!has_column(recording.table, column)) {
+    auto angle = computed_angle(recording.table, column, run);
+    if (!angle) return refuse(angle.error().notice);
+    if (*angle) return take_angle(recording, **std::move(angle), options);
+  }
   Series series;
   const auto chosen = column.empty() ? main_column(recording, run, series.notices)
                                      : find_column(recording.table, column, run);

@@ -26,7 +26,7 @@ std::string typed(const Quantity& mass) {
 /// Whether a notice belongs beside the numbers of the summary: without it they would be misread.
 bool qualifies(std::string_view code) {
   return code == "beats_at_first" || code == "one_mass_for_unlike_runs" ||
-         code == "one_mass_for_unlike_files" || code == "times_slip";
+         code == "one_mass_for_unlike_files";
 }
 
 /// Of a step of rounding: what is less is rounding alone.
@@ -58,6 +58,7 @@ class Part : public LabTold {
                                        {"rate", rate()},
                                        {"aside", set_aside()}}));
     record_figure();
+    paragraph_of(of_the_record());
     if (!fitted_.succeeded()) return failed();
     law();
     // What follows from a law that does not describe the motion is not told.
@@ -733,11 +734,33 @@ class Part : public LabTold {
     toml_.figure(figure);
   }
 
-  void not_told() {
+  /// What is said of the recording itself: what was taken of it, assumed and repaired.
+  std::vector<Notice> of_the_record() const {
+    return {fitted_.notices.begin(),
+            fitted_.notices.begin() + static_cast<std::ptrdiff_t>(fitted_.of_record)};
+  }
+
+  /// A sentence of each that is no detail, the worst first.
+  std::string sentences_of(const std::vector<Notice>& notices) const {
     std::string text;
+    for (const Notice& notice : worst_first(notices))
+      if (severity(notice) != Severity::detail)
+        text += (text.empty() ? "" : "\n\n") + words("report_sentence", {{"what", notice}});
+    return text;
+  }
+
+  void paragraph_of(const std::vector<Notice>& notices) {
+    if (const std::string text = sentences_of(notices); !text.empty()) paragraph(verbatim(text));
+  }
+
+  void not_told() {
+    std::vector<Notice> open = compared_ ? compared_->notices : fitted_.notices;
+    const std::vector<Notice> told = of_the_record();
+    std::erase_if(open, [&](const Notice& notice) {
+      return std::find(told.begin(), told.end(), notice) != told.end();
+    });
+    std::string text = sentences_of(open);
     const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "\n\n") + sentence; };
-    for (const Notice& notice : worst_first(compared_ ? compared_->notices : fitted_.notices))
-      if (severity(notice) != Severity::detail) add(words("report_sentence", {{"what", notice}}));
     const bool of_length = !fitted_.series.quantity.empty() && is_linear_quantity(fitted_.series.quantity);
     if (fitted_.succeeded() && of_length && fitted_.options.mass.empty() && fitted_.fit.law.shares(springs))
       add(words("report_give_mass"));

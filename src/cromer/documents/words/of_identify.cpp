@@ -317,9 +317,10 @@ constexpr Entry entries[] = {
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich; ab {time:.4g} s schwingt "
      "es nur noch: bitte diesen Teil mit {|{--from}|den Griffen} wählen"},
     {"perhaps_degrees", wrong_if_ignored,
-     "if the angles are degrees and not radians, the header can say so: \"(°)\" behind the column's name",
-     "sind die Winkel in Grad und nicht in Radiant, so kann die Kopfzeile das sagen: „(°)“ hinter dem Namen "
-     "der Spalte"},
+     "in radians the angle goes through {turns:.2g} turns: if it is in degrees, the header must say so, by "
+     "\"(°)\" behind the column's name",
+     "in Radiant durchläuft der Winkel {turns:.2g} Umdrehungen: sind es Grad, muss die Kopfzeile das sagen, "
+     "mit „(°)“ hinter dem Namen der Spalte"},
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,

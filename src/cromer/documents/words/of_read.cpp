@@ -138,17 +138,25 @@ constexpr Entry entries[] = {
      "for instance} \"{first}\"",
      "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
      "{--column}|eine wählen, zum Beispiel} „{first}“"},
+    {"angle_about_pivot", worth_knowing,
+     "{x} and {y} lie on an arc of radius {radius:n}, as of a pendulum on film: the angle about its centre "
+     "is fitted{|; {--column} {x} fits {x} alone|}",
+     "{x} und {y} liegen auf einem Bogen mit dem Radius {radius:n}, wie bei einem gefilmten Pendel: "
+     "angepasst wird der Winkel um dessen Mittelpunkt{|; mit {--column} {x} wird {x} allein angepasst|}"},
+    {"no_arc", error,
+     "{x} and {y} do not lie on an arc whose radius shows: there is no angle about its centre",
+     "{x} und {y} liegen auf keinem Bogen, dessen Radius sich zeigt: einen Winkel um dessen Mittelpunkt "
+     "gibt es nicht"},
     {"liveliest_axis_taken", worth_knowing,
-     "of the sensor's axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} "
-     "(\"{other}\" by {less:.2g}); {|{--column} names another|another one can be chosen}",
-     "von den Achsen des Sensors wird „{column}“ genommen: sie schwingt am deutlichsten, um "
-     "{amplitude:.2g}{unit} („{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist "
-     "wählbar}"},
+     "of the axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} (\"{other}\" by "
+     "{less:.2g}); {|{--column} names another|another one can be chosen}",
+     "von den Achsen wird „{column}“ genommen: sie schwingt am deutlichsten, um {amplitude:.2g}{unit} "
+     "(„{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"axes_alike", worth_knowing,
-     "of the sensor's axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit}; \"{other}\" swings "
-     "about as far, by {less:.2g}; {|{--column} names another|another one can be chosen}",
-     "von den Achsen des Sensors wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt; „{other}“ "
-     "schwingt etwa ebenso weit, um {less:.2g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "of the axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit}; \"{other}\" swings about as "
+     "far, by {less:.2g}; {|{--column} names another|another one can be chosen}",
+     "von den Achsen wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt; „{other}“ schwingt "
+     "etwa ebenso weit, um {less:.2g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",

@@ -50,16 +50,39 @@ std::vector<Law> without_unsure_terms(const LawFit& fit) {
   return laws;
 }
 
+Criterion::Criterion(const std::vector<const LawFit*>& fits, double resolution) : resolution_(resolution) {
+  const LawFit* closest = fits.front();
+  for (const LawFit* fit : fits) {
+    if (fit->status != FitStatus::converged) continue;
+    const auto is_closer = [&](const LawFit* than) {
+      return !than || than->status != FitStatus::converged || fit->residual.rms < than->residual.rms;
+    };
+    if (is_closer(closest)) closest = fit;
+    if (fit->force_noise && is_closer(closest_with_noise_)) closest_with_noise_ = fit;
+  }
+  independent_ = closest->independent_samples;
+  // Rounding is no noise.
+  if (closest_with_noise_ && (!closest_with_noise_->force_noise->shows ||
+                              is_rounding(closest_with_noise_->residual.rms, resolution)))
+    closest_with_noise_ = nullptr;
+}
+
+double Criterion::plain(const LawFit& fit) const {
+  return bayesian_criterion(independent_, fit.residual.rms, fit.fitted, resolution_);
+}
+
+double Criterion::of(const LawFit& fit) const {
+  if (!(fit.residual.rms > 0 && independent_ > 0)) return fit.bic;
+  if (!closest_with_noise_) return plain(fit);
+  if (fit.force_noise) return fit.force_noise->bic;
+  return closest_with_noise_->force_noise->bic + plain(fit) - plain(*closest_with_noise_);
+}
+
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution) {
-  const LawFit* closest = &candidates.front();
-  for (const LawFit& fit : candidates)
-    if (fit.status == FitStatus::converged &&
-        (closest->status != FitStatus::converged || fit.residual.rms < closest->residual.rms))
-      closest = &fit;
-  const double independent = closest->independent_samples;
-  for (LawFit& fit : candidates)
-    if (fit.residual.rms > 0 && independent > 0)
-      fit.bic = bayesian_criterion(independent, fit.residual.rms, fit.fitted, resolution);
+  std::vector<const LawFit*> all;
+  for (const LawFit& fit : candidates) all.push_back(&fit);
+  const Criterion criterion(all, resolution);
+  for (LawFit& fit : candidates) fit.bic = criterion.of(fit);
   std::vector<bool> admissible;
   for (const LawFit& fit : candidates) admissible.push_back(is_admissible(fit, candidates));
   std::size_t best = 0;

@@ -22,13 +22,31 @@ inline double bayesian_criterion(double independent_samples, double rms, double 
 /// Differences of the criterion that are strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995).
 inline constexpr double strong_evidence = 6;
 
+/// The criterion by which fits of one record are compared.
+class Criterion {
+ public:
+  /// `resolution` as in bayesian_criterion().
+  Criterion(const std::vector<const LawFit*>& fits, double resolution);
+
+  /// With as many independent samples as the closest fit leaves, so that no law's misfit is taken for noise.
+  /// Where what is left holds the answer to the noise of a recorded force, each fit by its own likelihood
+  /// with such noise; a fit without one (under hysteresis) is as far from the closest that has one as without
+  /// it.
+  double of(const LawFit& fit) const;
+
+ private:
+  double plain(const LawFit& fit) const;
+
+  double independent_ = 0, resolution_ = 0;
+  const LawFit* closest_with_noise_ = nullptr;  // nullptr where no force was noisy
+};
+
 /// Place of the candidate to choose; 0 where none is admissible. A law is admissible if it converged and each
 /// of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by 6 or more
 /// when it is taken away. Among the admissible candidates whose BIC is less than 6 above the lowest, those
 /// with the fewest parameters count; of these the first whose BIC is less than 5 above their lowest is
-/// chosen: laws met more often come first. Sets the candidates' BIC, all with the number of samples which the
-/// closest candidate's residuals leave independent, so that no law's misfit is taken for noise, and with this
-/// `resolution`. `candidates` is not empty and begins with the simplest law.
+/// chosen: laws met more often come first. Sets the candidates' BIC, by the Criterion of them all.
+/// `candidates` is not empty and begins with the simplest law.
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
 
 /// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low

@@ -117,10 +117,8 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     open.clear();
     if (!converged(choice.chosen) || watch.interrupted()) return choice;
     const double independent = choice.chosen.independent_samples;
-    const auto criterion = [&](const LawFit& fit) {
-      return bayesian_criterion(independent, fit.residual.rms, fit.fitted, record.resolution);
-    };
-    choice.chosen.bic = criterion(choice.chosen);
+    const Criterion criterion({&choice.chosen}, record.resolution);
+    choice.chosen.bic = criterion.of(choice.chosen);
     for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
       if (i == best || !by_reading[i].has_values()) continue;
       // Five times strong evidence: a reading that far behind is not fitted again under the chosen law.
@@ -133,7 +131,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
         same.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
         other = fit_law(record, same, watch);
       }
-      other.bic = criterion(other);
+      other.bic = criterion.of(other);
       choice.candidates.push_back(other);
       if (converged(other) && other.law == choice.chosen.law) open.push_back(std::move(other));
     }

@@ -188,13 +188,13 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
   return lines;
 }
 
-std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit) {
+std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit,
+                                  const FrequencyBand& left_out) {
   std::vector<Notice> found;
   if (residuals.t.size() < 64) return found;
   const Record part = residuals.first(std::min(residuals.t.size(), most_residuals));
   const double duration = part.t.back() - part.t.front();
-  constexpr FrequencyBand none{1, -HUGE_VAL};
-  for (const ResidualLine& line : strongest_lines(part, none, 4 * two_pi / duration)) {
+  for (const ResidualLine& line : strongest_lines(part, left_out, 4 * two_pi / duration)) {
     const int harmonic =
         drive > 0 ? harmonic_of(line.angular_frequency, line.frequency_error, {drive, drive}, duration) : 0;
     found.push_back(Notice{"line_beside_drive",

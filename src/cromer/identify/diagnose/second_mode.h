@@ -1,6 +1,7 @@
 // What else oscillates in a recording, once the fitted motion is taken off.
 #pragma once
 
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -39,7 +40,9 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
 std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
 
 /// Of what a driven law leaves: lines beside the drive, at `drive` [rad/s] where it is one frequency (else
-/// 0), and what they may be. `residuals` with their times and the record's resolution.
-std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit);
+/// 0), and what they may be. `residuals` with their times and the record's resolution; none in the band
+/// `left_out`.
+std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit,
+                                  const FrequencyBand& left_out = {.low = 1, .high = -HUGE_VAL});
 
 }  // namespace cromer::core

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "cromer/base/quantile.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantile.h"
 
 namespace cromer::core {
 namespace {

@@ -56,6 +56,7 @@ class Innovations {
   struct Likelihood {
     double deviance = HUGE_VAL;  // minus twice the logarithm of the restricted likelihood, but for a constant
     double variance = 0;         // a
+    double unrestricted = HUGE_VAL;  // the deviance that laws are compared by
   };
 
   Likelihood at(double rho) const {
@@ -101,7 +102,9 @@ class Innovations {
     const LinearFit fit = solve(equations);
     if (!factor.ok() || !(fit.rest > 0)) return {};
     const double left = static_cast<double>(residuals_.size() - size_), a = fit.rest / left;
-    return {logarithms + factor.log_determinant() + left * std::log(a), a};
+    const auto n = static_cast<double>(residuals_.size());
+    return {logarithms + factor.log_determinant() + left * std::log(a), a,
+            logarithms + n * std::log(fit.rest / n)};
   }
 
   // Hᵀ times what each sample does to the estimates: what each sample of the force does to them, as the sums
@@ -224,6 +227,12 @@ class NoiseSearch {
 
   double most_likely_deviation() const { return std::sqrt(best_.variance * rho(best_)); }
 
+  // With the most likely noise up to the largest, unless a larger one shows; and without any.
+  double deviance(double largest) const {
+    const bool possible = shows_ || most_likely_deviation() <= largest;
+    return std::min(without_.unrestricted, possible ? best_.unrestricted : HUGE_VAL);
+  }
+
   // Of deviations up to the largest, unless a larger one shows.
   std::vector<PossibleNoise> possible(double largest) const {
     constexpr double aside = 0.3, unlikely = 8, narrowest = 0.05, widest = 1;
@@ -254,12 +263,12 @@ class NoiseSearch {
 
  private:
   struct Point {
-    double log_rho = 0, deviance = HUGE_VAL, variance = 0;
+    double log_rho = 0, deviance = HUGE_VAL, variance = 0, unrestricted = HUGE_VAL;
   };
 
   Point at(double log_rho) const {
     const auto likelihood = filter_.at(unit_ * std::exp(log_rho));
-    return {log_rho, likelihood.deviance, likelihood.variance};
+    return {log_rho, likelihood.deviance, likelihood.variance, likelihood.unrestricted};
   }
   void take(const Point& point) {
     if (point.deviance < best_.deviance) best_ = point;
@@ -282,7 +291,9 @@ std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::
   if (!std::isfinite(unit)) return std::nullopt;
   const NoiseSearch<width> search(filter, unit);
   const std::vector<PossibleNoise> possible = search.possible(largest);
-  ForceNoise found{.deviation = search.most_likely_deviation(), .shows = search.shows()};
+  ForceNoise found{.deviation = search.most_likely_deviation(),
+                   .shows = search.shows(),
+                   .deviance = search.deviance(largest)};
   double alone = 0;  // a, on average
   for (const PossibleNoise& each : possible) {
     alone += each.weight * each.variance;

@@ -16,6 +16,7 @@
 #include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/diagnose/undisturbed.h"
 #include "cromer/identify/fit_settings.h"
+#include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
@@ -236,8 +237,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) {
+      if (radians_are_assumed(result.series)) over.code = "perhaps_degrees";
       result.notices.push_back(std::move(over));
-      if (radians_are_assumed(result.series)) result.notices.push_back(Notice{"perhaps_degrees"});
     }
   if (Notice gravity = gravity_in(result.series, samples); !gravity.empty())
     result.notices.push_back(std::move(gravity));
@@ -361,14 +362,13 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
   return "";
 }
 
-// Whether x of a point was fitted whose y was recorded too, and its spring is bent: as of a pendulum on film.
+// Whether x of a point was fitted whose y was recorded too, on an arc: as of a pendulum on film.
 bool is_perhaps_on_a_string(const Recording& recording, const FittedRecording& fitted) {
-  const auto holds = [&](std::string_view name) {
-    return std::any_of(recording.table.columns.begin(), recording.table.columns.end(),
-                       [&](const Column& column) { return column.name == name; });
-  };
-  return fitted.series.column == "x" && holds("y") && fitted.fit.is_usable() &&
-         has_bent_spring(fitted.fit.law);
+  const int run = fitted.series.run;
+  const auto x = find_column(recording.table, "x", run);
+  if (!x || column_title(recording.table.columns[*x]) != fitted.series.column) return false;
+  const auto angle = computed_angle(recording.table, "angle(x,y)", run);
+  return angle && *angle && fitted.fit.is_usable();
 }
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,

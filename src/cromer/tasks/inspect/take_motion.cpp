@@ -10,16 +10,18 @@
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
+#include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/columns.h"
 
 namespace cromer::core {
 namespace {
 
-/// Whether names differ in one letter only, x in the first, y and z in the others: "Gyroscope x (rad/s)".
+/// Whether names differ in one letter only, x in the first, y and z in the others: "Gyroscope x (rad/s)". On
+/// film there are x and y alone.
 bool are_axes(const std::vector<const Column*>& columns) {
-  if (columns.size() != 3) return false;
+  if (columns.size() != 3 && columns.size() != 2) return false;
   const std::string first = lower(columns[0]->name);
-  for (std::size_t k = 1; k < 3; ++k) {
+  for (std::size_t k = 1; k < columns.size(); ++k) {
     const std::string other = lower(columns[k]->name);
     if (other.size() != first.size()) return false;
     const auto [here, there] = std::mismatch(first.begin(), first.end(), other.begin());
@@ -63,7 +65,10 @@ struct AxisSwing {
 
 AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double rate) {
   const auto [low, high] = extent_of(y);
+  // Of times that lie far apart the spectrum would have lines without end.
+  constexpr double longest = 100;  // mean steps over the step that the rate says
   if (y.size() < 4 || low == high || !(rate > 0)) return {};
+  if (!((t.back() - t.front()) * rate < longest * static_cast<double>(y.size()))) return {};
   const auto line = strongest_line(least_squares_spectrum(t, y, 1 / rate));
   if (!line) return {};
   double mean = 0, variance = 0;
@@ -119,8 +124,11 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
                            const ReadOptions& options) {
   Result<Series> series = take_series(recording, column, run, options);
   if (series || !column.empty()) return series;
+  const std::vector<const Column*> axes = axes_of(recording, run);
+  if (axes.size() == 2 && axes[0]->quantity == "position")
+    if (auto angle = take_series(recording, name_of_angle(*axes[0], *axes[1]), run, options)) return angle;
   std::vector<Axis> found;
-  for (const Column* axis : axes_of(recording, run)) {
+  for (const Column* axis : axes) {
     auto taken = take_series(recording, column_title(*axis), run, options);
     if (!taken) return series;
     found.emplace_back(*std::move(taken));
