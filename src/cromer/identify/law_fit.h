@@ -36,7 +36,7 @@ namespace cromer::core {
 /// Noise of a recorded force, as far as what the law leaves tells it. The uncertainties include it.
 struct ForceNoiseSeen {
   double deviation = 0;  ///< of each sample (rms), the most likely [the force's unit]
-  bool shows = false;    ///< it is there; else it may be
+  bool shows = false;    ///< it is there, and no more than a sensor's; else it may be
   bool counts = false;   ///< a standard error is larger for it, by a twentieth or more
   double bic = 0;        ///< Bayesian information criterion of the fit with such noise
 };

@@ -137,14 +137,21 @@ EstimateNoise with_noise_of_force(LawFit& fit, const Record& record, const Descr
   const double closer = std::sqrt(std::max(1.0, grid.step / fit.drive.force.spacing));
   // White noise would show from sample to sample of the force; a sensor that smooths hides part of it.
   constexpr double smoothed = 2;
+  const double seen = noise_of(fit.drive.force.samples);
   const std::optional<ForceNoise> found =
       find_force_noise(grid, minimum.residuals, jacobian, fitted.count, inverse_matrix, body->answer(),
-                       smoothed * noise_of(fit.drive.force.samples) / closer);
+                       smoothed * seen / closer);
   if (!found) return known;
+  // What a wrong law leaves may look like noise, too, but not like so much.
+  constexpr double most = 0.2, most_smoothed = 8;  // of the force; times what is seen from sample to sample
+  const double deviation = found->deviation * closer;
+  const auto samples = static_cast<double>(fit.drive.force.samples.size());
+  const bool is_plausible = deviation < most * centred_norm(fit.drive.force.samples) / std::sqrt(samples) &&
+                            deviation < most_smoothed * seen;
   constexpr double told = 1.05;
   fit.force_noise = {
-      .deviation = found->deviation * closer,
-      .shows = found->shows,
+      .deviation = deviation,
+      .shows = found->shows && is_plausible,
       .counts = largest_growth(known, found->of_estimates, fitted.count) > told,
       .bic = found->deviance + fitted.count * std::log(static_cast<double>(minimum.residuals.size()))};
   EstimateNoise both = larger_of(known, found->of_estimates, fitted.count);

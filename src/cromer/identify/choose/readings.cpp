@@ -119,6 +119,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     const double independent = choice.chosen.independent_samples;
     const Criterion criterion({&choice.chosen}, record.resolution);
     choice.chosen.bic = criterion.of(choice.chosen);
+    for (LawFit& candidate : choice.candidates) candidate.bic = criterion.of(candidate);
     for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
       if (i == best || !by_reading[i].has_values()) continue;
       // Five times strong evidence: a reading that far behind is not fitted again under the chosen law.
