@@ -45,6 +45,8 @@ LawFit unsure(LawFit fit, const std::string& name) {
   return fit;
 }
 
+std::size_t choose(std::vector<LawFit> candidates) { return choose_candidate(candidates); }
+
 std::string choice(std::vector<LawFit> candidates) {
   return to_text(candidates[choose_candidate(candidates)].law);
 }
@@ -59,6 +61,41 @@ TEST(Criterion, IsSchwarzs) {
   (void)choose_candidate(candidates);
   EXPECT_NEAR(candidates[0].bic, -123, 1e-9);
   EXPECT_NEAR(candidates[1].bic, twice, 1e-9);
+}
+
+// What is left of a noisy force's fits is judged by their own likelihoods.
+TEST(Criterion, IsTheNoisesWhereAForceIsNoisy) {
+  const auto with_noise = [](LawFit fit, bool shows, double bic) {
+    fit.force_noise = ForceNoiseSeen{.deviation = 0.1, .shows = shows, .counts = true, .bic = bic};
+    return fit;
+  };
+  const LawFit viscous = candidate("viscous", 0), drag = candidate("viscous+drag", -40),
+               rough = candidate("viscous+cubic", -25);
+  const auto of = [](const LawFit& fit, const std::vector<LawFit>& all) {
+    std::vector<const LawFit*> fits;
+    for (const LawFit& each : all) fits.push_back(&each);
+    return Criterion(fits, 0).of(fit);
+  };
+  const std::vector<LawFit> noisy{with_noise(viscous, true, -500), with_noise(drag, true, -497), rough};
+  EXPECT_EQ(of(noisy[0], noisy), -500);
+  EXPECT_EQ(of(noisy[1], noisy), -497);
+  // One without a likelihood keeps its distance from the closest that has one.
+  EXPECT_NEAR(of(rough, noisy), -497 + 15, 1e-9);
+  EXPECT_EQ(choose(noisy), 0u);
+  // Where none shows, or another law is far closer, the plain one.
+  const std::vector<LawFit> quiet{with_noise(viscous, false, -500), with_noise(drag, false, -497)};
+  EXPECT_NEAR(of(quiet[1], quiet), -40, 1e-9);
+  LawFit hysteretic = candidate("viscous+hysteresis", -40);
+  hysteretic.residual.rms *= 0.5;
+  const std::vector<LawFit> far{with_noise(viscous, true, -500), hysteretic};
+  EXPECT_NEAR(of(far[0], far), 0, 1e-9);
+}
+
+TEST(ChooseCandidate, OfTwoAlikeTakesTheOneExpected) {
+  std::vector<LawFit> all{candidate("viscous", 0), candidate("viscous+pendulum", 3)};
+  all[1].fitted = all[0].fitted;
+  EXPECT_EQ(choose_candidate(all), 0u);
+  EXPECT_EQ(choose_candidate(all, 0, law_with<Pendulum>), 1u);
 }
 
 TEST(ChooseCandidate, TakesNoneThatDidNotConverge) {

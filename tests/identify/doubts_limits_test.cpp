@@ -389,6 +389,26 @@ TEST(MeanDecay, IsTheSumOfItsParts) {
   EXPECT_FALSE(mean_decay(loop, record.record()));
 }
 
+// E = 1 - cos A, of which a cycle takes 2 g times the mean of v²: elliptic integrals, with k = sin A/2.
+TEST(MeanDecay, OfAPendulumIsTheAmplitudes) {
+  const SyntheticRecord record{even_times(4, 1), {1.5, -1.5, 1.5, -1.5}};
+  LawFit fit;
+  fit.law = law_of("viscous+pendulum");
+  fit.motion.law = fit.law;
+  fit.motion.per_mass.pendulum = 16;
+  fit.motion.per_mass.damping = 0.06;
+  fit.names = {"angular_frequency", "decay_rate"};
+  for (const double value : {4.0, 0.03}) fit.estimates.push_back({value, 0, 0, 0});
+  fit.covariance = {1, 0, 0, 1e-6};
+  fit.student = 2;
+  const MeanDecay decay = mean_decay(fit, record.record()).value();
+  const double A = decay.amplitude, k = std::sin(A / 2), K = std::comp_ellint_1(k), E = std::comp_ellint_2(k);
+  // Mean of v² is 4 w² (E/K - (1 - k²)), and dE/dA = w² sin A.
+  const double rate = 2 * 0.03 * 4 * (E / K - (1 - k * k)) / (A * std::sin(A));
+  EXPECT_NEAR(decay.rate.value, rate, 1e-5 * rate);
+  EXPECT_NEAR(decay.rate.standard_error, rate / 0.03 * 1e-3, 1e-5);
+}
+
 // Each pair of the three.
 TEST(MeanDecay, DampingsThatAreTraded) {
   for (const auto& [i, j] : {std::pair{1, 2}, {1, 3}, {2, 3}}) {

@@ -53,6 +53,40 @@ TEST(AngleAboutPivot, ArcAndItsErrorAreThoseOfTheSwing) {
   }
 }
 
+TEST(AngleAboutPivot, FramesOnSomethingElseAreLeftOut) {
+  for (const int frames : {1, 3, 40}) {
+    Points points = swing(20, 3e-4);
+    for (int i = 0; i < frames; ++i)
+      points.x[static_cast<std::size_t>(100 + i)] += 0.15, points.y[static_cast<std::size_t>(100 + i)] += 0.2;
+    const auto arc = find_arc(points.x, points.y);
+    ASSERT_TRUE(arc) << frames;
+    EXPECT_NEAR(arc->radius, radius, 4 * arc->radius_error) << frames;
+    EXPECT_LT(arc->radius_error, 0.01 * radius);
+  }
+  Points points = swing(20, 3e-4);
+  for (std::size_t i = 0; i < 200; ++i) points.x[i] += 0.15, points.y[i] += 0.2;
+  EXPECT_FALSE(find_arc(points.x, points.y));
+}
+
+TEST(AngleAboutPivot, NoiseThatHangsTogetherWidensTheError) {
+  double squares = 0;
+  constexpr unsigned runs = 40;
+  for (unsigned seed = 0; seed < runs; ++seed) {
+    Points points = swing(20, 0);
+    std::mt19937 random(seed);
+    std::normal_distribution<> normal(0, 3e-4);
+    double dx = 0, dy = 0;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      dx = 0.5 * dx + normal(random), dy = 0.5 * dy + normal(random);
+      points.x[i] += dx, points.y[i] += dy;
+    }
+    const auto arc = find_arc(points.x, points.y);
+    ASSERT_TRUE(arc);
+    squares += std::pow((arc->radius - radius) / arc->radius_error, 2) / runs;
+  }
+  EXPECT_NEAR(squares, 1, 0.5);
+}
+
 TEST(AngleAboutPivot, NoArcWhereItsRadiusDoesNotShow) {
   Points points = swing(1, 1e-3);
   EXPECT_FALSE(find_arc(points.x, points.y));
@@ -83,7 +117,7 @@ TEST(AngleAboutPivot, IsTakenByItsName) {
         std::pair("t (s),x (m),y (m)", -1.0)}) {
     const auto recording = read_recording(file_of(points, header, to_y), "film.csv", {});
     ASSERT_TRUE(recording.ok()) << in_words(recording.error());
-    for (const char* name : {"angle(x,y)", "Angle( x , y )", "angle(x,y) (rad)"}) {
+    for (const char* name : {"angle(x,y)", "Angle( x , y )", "angle(x,y) (rad)", "angle(x (m),y)"}) {
       const auto series = take_series(*recording, name, 1, {});
       ASSERT_TRUE(series.ok()) << in_words(series.error());
       EXPECT_EQ(series->column, "angle(x,y) (rad)");
@@ -125,7 +159,16 @@ TEST(AngleAboutPivot, TheFilesOwnColumnComesFirst) {
   const auto recording =
       read_recording("t (s),\"angle(x,y) (rad)\",x,y\n0,0.1,1,2\n0.1,0.2,1,2\n0.2,0.1,1,2\n", "a.csv", {});
   ASSERT_TRUE(recording.ok());
-  EXPECT_TRUE(take_series(*recording, "angle(x,y)", 1, {}).ok());
+  for (const char* name : {"angle(x,y)", "angle(x,y) (rad)"})
+    EXPECT_EQ(take_series(*recording, name, 1, {})->y, (std::vector<double>{0.1, 0.2, 0.1})) << name;
+}
+
+TEST(AngleAboutPivot, IsOfTwoOfOneKindAtTheSameTimes) {
+  const Points points = swing(30, 1e-5);
+  const auto recording = read_recording(file_of(points, "t (s),x (m),v (m/s)"), "film.csv", {});
+  for (const char* name : {"angle(x,v)", "angle(t,t)"})
+    EXPECT_THAT(in_words(take_series(*recording, name, 1, {}).error()), HasSubstr("not of one quantity"))
+        << name;
 }
 
 }  // namespace

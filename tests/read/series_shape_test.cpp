@@ -127,6 +127,14 @@ TEST(Rounding, OfGroupsOfValuesIsTheStepBetweenThem) {
   EXPECT_NEAR(step(1000, 0.0148), 0.172, 1e-12);
   EXPECT_DOUBLE_EQ(step(1000, 0.0608), 0.0001);  // no groups: they are as far apart as their values
   EXPECT_DOUBLE_EQ(step(100, 0.0208), 0.0001);   // groups by chance
+  // Groups that are not evenly spaced, near or far.
+  for (const std::vector<double>& middles :
+       {std::vector{0.0, 1.0, 2.5, 3.5}, {0.0, 1.0, 6.47, 11.9, 17.35}}) {
+    const auto values = made(1000, [&](int i) {
+      return middles[static_cast<std::size_t>(scattered(i)) % middles.size()] + (i % 7 == 0 ? 0.0603 : 0);
+    });
+    EXPECT_DOUBLE_EQ(rounding_step(values), 0.0001);
+  }
 }
 
 TEST(Rounding, OfWhatIsNoMultipleOfAQuantum) {

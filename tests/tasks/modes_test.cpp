@@ -291,6 +291,19 @@ TEST(Modes, OfFreeBodiesAndOfStronglyDampedOnes) {
   }
 }
 
+TEST(Modes, SayWhichOptionAMethodHasNoUseFor) {
+  const auto said = [](const ModesOptions& options) {
+    return in_words(network_modes(chain(2, 0), "n.toml", options)->notices);
+  };
+  EXPECT_THAT(said({.method = {"newmark"}, .step = 0.1, .rho_inf = 0.5}),
+              testing::ElementsAre("--rho-inf has no effect on newmark"));
+  EXPECT_THAT(said({.method = {"generalized-alpha"}, .step = 0.1, .beta = 0.3, .gamma = 0.6}),
+              testing::ElementsAre("--beta has no effect on generalized-alpha",
+                                   "--gamma has no effect on generalized-alpha"));
+  EXPECT_THAT(said({.method = {"generalized-alpha"}, .step = 0.1, .rho_inf = 0.5}), testing::IsEmpty());
+  EXPECT_THAT(said({.method = {"newmark"}, .step = 0.1, .beta = 0.3, .gamma = 0.6}), testing::IsEmpty());
+}
+
 TEST(Modes, RefuseWhatTheyCannotTake) {
   const auto refusal = [](const ModesOptions& options) {
     const auto result = network_modes(chain(2, 0), "n.toml", options);

@@ -318,5 +318,16 @@ TEST(NetworkRun, StabilityIsToldOfSixtyMasses) {
   EXPECT_TRUE(run_of(chain(61), unstable).notices.empty());
 }
 
+TEST(NetworkRuns, SayWhichOptionTheirMethodHasNoUseFor) {
+  SimulateOptions options;
+  options.method = {"newmark"};
+  options.step = 0.01;
+  options.until = 1;
+  options.rho_inf = 0.5;
+  const auto run = run_network(chain(2), "n.toml", options);
+  ASSERT_TRUE(run.ok()) << in_words(run.error());
+  EXPECT_THAT(in_words(run->notices), testing::ElementsAre("--rho-inf has no effect on newmark"));
+}
+
 }  // namespace
 }  // namespace cromer::core

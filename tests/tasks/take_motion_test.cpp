@@ -5,6 +5,9 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
 
 #include "cromer/base/number.h"
 #include "cromer/documents/words/words.h"
@@ -112,6 +115,23 @@ std::string film(bool of_pendulum, const std::string& header) {
   return text;
 }
 
+/// A viscous pendulum let go at `start` [rad], by rk4 in eight steps from sample to sample.
+std::vector<double> pendulum_swing(double start, double w, double g, double spacing, int samples) {
+  const auto pull = [&](double x, double v) { return -w * w * std::sin(x) - 2 * g * v; };
+  const double h = spacing / 8;
+  std::vector<double> swing;
+  double x = start, v = 0;
+  for (int i = 0; i < 8 * samples; ++i) {
+    if (i % 8 == 0) swing.push_back(x);
+    const double a1 = pull(x, v), a2 = pull(x + h / 2 * v, v + h / 2 * a1),
+                 a3 = pull(x + h / 2 * (v + h / 2 * a1), v + h / 2 * a2),
+                 a4 = pull(x + h * (v + h / 2 * a2), v + h * a3);
+    x += h * v + h * h / 6 * (a1 + a2 + a3);
+    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+  }
+  return swing;
+}
+
 TEST(Axis, OfAPendulumOnFilmTheAngleIsTaken) {
   for (const char* header : {"mass A\nt\tx\ty", "t (s)\tx (m)\ty (m)"}) {
     const auto recording = read_recording(film(true, header), "film.txt", {});
@@ -135,6 +155,47 @@ TEST(Axis, OfASpringOnFilmTheLivelierIsTaken) {
   ASSERT_TRUE(series.ok()) << in_words(series.error());
   EXPECT_EQ(series->column, "y (m)");
   EXPECT_THAT(in_words(series->notices).front(), HasSubstr("it swings most clearly"));
+}
+
+// The error of the radius is one of every angle.
+TEST(Axis, OnFilmTheIntervalsHoldTheErrorOfTheRadius) {
+  for (const double degrees : {8.0, 35.0}) {
+    const double start = degrees * std::numbers::pi / 180;
+    const std::vector<double> swing = pendulum_swing(start, 3.4, 0.03, 1.0 / 30, 600);
+    double of_start = 0, of_frequency = 0;
+    constexpr unsigned runs = 24;
+    for (unsigned seed = 0; seed < runs; ++seed) {
+      std::mt19937 random(seed);
+      std::normal_distribution<> noise(0, 1e-3);
+      std::string text = "t (s),x (m),y (m)\n";
+      for (std::size_t i = 0; i < swing.size(); ++i)
+        text += shortest(static_cast<double>(i) / 30) + "," +
+                shortest(0.85 * std::sin(swing[i]) + noise(random)) + "," +
+                shortest(-0.85 * std::cos(swing[i]) + noise(random)) + "\n";
+      const auto fitted = fit(text, "film.csv", {});
+      ASSERT_TRUE(fitted.ok()) << in_words(fitted.error());
+      EXPECT_TRUE(fitted->front().fit.law.has<Pendulum>()) << to_text(fitted->front().fit.law);
+      const LawFit& law = fitted->front().fit;
+      // The angle is told from the middle of the swing.
+      of_start += std::pow((law.motion.position - start) / law.position().standard_error, 2) / runs;
+      of_frequency +=
+          std::pow((law.motion.angular_frequency() - 3.4) / law.angular_frequency().standard_error, 2) / runs;
+    }
+    EXPECT_LT(of_start, 2) << degrees;
+    EXPECT_LT(of_frequency, 2) << degrees;
+    EXPECT_GT(of_start, 0.3) << degrees;
+  }
+}
+
+TEST(Axis, OfASpringThatTheCameraBendsTheLivelierIsTaken) {
+  std::string text = "t (s),x (m),y (m)\n";
+  for (int i = 0; i < 600; ++i) {
+    const double t = i / 30.0, y = 0.1 * std::exp(-0.03 * t) * std::cos(6 * t);
+    text +=
+        shortest(t) + "," + shortest(0.3 * y * y + 1e-4 * std::sin(1e4 * t * t)) + "," + shortest(y) + "\n";
+  }
+  const auto recording = read_recording(text, "film.csv", {});
+  EXPECT_EQ(take_motion(*recording, "", 1, {})->column, "y (m)");
 }
 
 }  // namespace

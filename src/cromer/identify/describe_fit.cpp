@@ -166,6 +166,21 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
   return known;
 }
 
+// Values whose unit is off move the estimates as a motion does that is larger by as much.
+void add_scale_error(EstimateNoise& known, const Record& record, const DescribedMinimum& minimum,
+                     const Inverse& inverse) {
+  if (!(record.scale_error > 0) || !minimum.jacobian || !inverse.determined()) return;
+  const int k = minimum.fitted.count;
+  const std::vector<double> jacobian = minimum.jacobian();
+  Parameters along{}, moved{};
+  for (std::size_t i = 0; i < record.y.size(); ++i)
+    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * record.y[i];
+  for (int a = 0; a < k; ++a)
+    for (int b = 0; b < k; ++b) moved[a] += record.scale_error * inverse.matrix[a][b] * along[b];
+  for (int a = 0; a < k; ++a)
+    for (int b = 0; b < k; ++b) known.covariance[a][b] += moved[a] * moved[b];
+}
+
 // Of two parameters that are hardly known, the ratio that is: flat to the noise, not to rounding.
 Notice known_ratio(const LawFit& fit, const FittedParameters& fitted) {
   constexpr double hardly = 0.3, much_better = 0.01;  // relative standard errors
@@ -243,7 +258,8 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k, 0);
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
-  const EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
+  EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
+  add_scale_error(known, record, minimum, inverse);
   const ReadParameters quantities =
       read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();

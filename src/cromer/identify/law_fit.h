@@ -58,7 +58,8 @@ struct LawFit {
   std::vector<double> covariance;   ///< row by row
   Residual residual;
   double explained = 0;            ///< share of the record's variance that the law accounts for
-  double bic = 0;                  ///< Bayesian information criterion, of as many samples as are independent
+  double bic = 0;                  ///< Bayesian information criterion, of as many samples as are independent;
+                                   ///< among others as Criterion has it
   double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
   double student = 0;              ///< t of the 95 % intervals
   double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
@@ -106,7 +107,8 @@ struct LawFitOptions {
   Drive drive{};
   double hysteresis_exponent = 1;           ///< >= 1
   std::optional<double> drive_frequency{};  // [rad/s] about; found if not given
-  bool angle = false;  ///< the record is of an angle in rad or its derivatives: choose_law tries a pendulum
+  bool on_arc = false;  ///< of a point on an arc: a pendulum, unless another law is clearly better
+  bool angle = false;   ///< the record is of an angle in rad or its derivatives: choose_law tries a pendulum
   std::optional<KnownMotion> start{};  ///< found if not given; the viscous law alone needs none
   int iteration_limit = 50;            // > 0
   double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1

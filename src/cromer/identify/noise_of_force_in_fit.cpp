@@ -149,11 +149,11 @@ EstimateNoise with_noise_of_force(LawFit& fit, const Record& record, const Descr
   const bool is_plausible = deviation < most * centred_norm(fit.drive.force.samples) / std::sqrt(samples) &&
                             deviation < most_smoothed * seen;
   constexpr double told = 1.05;
-  fit.force_noise = {
-      .deviation = deviation,
-      .shows = found->shows && is_plausible,
-      .counts = largest_growth(known, found->of_estimates, fitted.count) > told,
-      .bic = found->deviance + fitted.count * std::log(static_cast<double>(minimum.residuals.size()))};
+  fit.force_noise = {.deviation = deviation,
+                     .shows = found->shows && is_plausible,
+                     .counts = largest_growth(known, found->of_estimates, fitted.count) > told,
+                     .bic = (is_plausible ? found->deviance : found->deviance_without) +
+                            fitted.count * std::log(static_cast<double>(minimum.residuals.size()))};
   EstimateNoise both = larger_of(known, found->of_estimates, fitted.count);
   const Parameters bias = bias_by_noise(*body, fit.motion.angular_frequency(), fitted,
                                         grid.at(record.t.size() - 1) + 1, inverse_matrix);

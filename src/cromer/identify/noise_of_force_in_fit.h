@@ -8,10 +8,10 @@
 
 namespace cromer::core {
 
-/// The noise of the estimates with what noise of the force there may be, of each the larger, and the bias
-/// that it makes. What was seen of it goes to `fit`, which holds the motion, the law and the force. `known`
-/// leaves it out, and is returned where the force has to be taken as exact: under hysteresis, where the
-/// linear law that is nearest does not damp, and over a gap that the grid cuts short.
+/// The noise of the estimates, `known`, widened by what noise of the recorded force can do: of each the
+/// larger variance, plus the bias. Sets `fit.force_noise`. Returns `known`, and leaves force_noise empty,
+/// where the force has to be taken as exact: under hysteresis, where the nearest linear law does not damp,
+/// and over a gap that the grid cuts short. `jacobian`: rows of fitted.count, sample by sample.
 EstimateNoise with_noise_of_force(LawFit& fit, const Record& record, const DescribedMinimum& minimum,
                                   std::span<const double> jacobian, const SquareMatrix& inverse_matrix,
                                   const SampleGrid& grid, const EstimateNoise& known);

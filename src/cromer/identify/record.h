@@ -16,6 +16,7 @@ struct Record {
   double resolution = 0;   ///< rounding step of the values, 0 if unknown
   int derivative = 0;      ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
   double clock_error = 0;  ///< relative standard error of the unit of its times
+  double scale_error = 0;  ///< the same of its values
 
   /// `samples` samples from number `from` on.
   Record part(std::size_t from, std::size_t samples) const {

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/quantile.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/time.h"
 
 namespace cromer::core {
 namespace {
@@ -65,16 +67,34 @@ Arc geometric_arc(Arc arc, const std::vector<Point>& points, Eigen::Matrix3d& ma
   return {};
 }
 
+std::vector<double> distances_from(const Arc& arc, const std::vector<Point>& points) {
+  std::vector<double> off;
+  for (const auto& [x, y] : points) off.push_back(std::hypot(x - arc.x, y - arc.y) - arc.radius);
+  return off;
+}
+
+// By how much noise that hangs together from point to point widens a variance.
+double widening(const std::vector<double>& noise) {
+  double squares = 0, products = 0;
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    squares += noise[i] * noise[i];
+    if (i > 0) products += noise[i] * noise[i - 1];
+  }
+  const double by_chance = 2 / std::sqrt(static_cast<double>(noise.size()));
+  const double rho = squares > 0 ? std::min(products / squares, 0.99) : 0;
+  return rho > by_chance ? (1 + rho) / (1 - rho) : 1;
+}
+
 // The columns A and B of "angle(A,B)", in any case and with or without a unit behind it.
 std::optional<std::pair<std::string_view, std::string_view>> named_in(std::string_view name) {
-  constexpr std::string_view begin = "angle(";
-  const std::size_t comma = name.find(','), end = name.find(')', comma == name.npos ? 0 : comma);
-  if (lower(name.substr(0, begin.size())) != begin || comma == name.npos || end == name.npos)
-    return std::nullopt;
-  if (const std::string_view rest = trimmed(name.substr(end + 1)); !rest.empty() && rest != "(rad)")
-    return std::nullopt;
-  return std::pair(trimmed(name.substr(begin.size(), comma - begin.size())),
-                   trimmed(name.substr(comma + 1, end - comma - 1)));
+  constexpr std::string_view begin = "angle(", unit = "(rad)";
+  name = trimmed(name);
+  if (name.ends_with(unit)) name = trimmed(name.substr(0, name.size() - unit.size()));
+  if (lower(name.substr(0, begin.size())) != begin || !name.ends_with(')')) return std::nullopt;
+  name = name.substr(begin.size(), name.size() - begin.size() - 1);
+  const std::size_t comma = name.find(',');
+  if (comma == name.npos) return std::nullopt;
+  return std::pair(trimmed(name.substr(0, comma)), trimmed(name.substr(comma + 1)));
 }
 
 }  // namespace
@@ -96,10 +116,25 @@ std::optional<Arc> find_arc(std::span<const double> x, std::span<const double> y
   Eigen::Matrix3d matrix;
   double squares = 0;
   Arc arc = geometric_arc(algebraic_arc(points), points, matrix, squares);
-  constexpr double well_known = 0.02, close = 0.05, largest = 50;
-  if (!(arc.radius > 0 && arc.radius < largest) || std::sqrt(squares / n) > close) return std::nullopt;
-  const double variance = squares / (n - 3) * matrix.inverse()(2, 2);
-  arc.radius_error = std::sqrt(std::max(0.0, variance));
+  // A tracker may jump to something else for some frames.
+  constexpr double far = 6, most_aside = 0.1;  // robust standard deviations; of the points
+  const std::size_t least = points.size() - static_cast<std::size_t>(most_aside * n);
+  for (bool any = true; any && arc.radius > 0;) {
+    const std::vector<double> off = distances_from(arc, points);
+    std::vector<double> sizes;
+    for (const double each : off) sizes.push_back(std::abs(each));
+    const double limit = far * 1.4826 * median(sizes);
+    std::vector<Point> near;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (sizes[i] <= limit) near.push_back(points[i]);
+    any = near.size() < points.size() && near.size() >= least;
+    if (any) arc = geometric_arc(arc, points = std::move(near), matrix, squares);
+  }
+  constexpr double well_known = 0.05, close = 0.05, largest = 50;
+  const auto used = static_cast<double>(points.size());
+  if (!(arc.radius > 0 && arc.radius < largest) || std::sqrt(squares / used) > close) return std::nullopt;
+  const double variance = squares / (used - 3) * matrix.inverse()(2, 2);
+  arc.radius_error = std::sqrt(std::max(0.0, variance) * widening(distances_from(arc, points)));
   if (!(arc.radius_error < well_known * arc.radius)) return std::nullopt;
   return Arc{mean.x + spread * arc.x, mean.y + spread * arc.y, spread * arc.radius,
              spread * arc.radius_error};
@@ -114,8 +149,12 @@ Result<std::optional<ComputedAngle>> computed_angle(const Table& table, std::str
   if (!first) return first.error();
   if (!second) return second.error();
   const Column &x = table.columns[*first], &y = table.columns[*second];
-  std::vector<double> ys = y.values;  // in the unit of x
-  for (double& value : ys) value *= to_si(y).factor / to_si(x).factor;
+  if (x.quantity != y.quantity || x.quantity == "time" ||
+      dialects::time_column_of(table, *first) != dialects::time_column_of(table, *second))
+    return Error{"no_one_point", {{"x", x.name}, {"y", y.name}}};
+  const double in_unit_of_x = to_si(y).factor / to_si(x).factor;
+  std::vector<double> ys = y.values;
+  for (double& value : ys) value *= in_unit_of_x;
   const std::optional<Arc> arc = find_arc(x.values, ys);
   if (!arc) return Error{"no_arc", {{"x", x.name}, {"y", y.name}}};
 
@@ -135,11 +174,11 @@ Result<std::optional<ComputedAngle>> computed_angle(const Table& table, std::str
     }
     angle.values.push_back(turned);
   }
-  const std::size_t at = std::max(*first, *second) + 1;
-  ComputedAngle computed{.table = table, .column = at, .arc = *arc, .x = *first, .y = *second};
-  computed.table.columns.insert(computed.table.columns.begin() + static_cast<std::ptrdiff_t>(at),
-                                std::move(angle));
-  return std::optional(std::move(computed));
+  return std::optional(ComputedAngle{.angle = std::move(angle),
+                                     .place = std::max(*first, *second) + 1,
+                                     .arc = *arc,
+                                     .x = *first,
+                                     .y = *second});
 }
 
 }  // namespace cromer::core

@@ -15,12 +15,13 @@ namespace cromer::core {
 struct Arc {
   double x = 0, y = 0;  ///< its centre
   double radius = 0;
-  double radius_error = 0;  ///< standard error, of noise that is white
+  double radius_error = 0;  ///< standard error, wider where the distances hang together from point to point
 };
 
 /// The circle on which points lie: of the least squares of their distances from it (N. Chernov, Circular and
-/// Linear Regression (2010), chapters 4 and 5), for points of which some have not x or y (NaN). Empty unless
-/// its radius is known to 2 % (one standard error) and less than fifty times what the points spread (rms),
+/// Linear Regression (2010), chapters 4 and 5), for points of which some have not x or y (NaN), and
+/// at most a tenth lie far from it: those are left out. Empty unless
+/// its radius is known to 5 % (one standard error) and less than fifty times what the points spread (rms),
 /// and the distances (rms) are less than a twentieth of that.
 std::optional<Arc> find_arc(std::span<const double> x, std::span<const double> y);
 
@@ -29,14 +30,15 @@ std::string name_of_angle(const Column& x, const Column& y);
 
 /// An angle that was computed of two columns.
 struct ComputedAngle {
-  Table table;             ///< with the angle [rad] behind the second of them
-  std::size_t column = 0;  ///< the angle's place in it
+  Column angle;           ///< [rad]
+  std::size_t place = 0;  ///< for it, behind the second of them
   Arc arc;
   std::size_t x = 0, y = 0;  ///< the places of the two columns
 };
 
 /// The angle from the middle of the swing, positive towards larger x, if `name` is that of an angle of two
-/// columns of this run. Empty if it is no such name. An Error if there are no such columns, or no arc.
+/// columns of this run. Empty if it is no such name. An Error if there are no such columns, if they are of
+/// different quantities or times, or if there is no arc.
 Result<std::optional<ComputedAngle>> computed_angle(const Table& table, std::string_view name, int run);
 
 }  // namespace cromer::core

@@ -73,6 +73,7 @@ struct Series {
   double rate = 0;    // [1/s] one over the median step, rounded as far as the times agree; or the rate given
   double jitter = 0;  ///< standard deviation of the steps over their median; 0 with a given rate
   double clock_error = 0;         ///< relative standard error of the spacing that rounded times stand for
+  double scale_error = 0;         ///< relative standard error of the unit of y, of an angle that was computed
   double resolution = 0;          ///< rounding step of the values in SI, 0 if none is seen
   std::vector<Gap> gaps;          ///< where samples are missing
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y

@@ -163,7 +163,7 @@ double step_between_groups(const std::vector<double>& distinct) {
   double steps = 0;
   for (std::size_t i = 1; i < middles.size(); ++i) {
     const double count = (middles[i] - middles[i - 1]) / step;
-    if (std::fabs(count - std::nearbyint(count)) > even * std::nearbyint(count)) return 0;
+    if (std::fabs(count - std::nearbyint(count)) > even * std::min(std::nearbyint(count), 3.0)) return 0;
     steps += std::nearbyint(count);
   }
   return (middles.back() - middles.front()) / steps;

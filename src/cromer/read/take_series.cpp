@@ -140,19 +140,22 @@ Notice column_is_the_time(const Recording& recording, std::size_t time) {
 
 /// Whether the file has a column of just this name.
 bool has_column(const Table& table, std::string_view name) {
-  return std::any_of(table.columns.begin(), table.columns.end(),
-                     [&](const Column& column) { return column.name == name; });
+  return std::any_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
+    return column.name == name || column_title(column) == name;
+  });
 }
 
 /// An angle of two columns, as if the file held it.
 Result<Series> take_angle(const Recording& recording, ComputedAngle angle, const ReadOptions& options) {
   const Column &x = recording.table.columns[angle.x], &y = recording.table.columns[angle.y];
   Recording with_angle = recording;
-  with_angle.table = std::move(angle.table);
+  const auto place = static_cast<std::ptrdiff_t>(angle.place);
+  with_angle.table.columns.insert(with_angle.table.columns.begin() + place, std::move(angle.angle));
   if (auto& sets = with_angle.set_of_column; !sets.empty())
-    sets.insert(sets.begin() + static_cast<std::ptrdiff_t>(angle.column), sets[angle.x]);
+    sets.insert(sets.begin() + place, std::size_t{sets[angle.x]});
   auto series = take_series(with_angle, name_of_angle(x, y), x.run, options);
   if (!series) return series;
+  series->scale_error = angle.arc.radius_error / angle.arc.radius;
   std::vector<Notice> notices{
       Notice{"angle_about_pivot",
              {{"x", x.name},
@@ -160,6 +163,7 @@ Result<Series> take_angle(const Recording& recording, ComputedAngle angle, const
               {"radius", format_quantity({angle.arc.radius, angle.arc.radius_error},
                                          x.unit.empty() ? si_unit_of(x.quantity) : x.unit)}}}};
   say_assumed_unit(x, notices);
+  if (y.unit != x.unit) say_assumed_unit(y, notices);
   series->notices.insert(series->notices.begin(), notices.begin(), notices.end());
   return series;
 }

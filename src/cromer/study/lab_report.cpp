@@ -58,7 +58,7 @@ class Part : public LabTold {
                                        {"rate", rate()},
                                        {"aside", set_aside()}}));
     record_figure();
-    paragraph_of(of_the_record());
+    if (const std::string read = sentences_of(of_the_record()); !read.empty()) paragraph(verbatim(read));
     if (!fitted_.succeeded()) return failed();
     law();
     // What follows from a law that does not describe the motion is not told.
@@ -747,10 +747,6 @@ class Part : public LabTold {
       if (severity(notice) != Severity::detail)
         text += (text.empty() ? "" : "\n\n") + words("report_sentence", {{"what", notice}});
     return text;
-  }
-
-  void paragraph_of(const std::vector<Notice>& notices) {
-    if (const std::string text = sentences_of(notices); !text.empty()) paragraph(verbatim(text));
   }
 
   void not_told() {

@@ -100,10 +100,9 @@ class LabTold {
 
   /// Why the numbers may not mean what they seem to mean; empty if they do.
   Notice first_doubt() const {
-    if (compared_ && !compared_->doubts.empty()) return compared_->doubts.front();
+    if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();
     for (const Notice& notice : fitted_.notices)
-      if (compared_ ? notice.code == "times_slip" : severity(notice) == Severity::wrong_if_ignored)
-        return notice;
+      if (severity(notice) == Severity::wrong_if_ignored) return notice;
     return {};
   }
 

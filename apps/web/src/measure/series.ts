@@ -11,8 +11,15 @@ export interface Series extends InspectedSeries {
 /// The columns that a fit may use.
 export const columnsOf = (file: Inspection): Column[] => file.columns.filter((column) => column.quantity !== 'time')
 
-/// The names, each once; runs share them.
-export const namesOf = (file: Inspection): string[] => [...new Set(columnsOf(file).map((column) => column.name))]
+/// The names, each once; runs share them. What was computed of columns stands behind them.
+export const namesOf = (file: Inspection): string[] => {
+  const names = [...new Set(columnsOf(file).map((column) => column.name))]
+  const taken = file.column ? nameIn(names, file.column) : ''
+  return names.length > 1 && taken && !names.includes(taken) ? [...names, taken] : names
+}
+
+/// The name of a column that is given by its name or its heading.
+export const nameIn = (names: string[], heading: string): string => (names.includes(heading) ? heading : partsOf(heading).name)
 
 export const runsOf = (file: Inspection): number => Math.max(1, ...file.columns.map((column) => column.run))
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { Inspection } from '../../src/core/types'
-import { isTimeless, measuredName, moveTogether, partsOf, seriesOf } from '../../src/measure/series'
+import { isTimeless, measuredName, moveTogether, nameIn, namesOf, partsOf, seriesOf } from '../../src/measure/series'
 import { scaleFor } from '../../src/measure/units'
 import { measure as en } from '../../src/words/en/measure'
 
@@ -25,6 +25,14 @@ describe('a file', () => {
   it('is timeless where no column has times', () => {
     expect(isTimeless(file({ columns: [column(null), column(null)] }))).toBe(true)
     expect(isTimeless(file({ columns: [column(null), column('t (s)')] }))).toBe(false)
+  })
+  it('names its columns, and what was computed of them', () => {
+    const columns = [column(null), { ...column(null), name: 'y' }, { ...column(null), name: 't', quantity: 'time' }]
+    expect(namesOf(file({ columns, column: 'y (m)' }))).toEqual(['x', 'y'])
+    expect(namesOf(file({ columns, column: 'angle(x,y) (rad)' }))).toEqual(['x', 'y', 'angle(x,y)'])
+    expect(namesOf(file({ columns, column: null }))).toEqual(['x', 'y'])
+    expect(nameIn(['x', 'angle(x,y)'], 'angle(x,y) (rad)')).toBe('angle(x,y)')
+    expect(nameIn(['Position (left)'], 'Position (left)')).toBe('Position (left)')
   })
   it('has columns that move together where two of one run are of one kind', () => {
     const columns = (...of: [run: number, quantity: string | null][]) =>

@@ -42,11 +42,11 @@ concept MayBeRefused = requires(const Result& result) {
   Described<Result>::is_refused(result);
 };
 
-/// The page shows no meanings, and must be small.
+/// The meaning; empty in the page, which shows none and must be small.
 #ifdef CROMER_PAGE
-constexpr std::string_view kept(std::string_view) { return {}; }
+constexpr std::string_view meaning_if_shown(std::string_view) { return {}; }
 #else
-constexpr std::string_view kept(std::string_view meaning) { return meaning; }
+constexpr std::string_view meaning_if_shown(std::string_view meaning) { return meaning; }
 #endif
 
 /// One number, bool, text, list or described struct. `get` is a member or a function of the result. A double
@@ -89,7 +89,7 @@ struct Field {
 
 template <class Get>
 constexpr Field<Get> field(std::string_view name, Get get, std::string_view unit, std::string_view meaning) {
-  return {name, get, unit, kept(meaning)};
+  return {name, get, unit, meaning_if_shown(meaning)};
 }
 
 /// An Estimate. The document has it as `name`, "standard_error" and, with `interval`, "confidence_95".
@@ -122,7 +122,7 @@ struct Estimated {
 template <class Get>
 constexpr Estimated<Get> estimated(std::string_view name, Get get, std::string_view unit,
                                    std::string_view meaning) {
-  return {name, get, unit, kept(meaning)};
+  return {name, get, unit, meaning_if_shown(meaning)};
 }
 
 /// An object within the document, made of the same result; null where `when` is false.
@@ -184,13 +184,13 @@ constexpr auto members(Parts... parts) {
 
 template <class... Parts>
 constexpr auto group(std::string_view name, std::string_view meaning, std::tuple<Parts...> entries) {
-  return Group<described::Always, std::tuple<Parts...>>{name, kept(meaning), {}, entries};
+  return Group<described::Always, std::tuple<Parts...>>{name, meaning_if_shown(meaning), {}, entries};
 }
 
 template <class When, class... Parts>
 constexpr auto group_if(std::string_view name, std::string_view meaning, When when,
                         std::tuple<Parts...> entries) {
-  return Group<When, std::tuple<Parts...>>{name, kept(meaning), when, entries, true};
+  return Group<When, std::tuple<Parts...>>{name, meaning_if_shown(meaning), when, entries, true};
 }
 
 /// A number whose name comes from a registry.

@@ -100,11 +100,11 @@ constexpr Entry entries[] = {
      "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"free_middle_taken", worth_knowing,
      "what comes before {from:.4g} s and after {to:.4g} s does not follow the law of the rest, as while a "
-     "hand moves or stops it: {kept} of {samples} samples between are taken for a free motion; {|{--from} "
-     "and {--to}|the handles} choose another part",
+     "hand moves or stops it: the {kept} of {samples} samples between are taken for a free motion; "
+     "{|{--from} and {--to}|the handles} choose another part",
      "was vor {from:.4g} s und nach {to:.4g} s liegt, folgt nicht dem Gesetz des Rests, wie wenn eine Hand "
-     "es bewegt oder anhält: {kept} von {samples} Messwerten dazwischen gelten als freie Bewegung; mit "
-     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+     "die Bewegung stört oder anhält: die {kept} von {samples} Messwerten dazwischen gelten als freie "
+     "Bewegung; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it, as when a hand catches it: only what comes before, to {until:.4g} s, {kept} "
@@ -261,12 +261,12 @@ constexpr Entry entries[] = {
      "Frequenz des Antriebs bekannt, nennt sie {--drive-frequency}; |}einen Teil, der frei schwingt, wählt "
      "man mit {|{--from} und {--to}|den Griffen}"},
     {"perhaps_on_a_string", worth_knowing,
-     "x and y of the point lie on an arc: on a string or a rod its law is that of the angle, and one of "
-     "{column} alone is only near it; {|{--column} \"angle(x,y)\" fits the angle about the pivot|without a "
-     "choice of column the angle about the pivot is fitted}",
-     "x und y des Punkts liegen auf einem Bogen: an einem Faden oder einer Stange ist sein Gesetz das des "
-     "Winkels, und eines von {column} allein nur ungefähr richtig; {|{--column} \"angle(x,y)\" passt den "
-     "Winkel um den Aufhängepunkt an|ohne gewählte Spalte wird der Winkel um den Aufhängepunkt angepasst}"},
+     "x and y of the point lie on an arc: if it hangs on a string or a rod, its law is that of the angle, "
+     "and a law of {column} alone is only approximate; {|{--column} \"angle(x,y)\" fits the angle about the "
+     "pivot|angle(x,y) as the column is the angle about the pivot}",
+     "x und y des Punkts liegen auf einem Bogen: hängt er an einem Faden oder einer Stange, ist sein Gesetz "
+     "das des Winkels, und ein Gesetz von {column} allein gilt nur ungefähr; {|{--column} \"angle(x,y)\" "
+     "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
      "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",

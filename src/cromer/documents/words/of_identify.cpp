@@ -317,10 +317,10 @@ constexpr Entry entries[] = {
      "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich; ab {time:.4g} s schwingt "
      "es nur noch: bitte diesen Teil mit {|{--from}|den Griffen} wählen"},
     {"perhaps_degrees", wrong_if_ignored,
-     "in radians the angle goes through {turns:.2g} turns: if it is in degrees, the header must say so, by "
-     "\"(°)\" behind the column's name",
-     "in Radiant durchläuft der Winkel {turns:.2g} Umdrehungen: sind es Grad, muss die Kopfzeile das sagen, "
-     "mit „(°)“ hinter dem Namen der Spalte"},
+     "the angle, taken in radians, goes through {turns:.2g} turns: if it is in degrees, the header must say "
+     "so, by \"(°)\" behind the column's name",
+     "in Radiant gelesen durchläuft der Winkel {turns:.2g} Umdrehungen: ist er in Grad angegeben, muss die "
+     "Kopfzeile das sagen, mit „(°)“ hinter dem Namen der Spalte"},
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,

@@ -5,7 +5,7 @@ namespace {
 
 using enum Use;
 
-// What the page's fits look for not.
+// What only the program's fits say: of recorded forces, and of times that slip.
 constexpr Entry entries[] = {
     // A recorded force
     {"no_spring_without_force", error,

@@ -139,14 +139,20 @@ constexpr Entry entries[] = {
      "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
      "{--column}|eine wählen, zum Beispiel} „{first}“"},
     {"angle_about_pivot", worth_knowing,
-     "{x} and {y} lie on an arc of radius {radius:n}, as of a pendulum on film: the angle about its centre "
-     "is fitted{|; {--column} {x} fits {x} alone|}",
+     "{x} and {y} lie on an arc of radius {radius:n}, as the bob of a filmed pendulum does: the angle about "
+     "its centre is taken, from the middle of the swing{|; {--column} {x} takes {x} alone|}",
      "{x} und {y} liegen auf einem Bogen mit dem Radius {radius:n}, wie bei einem gefilmten Pendel: "
-     "angepasst wird der Winkel um dessen Mittelpunkt{|; mit {--column} {x} wird {x} allein angepasst|}"},
+     "genommen wird der Winkel um dessen Mittelpunkt, von der Mitte der Schwingung aus{|; {--column} {x} "
+     "nimmt {x} allein|}"},
     {"no_arc", error,
-     "{x} and {y} do not lie on an arc whose radius shows: there is no angle about its centre",
-     "{x} und {y} liegen auf keinem Bogen, dessen Radius sich zeigt: einen Winkel um dessen Mittelpunkt "
-     "gibt es nicht"},
+     "{x} and {y} do not lie on an arc whose radius can be told, so no angle about its centre can be "
+     "computed",
+     "{x} und {y} liegen auf keinem Bogen, dessen Radius sich bestimmen lässt; ein Winkel um dessen "
+     "Mittelpunkt lässt sich nicht berechnen"},
+    {"no_one_point", error,
+     "{x} and {y} are not of one quantity, or not measured at the same times: they are no point on an arc",
+     "{x} und {y} sind nicht dieselbe Größe oder nicht zu denselben Zeiten gemessen: sie sind kein Punkt "
+     "auf einem Bogen"},
     {"liveliest_axis_taken", worth_knowing,
      "of the axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} (\"{other}\" by "
      "{less:.2g}); {|{--column} names another|another one can be chosen}",

@@ -125,7 +125,8 @@ class LawSearch {
         options_(options),
         watch_(watch),
         quiet_{watch.interrupt, {}, {}, watch.steps_left},
-        before_(before) {}
+        before_(before),
+        expected_(options.on_arc ? law_with<Pendulum> : Law{}) {}
 
   LawChoice among_free(double progress_end) {
     const Beginning beginning = begin_fit(record_, options_, watch_);
@@ -389,7 +390,7 @@ class LawSearch {
   // Fits the chosen law, and those that come close to it, as finely as the record asks for.
   void settle() {
     constexpr double close = 30;  // of BIC: rough fits know it to about 10
-    best_ = choose_candidate(candidates_, record_.resolution);
+    best_ = choose_candidate(candidates_, record_.resolution, expected_);
     for (std::optional<std::size_t> next = best_; next && !watch_.interrupted();) {
       LawFit& rough = candidates_[*next];
       if (!fine_[*next]) {
@@ -399,7 +400,7 @@ class LawSearch {
         if (fit.status == FitStatus::converged) rough = std::move(fit);
         fine_[*next] = true;
       }
-      best_ = choose_candidate(candidates_, record_.resolution);
+      best_ = choose_candidate(candidates_, record_.resolution, expected_);
       next = runner_up(candidates_, best_);
       if (!fine_[best_]) next = best_;
       if (const auto open = left_unsettled()) next = open;
@@ -459,6 +460,7 @@ class LawSearch {
   const Watch& watch_;
   const Watch quiet_;  ///< the same for a thread that tells nothing
   std::span<const LawFit> before_;
+  Law expected_;
   std::vector<LawFit> candidates_;
   std::vector<bool> fine_;
   std::size_t best_ = 0;

@@ -52,19 +52,22 @@ std::vector<Law> without_unsure_terms(const LawFit& fit) {
 
 Criterion::Criterion(const std::vector<const LawFit*>& fits, double resolution) : resolution_(resolution) {
   const LawFit* closest = fits.front();
+  const LawFit* with_noise = nullptr;
   for (const LawFit* fit : fits) {
     if (fit->status != FitStatus::converged) continue;
     const auto is_closer = [&](const LawFit* than) {
       return !than || than->status != FitStatus::converged || fit->residual.rms < than->residual.rms;
     };
     if (is_closer(closest)) closest = fit;
-    if (fit->force_noise && is_closer(closest_with_noise_)) closest_with_noise_ = fit;
+    if (fit->force_noise && is_closer(with_noise)) with_noise = fit;
   }
   independent_ = closest->independent_samples;
+  constexpr double as_close = 1.2;  // times the least rms
   // Rounding is no noise.
-  if (closest_with_noise_ && (!closest_with_noise_->force_noise->shows ||
-                              is_rounding(closest_with_noise_->residual.rms, resolution)))
-    closest_with_noise_ = nullptr;
+  if (with_noise && with_noise->force_noise->shows &&
+      with_noise->residual.rms < as_close * closest->residual.rms &&
+      !is_rounding(with_noise->residual.rms, resolution))
+    by_noise_ = with_noise->force_noise->bic - plain(*with_noise);
 }
 
 double Criterion::plain(const LawFit& fit) const {
@@ -73,12 +76,11 @@ double Criterion::plain(const LawFit& fit) const {
 
 double Criterion::of(const LawFit& fit) const {
   if (!(fit.residual.rms > 0 && independent_ > 0)) return fit.bic;
-  if (!closest_with_noise_) return plain(fit);
-  if (fit.force_noise) return fit.force_noise->bic;
-  return closest_with_noise_->force_noise->bic + plain(fit) - plain(*closest_with_noise_);
+  if (!by_noise_) return plain(fit);
+  return fit.force_noise ? fit.force_noise->bic : plain(fit) + *by_noise_;
 }
 
-std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution) {
+std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution, Law expected) {
   std::vector<const LawFit*> all;
   for (const LawFit& fit : candidates) all.push_back(&fit);
   const Criterion criterion(all, resolution);
@@ -101,6 +103,10 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution)
   double least = HUGE_VAL;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (eligible(i) && candidates[i].fitted == fewest) least = std::min(least, candidates[i].bic);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (admissible[i] && candidates[i].fitted == fewest && candidates[i].law.shares(expected) &&
+        candidates[i].bic < lowest + 2 * strong_evidence)
+      return i;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (eligible(i) && candidates[i].fitted == fewest && candidates[i].bic < least + clear) return i;
   return best;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cromer/identify/law_fit.h"
@@ -38,16 +39,17 @@ class Criterion {
   double plain(const LawFit& fit) const;
 
   double independent_ = 0, resolution_ = 0;
-  const LawFit* closest_with_noise_ = nullptr;  // nullptr where no force was noisy
+  std::optional<double> by_noise_;  // what noise of the force adds to plain(); empty where none shows
 };
 
 /// Place of the candidate to choose; 0 where none is admissible. A law is admissible if it converged and each
 /// of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by 6 or more
 /// when it is taken away. Among the admissible candidates whose BIC is less than 6 above the lowest, those
 /// with the fewest parameters count; of these the first whose BIC is less than 5 above their lowest is
-/// chosen: laws met more often come first. Sets the candidates' BIC, by the Criterion of them all.
-/// `candidates` is not empty and begins with the simplest law.
-std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
+/// chosen: laws met more often come first, and before all others one with a term that is `expected`, up to
+/// twice as far above. Sets the candidates'
+/// BIC, by the Criterion of them all. `candidates` is not empty and begins with the simplest law.
+std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0, Law expected = {});
 
 /// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low
 /// BIC that is not admissible may be so without it.

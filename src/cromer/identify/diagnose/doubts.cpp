@@ -381,11 +381,11 @@ std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::
   const double noise = noise_of(residuals);
   const Record left{record.t, residuals, record.resolution, record.derivative};
   // The body answers noise of a recorded force about its own frequency, and that is no line.
-  constexpr double wide = 5;  // half-widths of the resonance
+  constexpr double wide = 2;  // half-widths of the resonance
   const double own = fit.swing_frequency().value, reach = wide * std::abs(fit.decay_rate().value);
-  std::vector<Notice> found = fit.force_noise && fit.force_noise->shows
-                                  ? second_drives(left, drive, unit, {own - reach, own + reach})
-                                  : second_drives(left, drive, unit);
+  const bool is_answered = fit.force_noise && fit.force_noise->shows;
+  std::vector<Notice> found =
+      second_drives(left, drive, unit, is_answered ? FrequencyBand{own - reach, own + reach} : no_band);
   const double fastest = std::max(fit.swing_frequency().value, drive);
   if (!found.empty() && shows_a_wrong_law(record, fit.residual, noise, fastest))
     found.push_back(not_described(fit, noise, only_law));

@@ -39,7 +39,14 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
     for (const auto& [other, per_other] : parts)
       variance += per_unit * per_other * fit.covariance_of(name, other);
   }
-  decay.rate = make_estimate(rate, std::sqrt(std::max(0.0, variance)), fit.student);
+  // Under a bent spring the amplitude falls by another rate than the energy's half.
+  double bent = 1;
+  if (Swing<double>{fit.motion.per_mass}.is_bent() && rate != 0) {
+    const AmplitudeDecay there{.angular_frequency = w, .per_mass = fit.motion.per_mass};
+    if (const double of_amplitude = there.rate(decay.amplitude); std::isfinite(of_amplitude))
+      bent = of_amplitude / rate;
+  }
+  decay.rate = make_estimate(bent * rate, std::abs(bent) * std::sqrt(std::max(0.0, variance)), fit.student);
   return decay;
 }
 

@@ -104,7 +104,7 @@ std::vector<std::size_t> outliers(const Record& record, std::span<const double> 
 
 KeptSamples::KeptSamples(const Record& record, const std::vector<std::size_t>& without,
                          std::span<const double> residuals)
-    : resolution_(record.resolution), derivative_(record.derivative), clock_error_(record.clock_error) {
+    : like_(record) {
   t.reserve(record.t.size() - without.size());
   y.reserve(record.t.size() - without.size());
   auto next = without.begin();

@@ -26,12 +26,15 @@ struct KeptSamples {
 
   KeptSamples(const Record& record, const std::vector<std::size_t>& without,
               std::span<const double> residuals);
-  Record record() const { return {t, y, resolution_, derivative_, clock_error_}; }
+  Record record() const {
+    Record kept = like_;
+    kept.t = t;
+    kept.y = y;
+    return kept;
+  }
 
  private:
-  double resolution_;
-  int derivative_;
-  double clock_error_;
+  Record like_;
 };
 
 /// The samples that a fit to all others sets aside, and that fit. `fit(record)` gives a result,

@@ -19,6 +19,8 @@ struct FrequencyBand {
   }
 };
 
+inline constexpr FrequencyBand no_band{.low = 1, .high = -HUGE_VAL};
+
 /// Which multiple, 2 to 15, of a motion's own frequency another is, to three standard errors of both and a
 /// tenth of a resolution (2 pi over the record's length [s]); 0 where it is none.
 int harmonic_of(double angular_frequency, double error, const FrequencyBand& own, double duration);
@@ -43,6 +45,6 @@ std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::s
 /// 0), and what they may be. `residuals` with their times and the record's resolution; none in the band
 /// `left_out`.
 std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit,
-                                  const FrequencyBand& left_out = {.low = 1, .high = -HUGE_VAL});
+                                  const FrequencyBand& left_out = no_band);
 
 }  // namespace cromer::core

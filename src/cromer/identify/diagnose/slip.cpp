@@ -38,7 +38,7 @@ class SlipSearch {
   struct Found {
     std::size_t at = 0;
     double rest = HUGE_VAL;
-    Parameters x{};  // by each row
+    Parameters x{};  // one for each entry of row_of(); the last is the slip [s]
 
     double slip() const { return x[5]; }
   };

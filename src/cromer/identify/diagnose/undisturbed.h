@@ -7,16 +7,16 @@
 
 namespace cromer::core {
 
+/// A part of a record that swings freely.
 struct FreeSwing {
-  double from = 0;             // [s]
+  double from = 0;             ///< [s]
   std::optional<double> to{};  ///< [s] empty: to the record's end
 };
 
-/// From the first of a few times, a twentieth of the record apart and none later than two fifths of it, from
-/// which a viscous law accounts for 95 % of the motion over five periods or more and is no worse in the first
-/// one: the rms residual there is less than twice the whole, and that no larger than 1.3 times what the best
-/// of these times leaves. To the end, or to where a last half period leaves residuals 2.5 times those of the
-/// median one (three such at most), as where a hand stops the swing. Empty where there is no such time.
+/// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as a fifth
+/// before, of which a viscous law accounts for 95 % over five periods or more and is no worse in the first
+/// and the last one: the rms residual there is less than twice the part's, and that no larger than 1.3 times
+/// the least of all parts. Empty where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core

@@ -227,6 +227,8 @@ class NoiseSearch {
 
   double most_likely_deviation() const { return std::sqrt(best_.variance * rho(best_)); }
 
+  double deviance_without() const { return without_.unrestricted; }
+
   // With the most likely noise up to the largest, unless a larger one shows; and without any.
   double deviance(double largest) const {
     const bool possible = shows_ || most_likely_deviation() <= largest;
@@ -293,7 +295,8 @@ std::optional<ForceNoise> force_noise_by(const Innovations<width>& filter, std::
   const std::vector<PossibleNoise> possible = search.possible(largest);
   ForceNoise found{.deviation = search.most_likely_deviation(),
                    .shows = search.shows(),
-                   .deviance = search.deviance(largest)};
+                   .deviance = search.deviance(largest),
+                   .deviance_without = search.deviance_without()};
   double alone = 0;  // a, on average
   for (const PossibleNoise& each : possible) {
     alone += each.weight * each.variance;

@@ -28,8 +28,10 @@ struct AnswerToForce {
 struct ForceNoise {
   double deviation = 0;  ///< of each sample of the force (rms), the most likely [the answer's unit of force]
   bool shows = false;  ///< noise of the motion's sensor alone would look like this in one record of a hundred
-  double mean_square = 0;        ///< its variance, over all that are possible
-  double deviance = 0;           ///< minus twice the logarithm of the largest likelihood, but for a constant
+  double mean_square = 0;  ///< its variance, over all that are possible
+  double deviance = 0;     ///< minus twice the logarithm of the likelihood with the most likely noise, up
+                           ///< to `largest` unless a larger one shows, but for a constant
+  double deviance_without = 0;   ///< the same without noise of the force
   EstimateNoise of_estimates{};  ///< over all noises of the force that are possible, none among them
 };
 

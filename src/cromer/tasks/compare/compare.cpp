@@ -423,6 +423,8 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   }
   result.doubts =
       doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit), unit_of(series));
+  for (const Notice& notice : recording.notices)
+    if (notice.code == "times_slip") result.doubts.push_back(notice);
   result.others_tried = !law_is_chosen(options.fit);
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
@@ -471,6 +473,7 @@ Result<CompareResult> compare_driven(const Recording& recording, const FittedRec
   one.one_of_several = driven.one_of_several;
   if (driven.of_file == 0) {  // said with another run
     one.notices.erase(one.notices.begin(), one.notices.begin() + static_cast<std::ptrdiff_t>(one.of_file));
+    one.of_record -= one.of_file;
     one.of_file = 0;
   }
   Result<CompareResult> result = compare_fitted(one, free, part_of(watch, of_fits, 1));

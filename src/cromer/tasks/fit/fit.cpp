@@ -95,6 +95,7 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
                                 std::vector<Notice>& notices, const Watch& watch) {
   LawFitOptions decay;
   decay.angle = series.quantity.starts_with("ang");
+  decay.on_arc = series.scale_error > 0;
   decay.hysteresis_exponent = options.hysteresis_exponent;
   if (record.derivative > 0) notices.push_back(fitted_as_it_is(series.quantity, series.column));
   const Result<std::optional<Law>> law = law_of(options);
@@ -232,12 +233,16 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.series = *used_part(std::move(result.series), later);
     result.series.outliers = std::move(aside);
   }
-  const Record record{samples.t, samples.y, result.series.resolution,
-                      std::max(0, derivative_order(result.series.quantity)), result.series.clock_error};
+  const Record record{samples.t,
+                      samples.y,
+                      result.series.resolution,
+                      std::max(0, derivative_order(result.series.quantity)),
+                      result.series.clock_error,
+                      result.series.scale_error};
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) {
-      if (radians_are_assumed(result.series)) over.code = "perhaps_degrees";
+      if (over.code == "turns_over" && radians_are_assumed(result.series)) over.code = "perhaps_degrees";
       result.notices.push_back(std::move(over));
     }
   if (Notice gravity = gravity_in(result.series, samples); !gravity.empty())
@@ -307,8 +312,8 @@ bool is_without_a_law(const FittedRecording& fitted) {
 
 // Where no one law is found for the whole, as a hand moves it at first: the fit of what swings freely, with a
 // notice.
-Result<FittedRecording> begin_later(FittedRecording whole, const Series& series, std::string_view file,
-                                    const FitOptions& options, const Watch& watch) {
+Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& series, std::string_view file,
+                                       const FitOptions& options, const Watch& watch) {
   if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
     return whole;
   const auto [t, y] = without_outliers(whole.series);
@@ -345,8 +350,8 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     if (auto beating = fit_beats(*series, file, options, watch)) return *std::move(beating);
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
-    return begin_later(recognise_drive(*std::move(free), *series, options, watch), *series, file, options,
-                       watch);
+    return fit_free_swing(recognise_drive(*std::move(free), *series, options, watch), *series, file, options,
+                          watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
@@ -366,9 +371,10 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
 bool is_perhaps_on_a_string(const Recording& recording, const FittedRecording& fitted) {
   const int run = fitted.series.run;
   const auto x = find_column(recording.table, "x", run);
-  if (!x || column_title(recording.table.columns[*x]) != fitted.series.column) return false;
+  if (!x || !fitted.fit.is_usable() || column_title(recording.table.columns[*x]) != fitted.series.column)
+    return false;
   const auto angle = computed_angle(recording.table, "angle(x,y)", run);
-  return angle && *angle && fitted.fit.is_usable();
+  return angle && *angle;
 }
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
@@ -423,6 +429,7 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
       if (!any_read) {
         one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
         one->of_file = recording.notices.size();
+        one->of_record += one->of_file;
       }
       any_read = true;
       fits.push_back(std::move(*one));
@@ -441,6 +448,7 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
       first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file),
                            Notice{"one_mass_for_unlike_runs", {{"percent", spread->percent}}});
       ++first.of_file;
+      ++first.of_record;
     }
   return fits;
 }

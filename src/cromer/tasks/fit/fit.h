@@ -112,8 +112,9 @@ struct FittedRecording {
   std::string between_samples{};         ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<Notice> notices;
-  std::size_t of_file = 0;      ///< so many of the notices, the first ones, are about the whole file
-  std::size_t of_record = 0;    ///< so many, as the task found them, are about the record, whatever its law
+  std::size_t of_file = 0;  ///< so many of the notices, the first ones, are about the whole file
+  std::size_t of_record =
+      0;  ///< so many, the first ones as the task found them, with those of the file, are about the record
   bool one_of_several = false;  ///< other runs of the file were fitted beside it
   bool wrong_input = false;     ///< the run could not be read: only file, run and the fit's message are set
 

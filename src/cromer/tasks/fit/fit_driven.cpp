@@ -126,8 +126,12 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
   settings.rms_to_beat = rms_to_beat;
-  const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity)),
-                      series.clock_error};
+  const Record record{t,
+                      y,
+                      series.resolution,
+                      std::max(0, derivative_order(series.quantity)),
+                      series.clock_error,
+                      series.scale_error};
   describe_driven_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", watch);
   add_unused_notices(result);
   const LawFit& fit = result.fit;

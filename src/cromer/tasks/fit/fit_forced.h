@@ -1,4 +1,4 @@
-// Task: the law of a motion under a recorded force. The page has it not.
+// Task: the law of a motion under a recorded force. The page leaves it out.
 #pragma once
 
 #include <string_view>

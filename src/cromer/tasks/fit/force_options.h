@@ -1,4 +1,4 @@
-// The options of a fit under a recorded force. The page has it not.
+// The options of a fit under a recorded force. The page leaves it out.
 #pragma once
 
 #include "cromer/result.h"

@@ -9,6 +9,7 @@ void doubt_one_mass_for_files(std::vector<FittedRecording>& fits) {
   high.notices.insert(high.notices.begin() + static_cast<std::ptrdiff_t>(high.of_file),
                       Notice{"one_mass_for_unlike_files",
                              {{"percent", spread->percent}, {"low", fits[spread->lowest].file}}});
+  ++high.of_record;
 }
 
 }  // namespace cromer::core

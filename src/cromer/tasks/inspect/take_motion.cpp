@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
 #include "cromer/read/angle_about_pivot.h"
+#include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 
 namespace cromer::core {
@@ -39,7 +42,8 @@ bool is_magnitude(const Column& column) {
   return false;
 }
 
-/// The axes x, y, z of the sensor whose columns may be the motion, known by their names or not; else none.
+/// The axes x, y, z of a sensor, or x and y of a film, whose columns may be the motion, known by their names
+/// or not; else none.
 std::vector<const Column*> axes_of(const Recording& recording, int run) {
   const auto& columns = recording.table.columns;
   std::vector<std::size_t> alike = motion_columns(recording, run);
@@ -55,6 +59,14 @@ std::vector<const Column*> axes_of(const Recording& recording, int run) {
   return axes;
 }
 
+/// Standard deviation of a column's values, in SI units.
+double spread(const Column& column) {
+  double sum = 0, squares = 0, n = 0;
+  for (const double value : column.values)
+    if (std::isfinite(value)) sum += value, squares += value * value, ++n;
+  return n > 0 ? to_si(column).factor * std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) : 0;
+}
+
 /// The strongest line of a stretch of an axis.
 struct AxisSwing {
   double amplitude = 0;
@@ -65,16 +77,22 @@ struct AxisSwing {
 
 AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double rate) {
   const auto [low, high] = extent_of(y);
-  // Of times that lie far apart the spectrum would have lines without end.
-  constexpr double longest = 100;  // mean steps over the step that the rate says
+  // Times far apart would make the spectrum endless.
+  constexpr double sparsest = 100;  // mean step over the nominal one
   if (y.size() < 4 || low == high || !(rate > 0)) return {};
-  if (!((t.back() - t.front()) * rate < longest * static_cast<double>(y.size()))) return {};
+  if (!((t.back() - t.front()) * rate < sparsest * static_cast<double>(y.size()))) return {};
   const auto line = strongest_line(least_squares_spectrum(t, y, 1 / rate));
   if (!line) return {};
   double mean = 0, variance = 0;
   for (const double each : y) mean += each / static_cast<double>(y.size());
   for (const double each : y) variance += (each - mean) * (each - mean) / static_cast<double>(y.size());
   return {line->amplitude, std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance)};
+}
+
+/// Whether an angle goes through a whole turn, which no swing does.
+bool goes_round(const Series& angle) {
+  const auto [low, high] = extent_of(angle.y);
+  return high - low >= 2 * std::numbers::pi;
 }
 
 constexpr std::size_t quarters = 4;
@@ -125,8 +143,11 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
   Result<Series> series = take_series(recording, column, run, options);
   if (series || !column.empty()) return series;
   const std::vector<const Column*> axes = axes_of(recording, run);
-  if (axes.size() == 2 && axes[0]->quantity == "position")
-    if (auto angle = take_series(recording, name_of_angle(*axes[0], *axes[1]), run, options)) return angle;
+  // A pendulum moves sideways: an arc about a centre beside the swing is a spring's, bent by the camera.
+  if (axes.size() == 2 && axes[0]->quantity == "position" && spread(*axes[0]) > spread(*axes[1]))
+    if (auto angle = take_series(recording, name_of_angle(*axes[0], *axes[1]), run, options);
+        angle && !goes_round(*angle))
+      return angle;
   std::vector<Axis> found;
   for (const Column* axis : axes) {
     auto taken = take_series(recording, column_title(*axis), run, options);

@@ -9,6 +9,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/methods/vector_newton.h"
 #include "cromer/model/network_system.h"
+#include "cromer/tasks/methods/unused_by_method.h"
 #include "cromer/tasks/modes/modes_options.h"
 #include "cromer/tasks/option/option.h"
 
@@ -206,6 +207,7 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
   if (bodies > 0) result.notices.push_back(Notice{"modes_of_free_bodies", {{"modes", bodies}}});
   if (free > bodies) result.notices.push_back(Notice{"slow_modes_lost", {{"modes", free - bodies}}});
   if (falling > 0) result.notices.push_back(Notice{"modes_that_fall_away", {{"modes", falling}}});
+  for (const std::string& method : options.method) say_unused_by_method(method, options, result.notices);
   for (const std::string& method : options.method)
     add_method(result.modes, method, options, network, modes, uncoupled, result.notices);
   return result;

@@ -12,6 +12,7 @@
 #include "cromer/model/linear_network.h"
 #include "cromer/model/network_system.h"
 #include "cromer/run/solve.h"
+#include "cromer/tasks/methods/unused_by_method.h"
 #include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/network_run/network_stick_slip.h"
 #include "cromer/tasks/option/option.h"
@@ -297,6 +298,7 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   NetworkRun run{.file = file, .network = network};
   if (auto good = set_up(run, options); !good) return good.error();
   add_stability(run, options);
+  say_unused_by_method(run.method, options, run.notices);
   if (Notice shorter = shorter_last_step(options, run.until, run.step, run.method); !shorter.empty())
     run.notices.push_back(std::move(shorter));
   NetworkRecorder record(run.network, options.every, run.states);

@@ -14,6 +14,7 @@
 #include "cromer/model/terms/term.h"
 #include "cromer/run/course.h"
 #include "cromer/run/step_control.h"
+#include "cromer/tasks/methods/unused_by_method.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/run_effect.h"
@@ -145,14 +146,6 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
   if (bytes <= memory) return {};
   return Error{"states_beyond_memory",
                {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
-}
-
-/// Methods that choose their steps, or solve an equation in every step (or only if the force depends on the
-/// velocity).
-bool uses_tolerance(std::string_view name) {
-  return find_method(name)->is_adaptive() || visit_method(name, {}, [](const auto& method) {
-           return requires { method.newton; };
-         });
 }
 
 Error wrong(std::string_view text, const Notice& why) {
@@ -355,13 +348,7 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
       add_once(notices, Notice{"no_effect_without", {{"option", "hysteresis-exponent"}, {"needed", needed}}});
   });
   for (const auto& run : runs) {
-    const auto no_effect = [&](std::string_view option) {
-      add_once(notices, Notice{"no_effect_on_method", {{"option", option}, {"method", run.method}}});
-    };
-    if (options.tolerance && !uses_tolerance(run.method)) no_effect("tolerance");
-    if ((options.beta || options.gamma) && run.method != Newmark::info.name)
-      no_effect(options.beta ? "beta" : "gamma");
-    if (options.rho_inf && run.method != GeneralizedAlpha::info.name) no_effect("rho-inf");
+    say_unused_by_method(run.method, options, notices);
     if (auto notice = step_notice(run); !notice.empty()) add_once(notices, std::move(notice));
     if (const double begin = drive_begin(run); begin >= run.until)
       add_once(notices, Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
