@@ -45,7 +45,7 @@ TEST_F(SimulateTable, NamesAreUniqueAndExplained) {
     std::set<std::string_view> names;
     for (const auto& option : list) {
       EXPECT_TRUE(names.insert(option.name).second) << option.name;
-      EXPECT_FALSE(option.help.empty()) << option.name;
+      EXPECT_FALSE(std::string_view(option.help).empty()) << option.name;
       EXPECT_FALSE(option.group.empty()) << option.name;
     }
   }

@@ -93,10 +93,6 @@ constexpr Entry entries[] = {
      "ein Verfahren „{method}“ gibt es nicht; ist {near:or} gemeint? ({methods})"},
 
     // Files
-    {"cannot_write", error, "cannot write {path}: {why}", "{path} lässt sich nicht schreiben: {why}"},
-    {"no_room", clause, "{why}; make room, or name a file on another disk",
-     "{why}; bitte Platz schaffen oder eine Datei auf einem anderen Datenträger nennen"},
-    {"no_reader_of_pipe", clause, "nobody reads from this pipe", "niemand liest aus dieser Pipe"},
 };
 
 }  // namespace

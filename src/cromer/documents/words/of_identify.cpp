@@ -207,26 +207,6 @@ constexpr Entry entries[] = {
      "Gesetz stimmt"},
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
-    {"force_between_samples_open", worth_knowing,
-     "what the force did between its samples is not certain: read as {reading} the rms residual is "
-     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the uncertainties are "
-     "widened for it. If it is known, give {--between-samples}",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
-     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
-     "Entscheidung; die Unsicherheiten sind dafür geweitet. Ist es bekannt, bitte {--between-samples} "
-     "angeben"},
-    {"force_between_samples_open_and_matters", worth_knowing,
-     "what the force did between its samples is not certain: read as {reading} the rms residual is "
-     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the other reading would "
-     "make the {differences:,}; the uncertainties are widened for it. If it is known, give "
-     "{--between-samples}",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
-     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
-     "Entscheidung; die andere Lesart gäbe {differences:,}; die Unsicherheiten sind dafür geweitet. Ist es "
-     "bekannt, bitte {--between-samples} angeben"},
-    {"parameter_elsewhere", clause,
-     "{parameter} {value:.6g} ({errors:.1f} of the stated standard errors away)",
-     "{parameter} {value:.6g} ({errors:.1f} Standardfehler entfernt)"},
 
     // What speaks against a fit that converged.
     {"amplitude_rises", wrong_if_ignored,

@@ -217,6 +217,8 @@ constexpr Entry entries[] = {
     {"method_finds_no_solution", wrong_if_ignored,
      "{method} with a step of {step:.6g} s finds no solution of its equation",
      "{method} mit einem Schritt von {step:.6g} s findet keine Lösung seiner Gleichung"},
+    {"does_not_swing_as_the_law", clause, "does not swing, as your law does not",
+     "schwingt nicht, wie das Gesetz auch nicht"},
 };
 
 }  // namespace

@@ -116,6 +116,20 @@ constexpr Entry entries[] = {
      "{--address} „{address}“ ist keine IP-Adresse; 0.0.0.0 steht für alle dieses Rechners"},
     {"cannot_serve", error, "cannot serve at {address} port {port}: {reason}",
      "unter {address}, Port {port}, lässt sich nichts anbieten: {reason}"},
+    {"not_settled", worth_knowing,
+     "{method} did not settle at {unsettled} of {frequencies} frequencies: its own damping is negative or "
+     "its steps are too long there",
+     "{method} kam bei {unsettled} von {frequencies} Frequenzen nicht zur Ruhe: seine eigene Dämpfung ist "
+     "dort negativ, oder seine Schritte sind zu lang"},
+    {"over_options_without_over", error,
+     "{option:option} is about the recording of {--over}; name the file with that",
+     "{option:option} gilt der Aufnahme von {--over}; bitte die Datei damit nennen"},
+    {"base_motion_not_read", error, "{--base-motion}: {what}", "{--base-motion}: {what}"},
+    {"drive_file_not_read", error, "{--drive-file}: {what}", "{--drive-file}: {what}"},
+    {"no_room", clause, "{why}; make room, or name a file on another disk",
+     "{why}; bitte Platz schaffen oder eine Datei auf einem anderen Datenträger nennen"},
+    {"cannot_write", error, "cannot write {path}: {why}", "{path} lässt sich nicht schreiben: {why}"},
+    {"no_reader_of_pipe", clause, "nobody reads from this pipe", "niemand liest aus dieser Pipe"},
 };
 
 }  // namespace

@@ -155,8 +155,6 @@ constexpr Entry entries[] = {
      "{--between-samples}: „{word}“ ist weder linear noch hold noch band-limited"},
     {"samples_not_read", error, "{recording}: the file's samples were not read",
      "{recording}: die Messwerte der Datei wurden nicht gelesen"},
-    {"drive_file_not_read", error, "{--drive-file}: {what}", "{--drive-file}: {what}"},
-    {"base_motion_not_read", error, "{--base-motion}: {what}", "{--base-motion}: {what}"},
     {"no_drive", error, "{--drive}: there is no drive \"{drive}\" ({drives})",
      "{--drive}: einen Antrieb „{drive}“ gibt es nicht ({drives})"},
     {"no_drive_but", error, "{--drive}: there is no drive \"{drive}\"; did you mean {near}? ({drives})",
@@ -233,9 +231,6 @@ constexpr Entry entries[] = {
      "{--over-from}: column \"{column}\" has no sample from {from:.6g} to {to:.6g} s, where the runs are",
      "{--over-from}: die Spalte „{column}“ hat von {from:.6g} bis {to:.6g} s, wo die Läufe sind, keinen "
      "Messwert"},
-    {"over_options_without_over", error,
-     "{option:option} is about the recording of {--over}; name the file with that",
-     "{option:option} gilt der Aufnahme von {--over}; bitte die Datei damit nennen"},
     {"run_beside_recording", detail,
      "{run}: the recording lies {rms:n} (rms) from it, over {samples:sample|samples} of {column}",
      "{run}: Die Aufnahme liegt {rms:n} (Effektivwert) daneben, über {samples:Messwert|Messwerte} von "
@@ -304,11 +299,6 @@ constexpr Entry entries[] = {
      "verkürzen"},
     {"run_diverged", error, "diverged: not finite after t = {t:.6g} s (step {step})",
      "divergiert: nicht mehr endlich nach t = {t:.6g} s (Schritt {step})"},
-    {"not_settled", worth_knowing,
-     "{method} did not settle at {unsettled} of {frequencies} frequencies: its own damping is negative or "
-     "its steps are too long there",
-     "{method} kam bei {unsettled} von {frequencies} Frequenzen nicht zur Ruhe: seine eigene Dämpfung ist "
-     "dort negativ, oder seine Schritte sind zu lang"},
     {"no_harmonic_drive", error, "no steady oscillation: there is no harmonic drive",
      "keine stationäre Schwingung: es gibt keinen harmonischen Antrieb"},
     {"too_few_states_for_steady", error, "no steady oscillation: the run kept fewer than eight states",
@@ -379,8 +369,6 @@ constexpr Entry entries[] = {
      "kriecht zurück, ohne zu schwingen, wo das Gesetz schwingt"},
     {"creeps_as_the_law", clause, "creeps back without swinging, as your law does",
      "kriecht zurück, ohne zu schwingen, wie das Gesetz auch"},
-    {"does_not_swing_as_the_law", clause, "does not swing, as your law does not",
-     "schwingt nicht, wie das Gesetz auch nicht"},
     {"grows_at_shorter_steps", clause, "{what}; at some shorter steps it grows",
      "{what}; bei manchen kürzeren Schritten wächst es"},
     {"settles", clause, "settles at {amplitude:.6g} m, {lag:.4g} rad behind the drive{law}",

@@ -19,4 +19,6 @@ inline constexpr bool looks_for_slips = true;
 /// than 20,000 samples.
 Notice slipped_times(const Record& record, const LawFit& fit, const Watch& watch = {});
 
+inline bool is_of_slips(const Notice& notice) { return notice.code == "times_slip"; }
+
 }  // namespace cromer::core

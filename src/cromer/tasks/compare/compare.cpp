@@ -16,6 +16,7 @@
 #include "cromer/base/quantile.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/motion/motion_model.h"
@@ -423,8 +424,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   }
   result.doubts =
       doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit), unit_of(series));
-  for (const Notice& notice : recording.notices)
-    if (notice.code == "times_slip") result.doubts.push_back(notice);
+  if constexpr (looks_for_slips)
+    for (const Notice& notice : recording.notices)
+      if (is_of_slips(notice)) result.doubts.push_back(notice);
   result.others_tried = !law_is_chosen(options.fit);
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;

@@ -353,8 +353,8 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     return fit_free_swing(recognise_drive(*std::move(free), *series, options, watch), *series, file, options,
                           watch);
   }
-  const Result<Series> force = take_series(recording, options.force_column, run, options.read);
-  if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
+  const Result<Series> force = take_force(recording, options, run);
+  if (!force) return force.error();
   return fit_forced(*series, *force, file, options, watch);
 }
 
@@ -398,10 +398,10 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
 
 // Whether the Error names neither file nor option, but a column or a line.
 bool needs_a_file(const Notice& what) {
-  static constexpr std::string_view codes[] = {
-      "column_has_no_values", "values_too_small",   "values_too_large",    "time_jumps",
-      "all_set_aside",        "force_is_too_short", "force_never_changes", "force_has_a_gap",
-      "force_has_gaps",       "force_is_uneven",    "force_ends",          "force_at_other_times"};
+  static constexpr std::string_view codes[] = {"column_has_no_values", "values_too_small", "values_too_large",
+                                               "time_jumps", "all_set_aside"};
+  if constexpr (fits_recorded_forces)
+    if (is_about_a_force(what)) return true;
   return std::find(std::begin(codes), std::end(codes), what.code) != std::end(codes);
 }
 

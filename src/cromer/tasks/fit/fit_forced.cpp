@@ -109,6 +109,19 @@ bool is_outlier(const Series& series, std::size_t i) {
 
 }  // namespace
 
+Result<Series> take_force(const Recording& recording, const FitOptions& options, int run) {
+  Result<Series> force = take_series(recording, options.force_column, run, options.read);
+  if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
+  return force;
+}
+
+bool is_about_a_force(const Notice& what) {
+  static constexpr std::string_view codes[] = {
+      "force_is_too_short", "force_never_changes", "force_has_a_gap",     "force_has_gaps",
+      "force_is_uneven",    "force_ends",          "force_at_other_times"};
+  return std::find(std::begin(codes), std::end(codes), what.code) != std::end(codes);
+}
+
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch) {
   if (motion.column == force.column) return Error{"force_is_the_motion", {{"column", force.column}}};

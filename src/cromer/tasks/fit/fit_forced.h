@@ -12,4 +12,10 @@ namespace cromer::core {
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch = {});
 
+/// The column of the force. An Error names --force-column.
+Result<Series> take_force(const Recording& recording, const FitOptions& options, int run);
+
+/// Whether what is wrong is a force's, and names neither file nor option, but a column or a line.
+bool is_about_a_force(const Notice& what);
+
 }  // namespace cromer::core

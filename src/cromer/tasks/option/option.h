@@ -43,6 +43,24 @@ enum class Range {
 /// The constraint as it follows "it must": "be positive"; empty for any.
 Notice constraint(Range range);
 
+/// A text of --help. The page has no --help and must be small: there it is empty.
+class HelpText {
+ public:
+  HelpText() = default;
+#ifdef CROMER_PAGE
+  HelpText(const char*) {}       // NOLINT: implicit on purpose
+  HelpText(std::string_view) {}  // NOLINT
+#else
+  HelpText(const char* text) : text_(text) {}       // NOLINT: implicit on purpose
+  HelpText(std::string_view text) : text_(text) {}  // NOLINT
+#endif
+
+  operator std::string_view() const { return text_; }  // NOLINT
+
+ private:
+  std::string_view text_;
+};
+
 /// One option: where its value goes, in which unit, and what it means.
 struct Option {
   using Target = std::variant<double*, std::optional<double>*, std::vector<double>*, std::optional<Quantity>*,
@@ -53,7 +71,7 @@ struct Option {
   Target target;          ///< outlives the Option
   std::string_view unit;  ///< SI unit of the value; "" for a plain number or a text; "Hz" counts per second
   Range range = Range::any;
-  std::string_view help;          ///< what it is, in a few words
+  HelpText help;                  ///< what it is, in a few words
   std::string_view default_text;  ///< what holds when it is not given; "" if nothing does
   std::string_view group;         ///< heading in --help
   bool* asked = nullptr;          ///< set to true when the option is given
