@@ -23,8 +23,9 @@ export const nameIn = (names: string[], heading: string): string => (names.inclu
 
 export const runsOf = (file: Inspection): number => Math.max(1, ...file.columns.map((column) => column.run))
 
-/// Whether columns of one kind were recorded together.
+/// Whether columns of one kind were recorded together, and are no x and y of one point.
 export const moveTogether = (file: Inspection, run: number): boolean => {
+  if (namesOf(file).length > new Set(columnsOf(file).map((column) => column.name)).size) return false
   const kinds = columnsOf(file).flatMap((column) => (column.run === run && column.quantity ? [column.quantity] : []))
   return new Set(kinds).size < kinds.length
 }

@@ -42,6 +42,7 @@ export const nothing: Refusal = { message: '', argument: null, code: '', values:
 class Session {
   file: File | null = $state.raw(null)
   inspection: Inspection | null = $state.raw(null)
+  names: string[] = $state.raw([]) // of the columns, and of what was computed of them when the file was opened
   /// The fit shown, and that with one constant rate.
   fit: Fit | null = $state.raw(null)
   constant: Fit | null = $state.raw(null)
@@ -143,6 +144,7 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   if (before && before.file.name !== file.name) toast(words().measure.opened(file.name), () => void openFile(before.file, before.settings))
   session.refused = null
   session.inspection = inspection
+  session.names = namesOf(inspection)
   session.file = file
   settleState((state) => (state.teach.taken = false))
   described = settingsOf({ rate, column, skip })

@@ -40,6 +40,9 @@ describe('a file', () => {
     expect(moveTogether(columns([1, 'time'], [1, 'position'], [1, 'position']), 1)).toBe(true)
     expect(moveTogether(columns([1, 'time'], [1, 'position'], [1, 'velocity']), 1)).toBe(false)
     expect(moveTogether(columns([1, 'position'], [2, 'position']), 1)).toBe(false)
+    const point = [{ ...column(null), quantity: 'position' }, { ...column(null), name: 'y', quantity: 'position' }]
+    expect(moveTogether(file({ columns: point, column: 'y (m)' }), 1)).toBe(true)
+    expect(moveTogether(file({ columns: point, column: 'angle(x,y) (rad)' }), 1)).toBe(false)
     expect(moveTogether(columns([1, null], [1, null]), 1)).toBe(false)
     expect(moveTogether(columns([1, 'time'], [1, 'time'], [1, 'position']), 1)).toBe(false)
   })
