@@ -63,7 +63,7 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
               testing::HasSubstr("turns your damping of 0.15 1/s into growth of 0.02999 1/s"));
   EXPECT_THAT(in_words(row_of("euler-cromer", theory).words),
               testing::HasSubstr("nearly keeps your damping of 0.15 1/s (0.1502)"));
-  EXPECT_THAT(in_words(row_of("rk4", theory).words), "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
+  EXPECT_THAT(in_words(row_of("rk4", theory).words), "keeps your damping of 0.15 1/s and your 5.998 rad/s");
   EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
   EXPECT_FALSE(row_of("dormand-prince", theory).effect);
 }
