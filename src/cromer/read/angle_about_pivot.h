@@ -19,10 +19,9 @@ struct Arc {
 };
 
 /// The circle on which points lie: of the least squares of their distances from it (N. Chernov, Circular and
-/// Linear Regression (2010), chapters 4 and 5), for points of which some have not x or y (NaN), and
-/// at most a tenth lie far from it: those are left out. Empty unless
-/// its radius is known to 5 % (one standard error) and less than fifty times what the points spread (rms),
-/// and the distances (rms) are less than a twentieth of that.
+/// Linear Regression (2010), chapters 4 and 5). Points without x or y (NaN) are left out, and so is up to a
+/// tenth of them that lies far from it. Empty unless its radius is known to 5 % (one standard error) and less
+/// than fifty times what the points spread (rms), and the distances (rms) are less than a twentieth of that.
 std::optional<Arc> find_arc(std::span<const double> x, std::span<const double> y);
 
 /// "angle(x,y)": how the angle of two columns is called.

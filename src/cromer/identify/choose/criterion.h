@@ -31,8 +31,8 @@ class Criterion {
 
   /// With as many independent samples as the closest fit leaves, so that no law's misfit is taken for noise.
   /// Where what is left holds the answer to the noise of a recorded force, each fit by its own likelihood
-  /// with such noise; a fit without one (under hysteresis) is as far from the closest that has one as without
-  /// it.
+  /// with such noise; a fit without one (fitted roughly, or under hysteresis) is as far from the closest that
+  /// has one as without such noise.
   double of(const LawFit& fit) const;
 
  private:
@@ -47,8 +47,8 @@ class Criterion {
 /// when it is taken away. Among the admissible candidates whose BIC is less than 6 above the lowest, those
 /// with the fewest parameters count; of these the first whose BIC is less than 5 above their lowest is
 /// chosen: laws met more often come first, and before all others one with a term that is `expected`, up to
-/// twice as far above. Sets the candidates'
-/// BIC, by the Criterion of them all. `candidates` is not empty and begins with the simplest law.
+/// twice as far above. Sets the candidates' BIC, by the Criterion of them all. `candidates` is not empty and
+/// begins with the simplest law.
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0, Law expected = {});
 
 /// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low

@@ -1,4 +1,4 @@
-// The part of a motion, disturbed at first, that is one decaying swing.
+// The part of a motion, disturbed at its beginning and perhaps its end, that is one decaying swing.
 #pragma once
 
 #include <optional>
