@@ -17,7 +17,7 @@
 #include "cromer/read/in_file.h"
 #include "cromer/report/file.h"
 #include "cromer/tasks/fit/said_of_runs.h"
-#include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/fit/spring_options.h"
 #include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/open_recording.h"
 #include "fit_files.h"
@@ -29,53 +29,12 @@
 namespace cromer::core::cli {
 namespace {
 
-/// What `cromer fit` is asked instead of, or beyond, the law.
-struct SpringOptions {
-  bool held = false;                ///< --static
-  bool mass_line = false;           ///< --mass-line
-  std::vector<Quantity> masses;     // [kg]
-  std::optional<Quantity> gravity;  // [m/s²]
-};
-
-std::vector<Option> static_options_of(SpringOptions& o) {
-  constexpr std::string_view group = "The spring constant from several masses";
-  return {
-      {"static", &o.held, "", Range::any,
-       "from held extensions: a run, file or plateau for each of --masses, at rest", "the law of a swing",
-       group},
-      {"mass-line", &o.mass_line, "", Range::any,
-       "from the periods: T² against --masses, one for each recording and run; also the spring's own mass",
-       "each by itself", group},
-      {"masses", &o.masses, "kg", Range::not_negative,
-       "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings", "none", group},
-      {"gravity", &o.gravity, "m/s^2", Range::positive, "local acceleration of free fall, for --static",
-       "9.80665 m/s²", group},
-  };
-}
-
-/// Checks that the options go together, and that the masses can be read.
-Result<void> check_masses(const SpringOptions& options) {
-  if (options.held && options.mass_line) return Error{"static_or_mass_line"};
-  const char* way = options.held ? "static" : "mass-line";
-  if (!options.held && options.gravity) return Error{"gravity_without_static"};
-  if (!options.held && !options.mass_line)
-    return options.masses.empty() ? Result<void>{} : Error{"masses_without_line"};
-  if (options.masses.empty()) return Error{"masses_needed", {{"way", way}}};
-  if (options.masses.size() < 2) return Error{"two_masses_needed", {{"way", way}}};
-  return {};
-}
-
 /// `cromer fit --static`, from the files to the exit status.
 int run_static(const std::vector<std::string>& files, const FitOptions& fit, const SpringOptions& options,
                const OutputOptions& output) {
-  std::vector<Recording> recordings;
-  for (const auto& file : files) {
-    auto recording = open_recording(file, fit.read);
-    if (!recording) return refuse(recording.error());
-    recordings.push_back(*std::move(recording));
-  }
-  StaticOptions task{fit, options.masses, options.gravity.value_or(Quantity{9.80665, 0})};
-  const auto found = fit_static(recordings, task);
+  const auto recordings = open_recordings(files, fit.read);
+  if (!recordings) return refuse(recordings.error());
+  const auto found = fit_static(*recordings, static_options(fit, options));
   if (!found) return refuse(found.error());
   return give({.text = [&] { return static_text(*found); },
                .json = [&] { return to_json(*found); },
@@ -185,7 +144,7 @@ int run_fit(const Arguments& arguments) {
           "  cromer fit rig.csv --force-column Force --hold-out \"25 %\"\n"
           "  cromer fit pendulums.csv --network data/networks/pendulums_open.toml"};
   SpringOptions spring;
-  const auto of_spring = static_options_of(spring);
+  const auto of_spring = options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
   const std::vector<Option> of_task = syntax.options;
   add_output_options(syntax.options, output, {},
@@ -204,7 +163,7 @@ int run_fit(const Arguments& arguments) {
   std::vector<TypedOption> given;
   if (const auto status = parse(syntax, arguments, files, &given)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error());
-  if (auto good = check_masses(spring); !good) return refuse(good.error());
+  if (auto good = check_spring_options(spring); !good) return refuse(good.error());
   if (!options.mass.empty() && (spring.mass_line || spring.held))
     return refuse(fmt::format("--mass: {} takes the masses from --masses, one for each; leave --mass out",
                               spring.held ? "--static" : "--mass-line"));

@@ -11,11 +11,15 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/text.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/os/process.h"
 #include "cromer/report/file.h"
 #include "cromer/study/lab_report.h"
+#include "cromer/study/static_report.h"
 #include "cromer/study/write_report.h"
+#include "cromer/tasks/fit/spring_options.h"
+#include "cromer/tasks/open_recording.h"
 #include "cromer/version.h"
 #include "fit_files.h"
 #include "message.h"
@@ -42,6 +46,7 @@ StudyProgress progress_line(bool quiet) {
 
 struct ReportOptions {
   FitOptions fit;
+  SpringOptions spring;
   std::string title, author, course, text, language, front;
   std::string folder;
 };
@@ -62,12 +67,14 @@ std::vector<Option> front_options_of(ReportOptions& o) {
 
 /// Options of fit for what a report has no place for.
 bool is_of_terminal(const Option& option) {
-  constexpr std::string_view names[] = {"goal", "textbook", "monte-carlo", "seed", "hold-out"};
+  constexpr std::string_view names[] = {"goal", "textbook", "monte-carlo", "seed", "hold-out", "mass-line"};
   return std::find(std::begin(names), std::end(names), option.name) != std::end(names);
 }
 
-std::vector<Option> fit_options_of(FitOptions& fit) {
-  std::vector<Option> options = options_of(fit);
+std::vector<Option> fit_options_of(ReportOptions& o) {
+  std::vector<Option> options = options_of(o.fit);
+  const std::vector<Option> of_spring = options_of(o.spring);
+  options.insert(options.end(), of_spring.begin(), of_spring.end());
   std::erase_if(options, is_of_terminal);
   return options;
 }
@@ -93,15 +100,19 @@ Result<ReportFront> front_of(const ReportOptions& options) {
 
 bool is_study(const std::string& file) { return file.ends_with(".toml"); }
 
+/// From the folder's study to the recording.
+std::string path_from(const std::string& folder, const std::string& file) {
+  std::error_code none;
+  return std::filesystem::proximate(file, std::filesystem::absolute(folder, none), none).generic_string();
+}
+
 /// The fits, those of free motions also compared with simulations.
 std::vector<ReportedRecording> report_of(std::vector<FittedRecording> fits, const ReportOptions& options,
                                          const Watch& watch) {
   std::vector<ReportedRecording> recordings(fits.size());
-  std::error_code none;
-  const auto folder = std::filesystem::absolute(options.folder, none);
   for_each_file(fits.size(), watch, [&](std::size_t i, const Watch& of_one) {
     ReportedRecording& each = recordings[i];
-    each.path = std::filesystem::proximate(fits[i].file, folder, none).generic_string();
+    each.path = path_from(options.folder, fits[i].file);
     each.fitted = std::move(fits[i]);
     if (!each.fitted.succeeded() || each.fitted.driven) return;
     CompareOptions compare;
@@ -112,18 +123,70 @@ std::vector<ReportedRecording> report_of(std::vector<FittedRecording> fits, cons
   return recordings;
 }
 
-/// Writes the study of the recordings to the folder, and gives its path. A study there that was changed by
-/// hand is an Error.
-Result<std::string> write_study(const std::vector<ReportedRecording>& recordings,
-                                const std::vector<TypedOption>& given, const ReportFront& front,
-                                const std::string& folder) {
+/// Writes a study to the folder, and gives its path. A study there that was changed by hand is an Error.
+Result<std::string> write_study(const std::string& study, const std::string& folder) {
   const std::string path = folder + "/study.toml";
   if (std::filesystem::exists(path))
     if (const auto there = read_file(path); there && !is_as_made(*there))
       return Error{"study_was_changed", {{"file", path}, {"folder", folder}}};
   if (const auto made = make_folder(folder); !made) return made.error();
-  if (const auto done = write_file(path, lab_report(recordings, given, front)); !done) return done.error();
+  if (const auto done = write_file(path, study); !done) return done.error();
   return path;
+}
+
+/// A report of recordings: its study, and what was found.
+struct OwnReport {
+  std::string study;
+  std::vector<ReportedRecording> recordings;
+  std::optional<StaticStiffness> held{};  ///< instead of recordings
+  std::vector<Notice> notices;
+  std::vector<std::string> failures;
+};
+
+/// Fits the recordings. An exit status where there is nothing to report.
+std::optional<int> read_swings(const std::vector<std::string>& files, const ReportOptions& options,
+                               const std::vector<TypedOption>& given, const ReportFront& front,
+                               const Watch& watch, OwnReport& own) {
+  if (auto good = check_fit_options(options.fit); !good) return refuse(good.error());
+  const auto found = recording_files(files);
+  if (!found) return refuse(found.error());
+  auto fits = fit_all(*found, options.fit, watch);
+  if (fits) own.recordings = report_of(*std::move(fits), options, watch);
+  clear_progress();
+  if (!fits) return refuse(fits.error());
+  if (watch.interrupted()) {
+    complain("interrupted before the report was made");
+    return no_success;
+  }
+  for (const ReportedRecording& each : own.recordings) {
+    own.notices.insert(own.notices.end(), each.fitted.notices.begin(), each.fitted.notices.end());
+    if (!each.fitted.succeeded()) own.failures.push_back(failure_text(each.fitted));
+  }
+  if (std::all_of(own.recordings.begin(), own.recordings.end(),
+                  [](const ReportedRecording& each) { return each.fitted.wrong_input; })) {
+    for (const std::string& each : own.failures) complain(each);
+    return wrong_input;
+  }
+  own.study = lab_report(own.recordings, given, front);
+  return std::nullopt;
+}
+
+/// The same of masses at rest.
+std::optional<int> read_held(const std::vector<std::string>& files, const ReportOptions& options,
+                             const std::vector<TypedOption>& given, const ReportFront& front,
+                             OwnReport& own) {
+  const auto recordings = recording_files(files);
+  if (!recordings) return refuse(recordings.error());
+  const auto opened = open_recordings(recordings->files, options.fit.read);
+  if (!opened) return refuse(opened.error());
+  auto found = fit_static(*opened, static_options(options.fit, options.spring));
+  if (!found) return refuse(found.error());
+  own.held = *std::move(found);
+  own.notices = own.held->notices;
+  std::vector<std::string> paths;
+  for (const std::string& file : recordings->files) paths.push_back(path_from(options.folder, file));
+  own.study = static_report(*own.held, paths, short_names(recordings->files), given, front);
+  return std::nullopt;
 }
 
 /// The name without its ending where it is that of a kind of file that no report is; else "".
@@ -164,9 +227,10 @@ int run_report(const Arguments& arguments) {
           "laws, what two Euler methods make of them, and the study file it was made by, to be edited), "
           "or of a study (a TOML file of tasks, figures and text).",
       .files = "FILE|FOLDER|STUDY.toml...",
-      .options = fit_options_of(options.fit),
+      .options = fit_options_of(options),
       .example =
           "  cromer report lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" -o report\n"
+          "  cromer report held.csv --static --masses \"48.4 g, 67.95 g, 87.96 g\" -o report\n"
           "  cromer report lab.csv --author \"A. Student\" -o lab.pdf\n"
           "  cromer report studies/spring_lab.toml -o out/spring_lab"};
   const auto of_front = front_options_of(options);
@@ -179,7 +243,7 @@ int run_report(const Arguments& arguments) {
   std::vector<std::string> files;
   std::vector<TypedOption> given;
   if (const auto status = parse(syntax, arguments, files, &given)) return *status;
-  const auto in_fit = fit_options_of(options.fit);
+  const auto in_fit = fit_options_of(options);
   const auto is_of_fit = [&](const TypedOption& typed) {
     return std::any_of(in_fit.begin(), in_fit.end(),
                        [&](const Option& each) { return each.name == typed.first; });
@@ -195,6 +259,7 @@ int run_report(const Arguments& arguments) {
       return refuse(fmt::format("--{}: a study says this itself, in {}", typed.first, files.front()));
   if (!options.language.empty() && options.language != "en" && options.language != "de")
     return refuse(fmt::format("--language {}: it must be en or de", options.language));
+  if (auto good = check_spring_options(options.spring); !good) return refuse(good.error());
   if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
   std::string pdf;
   if (const std::string name = without_ending(options.folder); !name.empty())
@@ -209,45 +274,27 @@ int run_report(const Arguments& arguments) {
   }
 
   Watch watch = watching(output.quiet);
-  std::vector<std::string> failures;
+  OwnReport own;
   std::optional<std::vector<Notice>> notices;
   std::string study = files.front();
-  std::vector<ReportedRecording> recordings;
   if (!of_study) {
-    if (auto good = check_fit_options(options.fit); !good) return refuse(good.error());
     const auto front = front_of(options);
     if (!front) return refuse(front.error());
-    const auto found = recording_files(files);
-    if (!found) return refuse(found.error());
-    auto fits = fit_all(*found, options.fit, watch);
-    if (fits) recordings = report_of(*std::move(fits), options, watch);
-    clear_progress();
-    if (!fits) return refuse(fits.error());
-    if (watch.interrupted()) {
-      complain("interrupted before the report was made");
-      return no_success;
-    }
-    notices.emplace();
-    for (const auto& each : recordings)
-      notices->insert(notices->end(), each.fitted.notices.begin(), each.fitted.notices.end());
-    for (const auto& each : recordings)
-      if (!each.fitted.succeeded()) failures.push_back(failure_text(each.fitted));
-    if (std::all_of(recordings.begin(), recordings.end(),
-                    [](const ReportedRecording& each) { return each.fitted.wrong_input; })) {
-      for (const std::string& each : failures) complain(each);
-      return wrong_input;
-    }
     std::erase_if(given, [&](const TypedOption& typed) { return !is_of_fit(typed); });
-    const auto path = write_study(recordings, given, *front, options.folder);
+    if (const auto status = options.spring.held ? read_held(files, options, given, *front, own)
+                                                : read_swings(files, options, given, *front, watch, own))
+      return *status;
+    const auto path = write_study(own.study, options.folder);
     if (!path) return refuse(path.error());
     study = *path;
+    notices = own.notices;
   }
   watch.progress = {};
   const auto progress = progress_line(output.quiet);
   const auto report = write_report(study, options.folder, today(), "cromer " CROMER_VERSION, watch, progress,
-                                   known_results(recordings), pdf);
+                                   own.held ? known_results(*own.held) : known_results(own.recordings), pdf);
   if (progress) std::fputs("\r\033[K", stderr);
-  return finish(report, output, failures, std::move(notices));
+  return finish(report, output, own.failures, std::move(notices));
 }
 
 }  // namespace cromer::core::cli

@@ -84,13 +84,9 @@ Result<Motions> motions_of(const RecordingFiles& found, const std::string& files
 
 Result<SpectrumResult> spectrum_of(const std::vector<std::string>& files, const SpectrumOptions& options,
                                    const Watch& watch) {
-  std::vector<Recording> recordings;
-  for (const auto& name : files) {
-    auto recording = open_recording(name, options.read);
-    if (!recording) return recording.error();
-    recordings.push_back(*std::move(recording));
-  }
-  return response_spectrum(recordings, options, watch);
+  const auto recordings = open_recordings(files, options.read);
+  if (!recordings) return recordings.error();
+  return response_spectrum(*recordings, options, watch);
 }
 
 /// `cromer spectrum` of one motion, from the files to the exit status.

@@ -373,5 +373,77 @@ TEST(Report, NeedsAStudyAndAFolder) {
   EXPECT_THAT(in_the_way.err, HasSubstr("file"));
 }
 
+// Of 100 g, 150 g and 200 g on a spring of 12 N/m, as a sensor below sees them, 0.05 mm rounded.
+std::string held_masses() {
+  std::string bytes =
+      "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2,"
+      "Time (s) Run #3,Position (m) Run #3\n";
+  for (int i = 0; i < 200; ++i)
+    for (int run = 0; run < 3; ++run) {
+      const double x = 0.5 - (0.1 + 0.05 * run) * 9.80665 / 12 + 2e-4 * std::sin(1.7 * i * i + run);
+      bytes += std::to_string(0.05 * i) + "," + std::to_string(5e-5 * std::round(x / 5e-5)) +
+               (run == 2 ? "\n" : ",");
+    }
+  return bytes;
+}
+
+TEST(Report, OfMassesAtRestHasTheSpringConstantAndItsLine) {
+  const Folder folder;
+  folder.write("held.csv", held_masses());
+  const Finished made = folder.run({"report", "held.csv", "--static", "--masses", "100 g, 150 g, 200 g", "-o",
+                                    "out", "--author", "A. Student"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto results = nlohmann::json::parse(folder.read("out/results.json"));
+  const double k = results.at("lab.stiffness").at("value"),
+               error = results.at("lab.stiffness").at("standard_error");
+  EXPECT_NEAR(k, 12, 4 * error);
+  EXPECT_LT(error, 0.03);
+  EXPECT_NEAR(results.at("lab.2.mass").at("value"), 0.15, 1e-12);
+  const std::string page = folder.read("out/index.html");
+  for (const char* part :
+       {"A. Student", "held.csv, run 3", "150\u00a0g", "Figure 2", "their part is not in the uncertainty",
+        "between pole and equator", "whatever the spring"})
+    EXPECT_THAT(page, HasSubstr(part));
+  // The study makes the same report again.
+  const Finished again = folder.run({"report", "out/study.toml", "-o", "again"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(folder.read("again/index.html"), page);
+  const Finished german = folder.run({"report", "held.csv", "--static", "--masses", "100 g, 150 g, 200 g",
+                                      "--gravity", "9.81 m/s^2", "-o", "de", "--language", "de"});
+  ASSERT_EQ(german.status, 0) << german.err;
+  EXPECT_THAT(folder.read("de/index.html"), testing::AllOf(HasSubstr("Federkonstante aus ruhenden Massen"),
+                                                           HasSubstr("9,81"), Not(HasSubstr("Normwert"))));
+}
+
+TEST(Report, OfMassesAtRestRefusesWhatDoesNotFit) {
+  const Folder folder;
+  folder.write("held.csv", held_masses());
+  const auto refused = [&](const std::vector<std::string>& more, const char* what) {
+    std::vector<std::string> all{"report", "held.csv", "-o", "out"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Finished end = folder.run(all);
+    EXPECT_EQ(end.status, 2) << what;
+    EXPECT_THAT(end.err, HasSubstr(what));
+    EXPECT_FALSE(folder.has("out/index.html")) << what;
+    EXPECT_FALSE(folder.has("out/study.toml")) << what;
+  };
+  refused({"--static"}, "--masses");
+  refused({"--static", "--masses", "100 g, 150 g"}, "2 masses");
+  refused({"--static", "--masses", "100 g, 150 g, 200 g, 250 g"}, "4 masses");
+  refused({"--masses", "100 g, 150 g, 200 g"}, "--masses");
+  refused({"--gravity", "9.81 m/s^2"}, "--gravity");
+  refused({"--static", "--masses", "100 g, 150 g, 200 g", "--law", "viscous"}, "--law has no meaning");
+  refused({"--static", "--masses", "100 g, 150 g, -200 g"}, "must not be negative");
+}
+
+// Without --static the runs are fitted as swings: that they look like masses at rest is said first.
+TEST(Report, SaysThatRunsLookLikeMassesAtRest) {
+  const Folder folder;
+  folder.write("held.csv", held_masses());
+  const Finished end = folder.run({"fit", "held.csv"});
+  EXPECT_THAT(end.err, testing::AllOf(HasSubstr("lie apart by much more than they move"),
+                                      HasSubstr("--static --masses")));
+}
+
 }  // namespace
 }  // namespace cromer::core::test

@@ -28,14 +28,11 @@ TEST(SlippedTimes, AreFoundUnderEachLaw) {
     for (const char* law : {"viscous", "viscous+cubic", ""}) {
       const LawFit fit =
           *law ? fit_law(record.record(), {.law = law_of(law)}) : choose_law(record.record(), {}).chosen;
-      const Notice slip = slipped_times(record.record(), fit);
-      ASSERT_EQ(slip.code, "times_slip") << seed << " " << to_text(fit.law);
-      EXPECT_THAT(
-          in_words(slip),
-          testing::HasSubstr(is_linear(fit.law) ? "part of what" : "proportional to the displacement"));
-      EXPECT_NEAR(std::get<double>(slip.values[0].value), 16 + 0.8 * seed, 1) << seed;
-      EXPECT_THAT(in_words(slip), testing::HasSubstr("lost samples"));
-      EXPECT_NEAR(std::get<double>(slip.values[1].value), 0.02 * (1 + seed % 2), 0.005) << seed;
+      const auto slip = find_slip(record.record(), fit);
+      ASSERT_TRUE(slip) << seed << " " << to_text(fit.law);
+      EXPECT_NEAR(slip->at, 16 + 0.8 * seed, 1) << seed;
+      EXPECT_NEAR(slip->by, -0.02 * (1 + seed % 2), 0.002) << seed;
+      EXPECT_THAT(in_words(slip->notice("times_slip")), testing::HasSubstr("lost samples"));
     }
   }
 }
@@ -46,7 +43,7 @@ TEST(SlippedTimes, ABentSpringIsNoSlip) {
     bent.cubic = seed % 2 ? 6 : -6;
     const auto record = with_samples_lost(bent, 2000, 0, seed);
     for (const LawFit& fit : {choose_law(record.record(), {}).chosen, fit_law(record.record(), {})})
-      EXPECT_TRUE(slipped_times(record.record(), fit).empty()) << seed << " " << to_text(fit.law);
+      EXPECT_FALSE(find_slip(record.record(), fit)) << seed << " " << to_text(fit.law);
   }
 }
 
@@ -61,7 +58,7 @@ TEST(SlippedTimes, NoiseThatWandersIsNoSlip) {
       noise = 0.95 * noise + normal(engine);
       record.y.push_back(0.3 * std::exp(-0.2 * t) * std::cos(6 * t) + noise);
     }
-    told += !slipped_times(record.record(), fit_law(record.record(), {})).empty();
+    told += find_slip(record.record(), fit_law(record.record(), {})).has_value();
   }
   EXPECT_LE(told, 1);
 }
@@ -83,11 +80,11 @@ TEST(SlippedTimes, AreFoundInDerivatives) {
       Record seen = record.record();
       seen.derivative = derivative;
       const LawFit fit = fit_law(seen, {});
-      const Notice slip = slipped_times(seen, fit);
-      ASSERT_EQ(slip.code, "times_slip") << derivative << " " << seed;
-      EXPECT_THAT(in_words(slip), testing::HasSubstr("repeated samples"));
-      EXPECT_NEAR(std::get<double>(slip.values[0].value), 18, 1);
-      EXPECT_NEAR(std::get<double>(slip.values[1].value), 0.04, 0.005);
+      const auto slip = find_slip(seen, fit);
+      ASSERT_TRUE(slip) << derivative << " " << seed;
+      EXPECT_THAT(in_words(slip->notice("times_slip")), testing::HasSubstr("repeated samples"));
+      EXPECT_NEAR(slip->at, 18, 1);
+      EXPECT_NEAR(slip->by, 0.04, 0.003);
     }
 }
 

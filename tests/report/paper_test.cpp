@@ -75,11 +75,10 @@ void expect_clean(const std::vector<Sheet>& sheets) {
       EXPECT_GE(printed.box.x, side_margin - 1e-6) << said(printed);
       EXPECT_LE(printed.box.right(), sheet_width - side_margin + 1e-6) << said(printed);
       EXPECT_GE(printed.box.y, upper_margin - 1e-6) << said(printed);
-      if (&printed != &sheet.back()) {
-        EXPECT_LE(printed.box.bottom(), sheet_height - upper_margin + 1) << said(printed);
-      } else {
-        EXPECT_LE(printed.box.bottom(), sheet_height - 20);
-      }
+      // The sheet's number and the page's footer stand in the margin.
+      const bool in_margin = printed.box.y > sheet_height - upper_margin;
+      EXPECT_LE(printed.box.bottom(), in_margin ? sheet_height - 20 : sheet_height - upper_margin + 1)
+          << said(printed);
       if (printed.kind == Printed::Kind::ground) continue;
       const Box& box = printed.box;
       const Box inner{box.x + 0.01, box.y + 0.01, box.width - 0.02, box.height - 0.02};
@@ -178,6 +177,23 @@ TEST(Paper, EveryTextOfThePageOccurs) {
                              "remark 29"})
       EXPECT_THAT(words, HasSubstr(text));
     EXPECT_THAT(to_svg(sheets.front(), typeface, "de"), HasSubstr("xml:lang=\"de\""));
+  }
+}
+
+TEST(Paper, TheFooterStandsInTheLastMarginAndNeedsNoSheetOfItsOwn) {
+  Page page;
+  page.footer = "cromer 0.1.0 · compiled by g++ 12.2.0";
+  for (int lines = 30; lines < 80; ++lines) {
+    page.blocks.assign(static_cast<std::size_t>(lines), Paragraph{"Line."});
+    const auto with = sheets_of(page, Typeface::lato);
+    expect_clean(with);
+    Page without = page;
+    without.footer.clear();
+    EXPECT_EQ(with.size(), sheets_of(without, Typeface::lato).size()) << lines;
+    EXPECT_THAT(all_words({with.back()}), HasSubstr("compiled by")) << lines;
+    if (with.size() > 1) {
+      EXPECT_THAT(all_words({with.front()}), testing::Not(HasSubstr("compiled by"))) << lines;
+    }
   }
 }
 

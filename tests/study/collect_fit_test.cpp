@@ -164,5 +164,40 @@ TEST(CollectCompare, SaysWhereASimulationExceedsTheLawMost) {
   EXPECT_EQ(column(results, "c.1.x").values.size(), 160u);
 }
 
+TEST(CollectFit, HasTheHoldsAndTheirLine) {
+  StaticStiffness found;
+  found.stiffness = estimate(12);
+  found.gravity = {9.81, 0.01};
+  found.line.slope = 0.8;
+  found.line.intercept = 0.1;
+  found.line.extra_scatter = 0.003;
+  found.holds = {{.file = "a/one.csv", .position = 0.2, .standard_error = 0.004, .mass = {0.1, 0.001}},
+                 {.file = "a/one.csv", .run = 2, .position = 0.25, .mass = {0.2, 0}}};
+  Results results;
+  collect("held", found, results);
+  EXPECT_EQ(fact(results, "held.stiffness"), "12 +- 0.1 N/m");
+  EXPECT_EQ(fact(results, "held.stiffness.low"), "11.8 N/m");
+  EXPECT_EQ(fact(results, "held.gravity"), "9.81 +- 0.01 m/s²");
+  EXPECT_EQ(fact(results, "held.1.label"), "one.csv, run 1");
+  EXPECT_EQ(fact(results, "held.1.mass"), "0.1 +- 0.001 kg");
+  EXPECT_EQ(fact(results, "held.2.position"), "0.25 m");
+  EXPECT_THAT(column(results, "held.mass").values, ElementsAre(0.1, 0.2));
+  EXPECT_THAT(column(results, "held.residual").values,
+              ElementsAre(testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(-0.01, 1e-12)));
+  EXPECT_THAT(column(results, "held.line").values,
+              ElementsAre(testing::DoubleNear(0.18, 1e-12), testing::DoubleNear(0.26, 1e-12)));
+  EXPECT_NEAR(column(results, "held.bar_residual").values[1] - column(results, "held.bar_residual").values[0],
+              0.01, 1e-12);
+  found.holds[1].run = 1;
+  found.holds[1].file = "a/two.csv";
+  collect("files", found, results);
+  EXPECT_EQ(fact(results, "files.2.label"), "two.csv");
+  found.holds[1].file = "a/one.csv";
+  found.holds[1].from = 5;
+  found.holds[1].to = 9;
+  collect("stairs", found, results);
+  EXPECT_EQ(fact(results, "stairs.2.label"), "5 to 9 s");
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -327,8 +327,8 @@ TEST(LabReport, OfAnUnknownLengthNamesNoJoulesAndNoMetres) {
 
 TEST(LabReport, SaysOfHowManySamplesAPartIs) {
   const Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {{"from", "10 s"}});
-  EXPECT_THAT(lab.text(),
-              HasSubstr("lab.csv: 1000 of 1500 samples, those from 10.00\u00a0s to 29.98\u00a0s, in 19.98"));
+  EXPECT_THAT(lab.text(), HasSubstr("lab.csv, column \"Position (m)\": 1000 of 1500 samples, those from "
+                                    "10.00\u00a0s to 29.98\u00a0s, in 19.98"));
   EXPECT_THAT(lab.text(), HasSubstr("The recording, 1000 of 1500 samples, and the rest position"));
 }
 

@@ -9,6 +9,7 @@
 #include "cromer/base/extent.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/noise_of_force_in_fit.h"
 
@@ -166,19 +167,57 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
   return known;
 }
 
-// Values whose unit is off move the estimates as a motion does that is larger by as much.
-void add_scale_error(EstimateNoise& known, const Record& record, const DescribedMinimum& minimum,
-                     const Inverse& inverse) {
-  if (!(record.scale_error > 0) || !minimum.jacobian || !inverse.determined()) return;
-  const int k = minimum.fitted.count;
-  const std::vector<double> jacobian = minimum.jacobian();
+// What one standard error of something common to all samples adds to each of them moves the estimates.
+void add_common_error(EstimateNoise& known, std::span<const double> added, int k,
+                      std::span<const double> jacobian, const SquareMatrix& inverse) {
   Parameters along{}, moved{};
-  for (std::size_t i = 0; i < record.y.size(); ++i)
-    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * record.y[i];
+  for (std::size_t i = 0; i < added.size(); ++i)
+    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * added[i];
   for (int a = 0; a < k; ++a)
-    for (int b = 0; b < k; ++b) moved[a] += record.scale_error * inverse.matrix[a][b] * along[b];
+    for (int b = 0; b < k; ++b) moved[a] += inverse[a][b] * along[b];
   for (int a = 0; a < k; ++a)
     for (int b = 0; b < k; ++b) known.covariance[a][b] += moved[a] * moved[b];
+}
+
+// What a slip of one second adds to each sample after it: minus the motion's derivative.
+std::vector<double> slip_of_a_second(const Record& record, std::span<const double> motion) {
+  const std::size_t n = motion.size();
+  std::vector<double> added(n);
+  const auto first = static_cast<std::size_t>(
+      std::lower_bound(record.t.begin(), record.t.end(), record.slips_at) - record.t.begin());
+  for (std::size_t i = first; i < n; ++i) {
+    const std::size_t before = std::max(first, i - 1), after = std::min(n - 1, i + 1);
+    if (after > before) added[i] = (motion[before] - motion[after]) / (record.t[after] - record.t[before]);
+  }
+  return added;
+}
+
+// Errors that all samples share: of the unit of the values, which is that of a motion as much larger, and of
+// a slip of the times, which is one parameter more.
+void add_common_errors(EstimateNoise& known, const Record& record, const DescribedMinimum& minimum,
+                       const Inverse& inverse, std::span<const double> motion, double variance) {
+  const bool slips = looks_for_slips && record.slips_at < HUGE_VAL;
+  if ((!(record.scale_error > 0) && !slips) || !minimum.jacobian || !inverse.determined()) return;
+  const int k = minimum.fitted.count;
+  const std::vector<double> jacobian = minimum.jacobian();
+  if (record.scale_error > 0) {
+    std::vector<double> added(record.y.begin(), record.y.end());
+    for (double& each : added) each *= record.scale_error;
+    add_common_error(known, added, k, jacobian, inverse.matrix);
+  }
+  if (!slips) return;
+  std::vector<double> added = slip_of_a_second(record, motion);
+  Parameters along{};
+  double left = 0;  // of its square, that no other parameter can take
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    left += added[i] * added[i];
+    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * added[i];
+  }
+  for (int a = 0; a < k; ++a)
+    for (int b = 0; b < k; ++b) left -= along[a] * inverse.matrix[a][b] * along[b];
+  if (!(left > 0)) return;
+  for (double& each : added) each *= std::sqrt(variance / left);
+  add_common_error(known, added, k, jacobian, inverse.matrix);
 }
 
 // Of two parameters that are hardly known, the ratio that is: flat to the noise, not to rounding.
@@ -259,7 +298,8 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
   EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
-  add_scale_error(known, record, minimum, inverse);
+  const double variance = noise.sum_of_squares / std::max(1.0, fit.independent_samples - fitted.count);
+  add_common_errors(known, record, minimum, inverse, motion, variance);
   const ReadParameters quantities =
       read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();

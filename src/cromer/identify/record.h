@@ -1,6 +1,7 @@
 // A recorded motion and what drove it, and how large the motion and its noise are, whatever the law.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +18,8 @@ struct Record {
   int derivative = 0;      ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
   double clock_error = 0;  ///< relative standard error of the unit of its times
   double scale_error = 0;  ///< the same of its values
+  /// [s] The samples from then on may all be early or late: a slip of the times was taken out there (slip.h).
+  double slips_at = HUGE_VAL;
 
   /// `samples` samples from number `from` on.
   Record part(std::size_t from, std::size_t samples) const {

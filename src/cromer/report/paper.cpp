@@ -66,7 +66,6 @@ class Strips {
       else
         std::visit([this](const auto& block) { this->block(block); }, page.blocks[i]);
     }
-    if (!page.footer.empty()) footer(page.footer);
     return std::move(strips_);
   }
 
@@ -227,13 +226,6 @@ class Strips {
 
   void block(const FigureBlock& figure) { figures({&figure}); }
 
-  void footer(const std::string& text) {
-    std::vector<Strip> strips = lines(pieces_of(text), style_.foot, 8);
-    strips.insert(strips.begin(), Strip{32, 1, {print_rule(0, 0, column_width, key_line)}, true});
-    keep_together(strips);
-    add(std::move(strips));
-  }
-
   Typeface typeface_;
   PaperStyles style_;
   std::vector<Strip> strips_;
@@ -290,10 +282,17 @@ class Stack {
 std::vector<Sheet> sheets_of(const Page& page, Typeface typeface) {
   std::vector<Sheet> sheets = Stack().of(Strips(typeface).of(page));
   const TextStyle foot = PaperStyles(typeface).foot;
+  constexpr double foot_line = sheet_height - upper_margin + 18, room_for_number = 60;
+  double y = foot_line;
+  for (const auto& line : PaperText(pieces_of(page.footer), foot).lines(column_width - room_for_number)) {
+    sheets.back().push_back(
+        print_line(line, foot, Align::left, side_margin, y, column_width - room_for_number));
+    y += foot.line_height;
+  }
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const PaperText number({{Piece::Kind::words, fmt::format("{} / {}", i + 1, sheets.size()), {}}}, foot);
     sheets[i].push_back(print_line(number.lines(column_width).front(), foot, Align::right, side_margin,
-                                   sheet_height - upper_margin + 18, column_width));
+                                   foot_line, column_width));
   }
   return sheets;
 }

@@ -10,6 +10,7 @@
 #include "cromer/tasks/curves/resonance.h"
 #include "cromer/tasks/curves/work_precision.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/network_fit/network_fit.h"
 #include "cromer/tasks/network_run/network_run.h"
@@ -44,10 +45,15 @@ void collect(const std::string& id, const ModesResult& found, Results& results);
 
 /// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last,
 /// air_temperature, air_viscosity (with reynolds), first_rate, last_rate, stretches; simulate.OPTION (the law
-/// as options of simulate). Columns t, since_start, measured; of a law displacement, fitted_displacement,
-/// residual, mean, in all of which samples that are set aside are NaN; window_t, reynolds; amplitude, rate,
-/// law_rate, bar_amplitude, bar_rate (error bars), and law_amplitude, law_curve (the law between them).
+/// as options of simulate). Columns t, since_start, measured; left_out_t, left_out; of a law displacement,
+/// fitted_displacement, residual, mean, in all of which samples that are set aside are NaN; window_t,
+/// reynolds; amplitude, rate, law_rate, bar_amplitude, bar_rate (error bars), and law_amplitude, law_curve
+/// (the law between them).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
+
+/// "id": stiffness with .low and .high, gravity. "id.N" for hold N: label, mass, position, residual. Columns
+/// mass, position, residual, bar_mass, bar_residual (error bars), line_mass, line.
+void collect(const std::string& id, const StaticStiffness& found, Results& results);
 
 /// "id": the same as for its fit, and explanation (a sentence). "id.N" for curve N: the entries of its
 /// description; amplitude_error_end, excess_max, excess_max_t. Columns t, x, top_t, top, bottom_t, bottom.

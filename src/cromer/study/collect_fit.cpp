@@ -108,6 +108,8 @@ void collect_columns(const std::string& id, const FittedRecording& fitted, Resul
   results.set_column(id + ".since_start", std::move(since_start), "s", "time since the first sample");
   const std::vector<double> measured = used_samples(fitted.series);
   results.set_column(id + ".measured", measured, unit, "measured " + fitted.series.quantity);
+  results.set_column(id + ".left_out_t", fitted.left_out.t, "s", "time *t*");
+  results.set_column(id + ".left_out", fitted.left_out.y, unit, "measured " + fitted.series.quantity);
   if (!fitted.fit.has_values()) return;
   const double mean = fitted.fit.equilibrium().value;
   const std::string axis = fitted.series.quantity == "position" ? "position *x*" : fitted.series.quantity;
@@ -182,6 +184,46 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   collect_reynolds(id, fitted, results);
   collect_decay(id, fitted, results);
   collect_columns(id, fitted, results);
+}
+
+void collect(const std::string& id, const StaticStiffness& found, Results& results) {
+  Facts(results, [](std::string_view unit) { return unit; }).set(id + ".stiffness", found.stiffness, "N/m");
+  results.set(id + ".gravity", found.gravity, "m/s²");
+  std::vector<double> mass, position, residual, bar_at, bar;
+  bool several_files = false, several_runs = false;
+  for (const Hold& hold : found.holds) {
+    several_files = several_files || hold.file != found.holds.front().file;
+    several_runs = several_runs || hold.run != found.holds.front().run;
+  }
+  std::vector<std::string> files;
+  for (const Hold& hold : found.holds) files.push_back(hold.file);
+  const std::vector<std::string> names = short_names(files);
+  for (std::size_t i = 0; i < found.holds.size(); ++i) {
+    const Hold& hold = found.holds[i];
+    const std::string name = id + "." + std::to_string(i + 1);
+    const Notice which = several_runs ? Notice{"report_run_of", {{"file", names[i]}, {"run", hold.run}}}
+                                      : Notice{"stretch", {{"from", hold.from}, {"to", hold.to}}};
+    results.set(name + ".label",
+                several_files && !several_runs ? names[i] : in_words(which, {results.language()}));
+    results.set(name + ".mass", hold.mass, "kg");
+    results.set(name + ".position", Quantity{hold.position, hold.standard_error}, "m");
+    mass.push_back(hold.mass.value);
+    position.push_back(hold.position);
+    residual.push_back(residual_of(found, hold));
+    results.set(name + ".residual", residual.back(), "m");
+    const double error = std::hypot(hold.standard_error, found.line.extra_scatter);
+    bar_at.insert(bar_at.end(), {mass.back(), mass.back(), mass.back()});
+    bar.insert(bar.end(), {residual.back() - error, residual.back() + error, none});
+  }
+  const auto [least, most] = extent_of(mass);
+  const auto on_line = [&](double m) { return found.line.intercept + found.line.slope * m; };
+  results.set_column(id + ".line", {on_line(least), on_line(most)}, "m", "position");
+  results.set_column(id + ".line_mass", {least, most}, "kg", "mass");
+  results.set_column(id + ".bar_mass", std::move(bar_at), "kg", "mass");
+  results.set_column(id + ".bar_residual", std::move(bar), "m", "residual");
+  results.set_column(id + ".mass", std::move(mass), "kg", "mass");
+  results.set_column(id + ".position", std::move(position), "m", "position");
+  results.set_column(id + ".residual", std::move(residual), "m", "residual");
 }
 
 void collect(const std::string& id, const CompareResult& compared, Results& results) {

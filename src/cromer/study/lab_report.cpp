@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -52,6 +51,7 @@ class Part : public LabTold {
     if (fitted_.succeeded() && simulates()) simulation();
     heading("report_measured");
     paragraph(words("report_samples", {{"file", verbatim(title())},
+                                       {"column", column()},
                                        {"used", used()},
                                        {"part", part()},
                                        {"duration", in_braces("duration, 4")},
@@ -220,7 +220,10 @@ class Part : public LabTold {
     const std::string id = figure_id("record");
     const bool known = fitted_.succeeded(), has_level = known && (is_zero() || is_known("equilibrium"));
     const auto [low, high] = extent_of(fitted_.series.y);
-    const std::string unit = known ? shown() : readable_unit(unit_of(fitted_.series), (high - low) / 2);
+    // Of a swing far from zero the ticks have few places before those that change.
+    constexpr double far = 50;
+    const double size = std::max((high - low) / 2, std::max(high, -low) / far);
+    const std::string unit = readable_unit(unit_of(fitted_.series), size);
     FigureLines figure{.id = id,
                        .title = words("report_record_title", {{"file", verbatim(title())}}),
                        .caption = words(!has_level  ? "report_record"
@@ -233,6 +236,13 @@ class Part : public LabTold {
                        .x_name = time_axis(),
                        .y_name = with_own_unit(quantity(), unit),
                        .y_unit = unit};
+    if (!fitted_.left_out.t.empty())
+      figure.curves.push_back({.of = id_,
+                               .role = "set-aside",
+                               .name = words("report_not_used"),
+                               .x = "left_out_t",
+                               .y = "left_out",
+                               .dots = true});
     figure.curves.push_back(
         {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true});
     if (has_level)
@@ -776,21 +786,13 @@ std::string task_of(std::size_t i, std::size_t count) {
   return count == 1 ? "lab" : fmt::format("lab_{}", i + 1);
 }
 
-constexpr std::string_view mark_of_file = "# cromer report ";
-
-/// A sum that changes with the text (Fowler, Noll and Vo's FNV-1a, 64 bits).
-std::string sum_of(std::string_view text) {
-  std::uint64_t sum = 14695981039346656037u;
-  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return fmt::format("{:016x}", sum);
-}
-
 }  // namespace
 
 std::string lab_report(std::span<const ReportedRecording> recordings, const std::vector<TypedOption>& options,
                        const ReportFront& front) {
-  StudyWriter toml, page;
   const Voice voice{front.language};
+  LabPage written(front);
+  StudyWriter& page = written.page();
   const bool alone = recordings.size() == 1;
   std::vector<std::string> files;
   for (const ReportedRecording& each : recordings) files.push_back(each.fitted.file);
@@ -799,35 +801,17 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   for (std::size_t i = 0; i < recordings.size(); ++i)
     parts.emplace_back(recordings[i], names[i], task_of(i, recordings.size()), alone, front, page);
 
-  toml.text("title",
-            !front.title.empty() ? verbatim(front.title)
-            : alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
-                    : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice));
-  std::string byline = verbatim(front.author);
-  if (!front.course.empty()) byline += (byline.empty() ? "" : " · ") + verbatim(front.course);
-  toml.text("byline", byline);
   std::string summary;
   for (const Part& part : parts) {
     std::string lines;
     for (const std::string& line : part.summary()) lines += (lines.empty() ? "" : " ") + line;
     summary += (summary.empty() ? "" : "\n\n") + lines;
   }
-  toml.text("summary", summary);
-  if (front.language == Language::german) toml.text("language", "de");
-
+  written.begin(alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
+                      : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice),
+                summary);
   if (alone && recordings[0].fitted.succeeded()) parts[0].key_figures();
-  const auto own = [&](const std::string& text, const char* heading) {
-    if (text.empty()) return;
-    if (*heading) {
-      page.table("block");
-      page.text("heading", in_words(Notice{heading}, voice));
-    }
-    page.table("block");
-    page.text("text", verbatim(text));
-  };
-  own(front.text, "");
-  own(front.aim, "report_aim");
-  own(front.apparatus, "report_apparatus");
+  written.own_parts();
   if (!alone) {
     page.table("block");
     page.text("table", in_words(Notice{"report_recordings"}, voice));
@@ -849,10 +833,7 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
     page.bare("rows", "[\n" + table + "]");
   }
   for (Part& part : parts) part.write(options);
-  own(front.conclusion, "report_conclusion");
-  const std::string body =
-      in_words(Notice{"report_file_head"}, voice) + "\n" + toml.written() + page.written();
-  return std::string(mark_of_file) + sum_of(body) + "\n" + body;
+  return written.end();
 }
 
 KnownResults known_results(std::span<const ReportedRecording> recordings) {
@@ -868,12 +849,6 @@ KnownResults known_results(std::span<const ReportedRecording> recordings) {
     };
   }
   return known;
-}
-
-bool is_as_made(std::string_view study) {
-  const std::size_t line = study.find('\n');
-  return study.starts_with(mark_of_file) && line != study.npos &&
-         study.substr(mark_of_file.size(), line - mark_of_file.size()) == sum_of(study.substr(line + 1));
 }
 
 }  // namespace cromer::core

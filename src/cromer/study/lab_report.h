@@ -10,6 +10,7 @@
 
 #include "cromer/notice.h"
 #include "cromer/result.h"
+#include "cromer/study/lab_page.h"
 #include "cromer/study/run_study.h"
 #include "cromer/tasks/compare/compare.h"
 
@@ -26,16 +27,6 @@ struct ReportedRecording {
   std::optional<CompareResult> compared{};
 };
 
-/// What stands on the page beside the results.
-struct ReportFront {
-  std::string title;  ///< "" for one that names the recordings
-  std::string author, course;
-  // The writer's own, in the markup of reports: under the summary, in parts of their own before the results,
-  // and behind them.
-  std::string text, aim, apparatus, conclusion;
-  Language language = Language::english;
-};
-
 /// A study that fits the same recordings with the same options, as they were typed. Each sentence and each
 /// figure is there only where the fit supports it; the numbers in them are the study's own, so that they
 /// follow when an option is changed. Of a fit that did not succeed it says why, and draws the recording.
@@ -47,9 +38,6 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
 /// The results of its fits and comparisons, so that the study need not make them again. `recordings` must
 /// outlive them.
 KnownResults known_results(std::span<const ReportedRecording> recordings);
-
-/// Whether a study file is as lab_report() made it.
-bool is_as_made(std::string_view study);
 
 /// Reads title, author, course, text and language from TOML. Errors name file, line and column.
 Result<ReportFront> read_report_front(std::string_view toml, const std::string& file);

@@ -84,14 +84,7 @@ class LabTold {
   std::string in_braces(std::string_view inside) const { return fmt::format("{{{}.{}}}", id_, inside); }
 
   std::string interval(std::string_view name, const Estimate& e) const {
-    // Without an upper end the interval is as wide as the lower one tells.
-    const bool open = std::isinf(e.high);
-    const double low = e.low, high = open ? 2 * e.value - low : e.high;
-    const auto written = [&](std::string_view end, double value) {
-      return in_braces(fmt::format("{}.{}, {}, bare", name, end, digits_of_end(value, low, high)));
-    };
-    if (open) return words("report_at_least", {{"low", written("low", low)}});
-    return words("report_interval", {{"low", written("low", low)}, {"high", written("high", high)}});
+    return interval_of(fmt::format("{}.{}", id_, name), e, front_.language);
   }
 
   std::string figure_id(std::string_view name) const {
@@ -157,7 +150,9 @@ class LabTold {
 
   /// The name of an axis of the recorded quantity.
   std::string with_own_unit(const std::string& name, const std::string& unit) const {
-    return with_unit(name, unit.empty() ? si() : std::string_view(unit));
+    return with_unit(name, !unit.empty()  ? unit
+                           : si().empty() ? words("report_as_recorded")
+                                          : std::string(si()));
   }
 
   std::string quantity() const {
@@ -220,7 +215,17 @@ class LabTold {
   bool exactly() const { return fitted_.fit.law == law_of("viscous"); }
 
   std::string rate() const {
-    return fitted_.series.rate > 0 ? words("report_rate", {{"rate", in_braces("rate, 4, bare")}}) : "";
+    if (!(fitted_.series.rate > 0)) return "";
+    return words(
+        fitted_.series.time_column.empty() && !fitted_.of_arrays ? "report_rate_given" : "report_rate",
+        {{"rate", in_braces("rate, 4, bare")}});
+  }
+
+  /// The column that was taken, behind the file's name.
+  std::string column() const {
+    return fitted_.series.column.empty()
+               ? ""
+               : words("report_column", {{"column", verbatim(fitted_.series.column)}});
   }
 
   bool all_are_used() const { return fitted_.series.t.size() == fitted_.samples; }

@@ -7,6 +7,7 @@
 #include "cromer/read/in_file.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/network_tasks.h"
+#include "cromer/study/static_task.h"
 #include "cromer/study/work.h"
 #include "cromer/tasks/fit/said_of_runs.h"
 #include "cromer/tasks/option/option.h"
@@ -65,7 +66,9 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
 }
 
 Result<TaskReport> run_fit(const Work& work) {
-  return work.has_setting("network") ? fit_network_task(work) : run_on_recording<FitOptions>(work, fit);
+  if (work.has_setting("network")) return fit_network_task(work);
+  if (work.has_setting("static")) return fit_static_task(work);
+  return run_on_recording<FitOptions>(work, fit);
 }
 
 Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }

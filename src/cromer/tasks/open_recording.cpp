@@ -11,4 +11,15 @@ Result<Recording> open_recording(const std::string& path, const ReadOptions& opt
   return read_recording(*bytes, name.empty() ? path : name, options);
 }
 
+Result<std::vector<Recording>> open_recordings(const std::vector<std::string>& paths,
+                                               const ReadOptions& options) {
+  std::vector<Recording> recordings;
+  for (const std::string& path : paths) {
+    auto recording = open_recording(path, options);
+    if (!recording) return recording.error();
+    recordings.push_back(*std::move(recording));
+  }
+  return recordings;
+}
+
 }  // namespace cromer::core

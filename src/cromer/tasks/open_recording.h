@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
@@ -12,5 +13,9 @@ namespace cromer::core {
 /// given. An Error says why the file cannot be read, or names line, column and cure.
 Result<Recording> open_recording(const std::string& path, const ReadOptions& options,
                                  const std::string& name = "");
+
+/// All of them, or the first Error.
+Result<std::vector<Recording>> open_recordings(const std::vector<std::string>& paths,
+                                               const ReadOptions& options);
 
 }  // namespace cromer::core

@@ -33,8 +33,8 @@ constexpr Entry entries[] = {
     {"line_of_two", worth_knowing, "two masses always give a line: nothing shows whether it is one",
      "zwei Massen geben immer eine Gerade: nichts zeigt, ob es eine ist"},
     {"points_scatter", worth_knowing,
-     "the points scatter about the line by more than their errors give on average: {scatter:.2g} s² is added "
-     "to all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
+     "the points scatter about the line by more than their errors give on average: {scatter:.2g} s² is "
+     "added to all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
      "die Punkte streuen um die Gerade um mehr, als ihre Fehler im Mittel ergeben: {scatter:.2g} s² ist "
      "allen Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
 
@@ -66,17 +66,23 @@ constexpr Entry entries[] = {
      "known",
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
+    {"perhaps_held", wrong_if_ignored,
+     "the runs lie apart by much more than they move, {least:length} to {most:length}, as masses do that "
+     "hang at rest: for the spring constant give {--static} {--masses} \"0.1 kg, 0.2 kg\"",
+     "die Läufe liegen viel weiter auseinander, als sie sich bewegen, {least:length} bis {most:length}, wie "
+     "Massen, die in Ruhe hängen: für die Federkonstante bitte {--static} {--masses} \"0.1 kg, 0.2 kg\" "
+     "angeben"},
     {"holds_scatter", worth_knowing,
-     "the holds scatter about the line by more than their own errors give on average: {scatter:.2g} m is "
+     "the holds scatter about the line by more than their own errors give on average: {scatter:length} is "
      "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
-     "die Ruhelagen streuen um die Gerade um mehr, als ihre eigenen Fehler im Mittel ergeben: {scatter:.2g} "
-     "m ist allen Fehlern zugeschlagen, und der Bereich ist der von "
+     "die Ruhelagen streuen um die Gerade um mehr, als ihre eigenen Fehler im Mittel ergeben: "
+     "{scatter:length} ist allen Fehlern zugeschlagen, und der Bereich ist der von "
      "{degrees:Freiheitsgrad|Freiheitsgraden}"},
     {"hold_moves", wrong_if_ignored,
-     "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
+     "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:length} (rms), and "
      "its mean is taken; choose a quiet part with {|{--from} and {--to}|the handles}, or fit its swing "
      "without {--static}",
-     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:.2g} m "
+     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:length} "
      "(Effektivwert), und der Mittelwert gilt; bitte mit {|{--from} und {--to}|den Griffen} einen ruhigen "
      "Teil wählen oder die Schwingung ohne {--static} anpassen"},
     {"holds_out_of_order", wrong_if_ignored,

@@ -45,8 +45,8 @@ constexpr Entry entries[] = {
      "die Kraftspalte „{column}“ ist durchweg {value:n}: eine Kraft, die sich nie ändert, treibt nichts an; "
      "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
     {"force_has_a_gap", error,
-     "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is not "
-     "known; choose one side of it with {|{--from} and {--to}|the handles}, or fill it in",
+     "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is "
+     "not known; choose one side of it with {|{--from} and {--to}|the handles}, or fill it in",
      "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
      "ist nicht bekannt; bitte mit {|{--from} und {--to}|den Griffen} eine Seite wählen oder sie füllen"},
     {"force_has_gaps", error,
@@ -75,8 +75,8 @@ constexpr Entry entries[] = {
     {"force_taken_as_exact", worth_knowing,
      "the recorded force is taken as exact: what noise of its sensor does to the motion is not in the "
      "uncertainties, and near the resonance that is much",
-     "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, steckt "
-     "nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
+     "die aufgezeichnete Kraft gilt als genau: was das Rauschen ihres Sensors mit der Bewegung macht, "
+     "steckt nicht in den Unsicherheiten, und nahe der Resonanz ist es viel"},
     {"force_is_noisy", worth_knowing,
      "what the law leaves looks like noise of {noise:.2g}{unit: } in each sample of the recorded force; the "
      "uncertainties include it",
@@ -90,17 +90,17 @@ constexpr Entry entries[] = {
      "what the force did between its samples is not certain: read as {reading} the rms residual is "
      "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the uncertainties are "
      "widened for it. If it is known, give {--between-samples}",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
-     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
+     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
      "Entscheidung; die Unsicherheiten sind dafür geweitet. Ist es bekannt, bitte {--between-samples} "
      "angeben"},
     {"force_between_samples_open_and_matters", worth_knowing,
      "what the force did between its samples is not certain: read as {reading} the rms residual is "
-     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the other reading would "
-     "make the {differences:,}; the uncertainties are widened for it. If it is known, give "
+     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the other reading "
+     "would make the {differences:,}; the uncertainties are widened for it. If it is known, give "
      "{--between-samples}",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
-     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
+     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
      "Entscheidung; die andere Lesart gäbe {differences:,}; die Unsicherheiten sind dafür geweitet. Ist es "
      "bekannt, bitte {--between-samples} angeben"},
     {"parameter_elsewhere", clause,
@@ -109,17 +109,22 @@ constexpr Entry entries[] = {
 
     // Times that slip
     {"times_slip", wrong_if_ignored,
-     "times that slip by {slip:.2g} s at {t:.4g} s explain {what}: the recorder may have {how} there; fit "
-     "the parts before and after with {|{--from} and {--to}|the handles}",
-     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären {what}: dort können Messwerte {how} "
-     "sein; bitte die Teile davor und danach mit {|{--from} und {--to}|den Griffen} anpassen"},
-    {"motion_without_a_bent_spring", clause,
-     "the motion at least as well, with a restoring force that is proportional to the displacement",
-     "die Bewegung mindestens ebenso gut, mit einer Rückstellkraft proportional zur Auslenkung"},
-    {"part_of_what_is_left", clause, "part of what the law leaves",
-     "einen Teil dessen, was das Gesetz übrig lässt"},
+     "times that slip by {slip:.2g} s at {t:.4g} s explain part of what the law leaves: the recorder may "
+     "have {how} there; fit the parts before and after with {|{--from} and {--to}|the handles}",
+     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären einen Teil dessen, was das Gesetz übrig "
+     "lässt: dort können Messwerte {how} sein; bitte die Teile davor und danach mit {|{--from} und "
+     "{--to}|den Griffen} anpassen"},
+    {"slip_taken_out", worth_knowing,
+     "the times slip by {slip:.2g} s at {t:.4g} s, as if the recorder had {how} there (a knock looks "
+     "alike): later times are {shift} by as much, and the uncertainties include that of this slip. As "
+     "recorded, they would give {law} and {frequency:.5g} Hz",
+     "die Zeiten springen bei {t:.4g} s um {slip:.2g} s, als wären dort Messwerte {how} (ein Stoß sieht "
+     "ebenso aus): spätere Zeiten sind um so viel {shift}, und die Unsicherheiten enthalten die dieses "
+     "Sprungs. Wie aufgezeichnet ergäben sie {law} und {frequency:.5g} Hz"},
     {"samples_lost", clause, "lost samples", "verloren"},
     {"samples_repeated", clause, "repeated samples", "wiederholt"},
+    {"shifted_later", clause, "put later", "nach hinten verschoben"},
+    {"shifted_earlier", clause, "put earlier", "nach vorn verschoben"},
 };
 
 }  // namespace

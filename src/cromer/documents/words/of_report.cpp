@@ -21,9 +21,9 @@ constexpr Entry entries[] = {
     {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
     {"report_poorly_described", clause,
-     "{file}: no law that was tried describes this motion. The nearest leaves {rms} (root mean square), more "
-     "than a tenth of the swing: its numbers are not those of the motion. A part that swings freely may have "
-     "a law ({--from}, {--to}).",
+     "{file}: no law that was tried describes this motion. The nearest leaves {rms} (root mean square), "
+     "more than a tenth of the swing: its numbers are not those of the motion. A part that swings freely "
+     "may have a law ({--from}, {--to}).",
      "{file}: kein Gesetz, das geprüft wurde, beschreibt diese Bewegung. Das nächste lässt {rms} "
      "(Effektivwert) übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der Bewegung. "
      "Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
@@ -89,12 +89,17 @@ constexpr Entry entries[] = {
 
     // The recording and its law.
     {"report_measured", clause, "What was measured", "Was gemessen wurde"},
-    {"report_samples", clause, "{file}: {used}{part} in {duration}{rate}.{aside}",
-     "{file}: {used}{part} in {duration}{rate}.{aside}"},
+    {"report_samples", clause, "{file}{column}: {used}{part} in {duration}{rate}.{aside}",
+     "{file}{column}: {used}{part} in {duration}{rate}.{aside}"},
+    {"report_column", clause, ", column \"{column}\"", ", Spalte „{column}“"},
+    {"report_not_used", clause, "not used", "nicht benutzt"},
+    {"report_as_recorded", clause, "as recorded", "wie aufgezeichnet"},
     {"report_samples_used", clause, "{used} samples", "{used} Messwerte"},
     {"report_used_of", clause, "{used} of {samples} samples", "{used} von {samples} Messwerten"},
     {"report_part", clause, ", those from {from} to {to},", ", die von {from} bis {to},"},
     {"report_rate", clause, ", {rate} a second", ", {rate} pro Sekunde"},
+    {"report_rate_given", clause, ", {rate} a second (given: the file has no times)",
+     ", {rate} pro Sekunde (angegeben: die Datei hat keine Zeiten)"},
     {"report_gaps", clause, " Samples are missing at {gaps:place|places}.",
      " An {gaps:Stelle|Stellen} fehlen Messwerte."},
     {"report_outliers", clause,
@@ -136,8 +141,8 @@ constexpr Entry entries[] = {
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), und darin ist ein Muster: entweder "
      "ist das Rauschen nicht von Wert zu Wert unabhängig, oder das Gesetz sagt nicht alles."},
     {"report_rounding", clause,
-     "What it leaves of the measured values is {rms} (root mean square), no more than rounding them to steps "
-     "of {step:.3g}{unit: } makes. Rounding leaves a pattern of its own.",
+     "What it leaves of the measured values is {rms} (root mean square), no more than rounding them to "
+     "steps of {step:.3g}{unit: } makes. Rounding leaves a pattern of its own.",
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), nicht mehr, als Runden auf Schritte "
      "von {step:.3g}{unit: } ausmacht. Runden hinterlässt ein eigenes Muster."},
     {"report_mostly_rounding", clause,
@@ -146,15 +151,14 @@ constexpr Entry entries[] = {
      "Was es von den Messwerten übrig lässt, ist {rms} (Effektivwert), das meiste davon vom Runden auf "
      "Schritte von {step:.3g}{unit: }. Runden hinterlässt ein eigenes Muster."},
     {"report_how", clause,
-     "The law was integrated and fitted to all samples in use by least squares, its start "
-     "included{several}.",
+     "The law was integrated and fitted to all samples in use by least squares, its start included{several}.",
      "Das Gesetz wurde integriert und mit seinem Anfang durch kleinste Quadrate an alle benutzten Messwerte "
      "angepasst{several}."},
     {"report_of_several_laws", clause,
-     "; of several laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler one "
-     "where the difference is small",
-     "; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), bei kleinem "
-     "Abstand ein einfacheres"},
+     "; of several laws the one with the lowest Bayesian information criterion (BIC) is taken, a simpler "
+     "one where the difference is small",
+     "; von mehreren Gesetzen gilt das mit dem kleinsten Bayesschen Informationskriterium (BIC), bei "
+     "kleinem Abstand ein einfacheres"},
     {"report_table", clause,
      "What the law says. ± is one standard uncertainty; the interval holds the true value in 95 % of such "
      "recordings, if the law is right.",
@@ -253,6 +257,51 @@ constexpr Entry entries[] = {
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",
      "{share} % der Varianz stammen von: {quantity}."},
+    {"report_held_title", clause, "The spring constant from masses at rest: {file}",
+     "Die Federkonstante aus ruhenden Massen: {file}"},
+    {"report_held", clause,
+     "{file}: {count} masses held at rest. By how much each stretches the spring, its constant is "
+     "{stiffness}; 95 %: {interval}.",
+     "{file}: {count} ruhende Massen. Danach, wie weit jede die Feder dehnt, ist ihre Federkonstante "
+     "{stiffness}; 95 %: {interval}."},
+    {"report_holds", clause,
+     "{count} masses hung at rest, one after the other. Each position is the mean of all samples of its "
+     "hold; its uncertainty allows for samples that are alike because they follow each other, and for "
+     "rounding.",
+     "{count} Massen hingen nacheinander in Ruhe. Jeder Ort ist das Mittel aller Messwerte; seine "
+     "Unsicherheit berücksichtigt, dass aufeinanderfolgende Werte einander gleichen, und das Runden."},
+    {"report_holds_table", clause,
+     "The masses and where they hung, with standard uncertainties, and how far from the line that is.",
+     "Die Massen und wo sie hingen, mit Standardunsicherheiten, und wie weit das von der Geraden entfernt "
+     "ist."},
+    {"report_mass", clause, "mass", "Masse"},
+    {"report_mass_axis", clause, "mass *m* (g)", "Masse *m* (g)"},
+    {"report_rest", clause, "position at rest", "Ruhelage"},
+    {"report_off_line", clause, "measured minus line", "gemessen minus Gerade"},
+    {"report_line", clause, "straight line", "Gerade"},
+    {"report_held_stiffness", clause,
+     "At rest the spring's pull is the weight: *k* *x* = *m g*, so the position is a straight line in the "
+     "mass whose slope is *g*/*k*, whatever the spring's own mass. With *g* = {gravity}, *k* = {stiffness}; "
+     "95 %: {interval}. The line is weighted with the uncertainties of positions and masses.",
+     "In Ruhe ist die Federkraft das Gewicht: *k* *x* = *m g*; der Ort ist also eine Gerade in der Masse "
+     "mit der Steigung *g*/*k*, unabhängig von der Masse der Feder. Mit *g* = {gravity} ist *k* = "
+     "{stiffness}; 95 %: {interval}. Die Gerade ist mit den Unsicherheiten der Orte und Massen gewichtet."},
+    {"report_gravity_assumed", clause,
+     "This *g* is the standard value, without an uncertainty ({--gravity}): between pole and equator it "
+     "varies by 0.5 %.",
+     "Dieses *g* ist der Normwert, ohne Unsicherheit ({--gravity}): zwischen Pol und Äquator ändert es sich "
+     "um 0,5 %."},
+    {"report_masses_without_error", clause,
+     "The masses have no ±, so their part is not in the uncertainty beyond what shows as scatter.",
+     "Die Massen sind ohne ± angegeben; ihr Teil steckt nur in der Unsicherheit, soweit er als Streuung "
+     "sichtbar ist."},
+    {"report_held_line_title", clause, "Position at rest against mass", "Ruhelage gegen Masse"},
+    {"report_held_line", clause, "The positions at rest, and the line through them.",
+     "Die Ruhelagen und die Gerade durch sie."},
+    {"report_held_residual_title", clause, "What the line leaves", "Was die Gerade übrig lässt"},
+    {"report_held_residual", clause,
+     "Measured minus line; bars: the standard uncertainties that the line was weighted with.",
+     "Gemessen minus Gerade; Balken: die Standardunsicherheiten, mit denen die Gerade gewichtet ist."},
     {"report_budget", clause, "Where the uncertainty of the spring constant comes from.",
      "Woher die Unsicherheit der Federkonstante kommt."},
     {"report_from_what", clause, "from", "aus"},
@@ -293,8 +342,8 @@ constexpr Entry entries[] = {
      "Das Gesetz, vom selben Anfang aus, nach zwei Verfahren mit Schritten von {step}, etwa {steps:.0f} in "
      "einer Periode, neben {reference}."},
     {"report_leaves", clause,
-     "They end at {t}, before forward Euler goes to where the spring gives way, or {times:g} times as far as "
-     "the law.",
+     "They end at {t}, before forward Euler goes to where the spring gives way, or {times:g} times as far "
+     "as the law.",
      "Sie enden bei {t}, bevor das Euler-Verfahren dorthin gelangt, wo die Feder nachgibt, oder "
      "{times:g}-mal so weit wie das Gesetz."},
     {"report_leaves_over_top", clause, "They end at {t}, before forward Euler swings over the top.",
@@ -307,8 +356,9 @@ constexpr Entry entries[] = {
      "dem Verfahren von Dormand und Prince mit einer Toleranz von 10^{{−10}}"},
     {"report_method_does", clause, "It {what}.", "Es {what}."},
     {"report_energy_grew", clause,
-     "After {t} the energy is {ratio} times that at the start; by the law it is {exact} times that.",
-     "Nach {t} ist die Energie das {ratio}-Fache der Anfangsenergie; nach dem Gesetz ist sie das "
+     "After {t} its energy is {ratio} times the energy at the start; by the law it would be {exact} times "
+     "that.",
+     "Nach {t} ist seine Energie das {ratio}-Fache der Anfangsenergie; nach dem Gesetz wäre sie das "
      "{exact}-Fache."},
     {"report_exact", clause, "exact", "exakt"},
     {"report_position_title", clause, "Position by both methods", "Ort nach beiden Verfahren"},
@@ -339,8 +389,8 @@ constexpr Entry entries[] = {
     // Under other frequencies.
     {"report_resonance", clause, "The resonance of this law", "Die Resonanz dieses Gesetzes"},
     {"report_resonance_text", clause,
-     "The drive of this recording has {drive}; the oscillator's own frequency is {natural}. The figures show "
-     "the steady motion of the law under a drive of the same strength at other frequencies.",
+     "The drive of this recording has {drive}; the oscillator's own frequency is {natural}. The figures "
+     "show the steady motion of the law under a drive of the same strength at other frequencies.",
      "Der Antrieb dieser Aufnahme hat {drive}; die eigene Frequenz des Schwingers ist {natural}. Die "
      "Abbildungen zeigen die eingeschwungene Bewegung des Gesetzes unter einem gleich starken Antrieb bei "
      "anderen Frequenzen."},

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/length_unit.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/catalogue.h"
 
@@ -177,6 +178,12 @@ class Sentence {
   }
 
   void put_value(double number, std::string_view how, bool alone) {
+    if (how == "length") {  // of metres
+      const LengthUnit unit = length_unit(std::abs(number));
+      text_ += with_comma(number_text(number / unit.metres, ".2g"), voice_.language) + ' ';
+      text_ += unit.symbol;
+      return;
+    }
     put_number(number, number_text(number, how), how, alone);
   }
   void put_value(long long count, std::string_view how, bool alone) {

@@ -26,6 +26,7 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/one_mass.h"
+#include "cromer/tasks/fit/perhaps_held.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/inspect/take_motion.h"
 
@@ -192,6 +193,24 @@ void drop_what_no_longer_holds(std::vector<Notice>& notices, const Notice& messa
               "rival_laws");
 }
 
+// The fit of the times without this slip, with a notice; nothing where one was taken out before, or the fit
+// is no better.
+std::optional<FittedRecording> fit_without(const TimeSlip& slip, const FittedRecording& with,
+                                           const Series& series, const FitOptions& options,
+                                           const Watch& watch) {
+  if (series.slips_at < HUGE_VAL) return std::nullopt;
+  Result<FittedRecording> mended = fit_series(without_slip(series, slip), with.file, options, watch);
+  if (!mended || !mended->succeeded() || !(mended->fit.residual.rms <= with.fit.residual.rms))
+    return std::nullopt;
+  Notice taken_out = slip.notice("slip_taken_out");
+  taken_out.values.push_back({"law", to_text(with.fit.law)});
+  taken_out.values.push_back({"frequency", with.fit.swing_frequency().value / two_pi});
+  mended->samples = with.samples;
+  mended->notices.insert(mended->notices.begin(), std::move(taken_out));
+  ++mended->of_record;
+  return *std::move(mended);
+}
+
 }  // namespace
 
 const Estimate* FittedRecording::find(std::string_view wanted) const {
@@ -238,7 +257,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity)),
                       result.series.clock_error,
-                      result.series.scale_error};
+                      result.series.scale_error,
+                      result.series.slips_at};
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) {
@@ -270,7 +290,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const FittedSamples good = without_outliers(result.series);
-  const Record kept{good.t, good.y, record.resolution, record.derivative};
+  Record kept{good.t, good.y, record.resolution, record.derivative};
+  kept.slips_at = record.slips_at;
   const DecaySegments segments = fit_segments(kept, two_pi / result.fit.swing_frequency().value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
@@ -287,8 +308,10 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if constexpr (looks_for_slips)
-    if (Notice slip = slipped_times(kept, result.fit, watch); !slip.empty())
-      result.notices.push_back(std::move(slip));
+    if (const auto slip = find_slip(kept, result.fit, watch)) {
+      if (auto mended = fit_without(*slip, result, series, options, watch)) return *std::move(mended);
+      result.notices.push_back(slip->notice("times_slip"));
+    }
   drop_what_no_longer_holds(result.notices, result.fit.message);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
@@ -337,25 +360,35 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
   return part;
 }
 
-Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, std::string_view file,
-                                          const FitOptions& options, const Watch& watch) {
-  const Result<Series> series = take_motion(recording, options.column, run, options.read);
-  if (!series) return series.error();
+Result<FittedRecording> fit_motion(const Recording& recording, const Series& series, std::string_view file,
+                                   const FitOptions& options, const Watch& watch) {
   if (!options.drive_frequency.empty()) {
-    Result<FittedRecording> driven = fit_driven(*series, file, options, watch);
+    Result<FittedRecording> driven = fit_driven(series, file, options, watch);
     if (!driven) return driven;
-    return check_drive(*std::move(driven), *series, options, watch);
+    return check_drive(*std::move(driven), series, options, watch);
   }
   if (!fits_recorded_forces || options.force_column.empty()) {
-    if (auto beating = fit_beats(*series, file, options, watch)) return *std::move(beating);
-    Result<FittedRecording> free = fit_series(*series, file, options, watch);
+    if (auto beating = fit_beats(series, file, options, watch)) return *std::move(beating);
+    Result<FittedRecording> free = fit_series(series, file, options, watch);
     if (!free) return free;
-    return fit_free_swing(recognise_drive(*std::move(free), *series, options, watch), *series, file, options,
+    return fit_free_swing(recognise_drive(*std::move(free), series, options, watch), series, file, options,
                           watch);
   }
-  const Result<Series> force = take_force(recording, options, run);
+  const Result<Series> force = take_force(recording, options, series.run);
   if (!force) return force.error();
-  return fit_forced(*series, *force, file, options, watch);
+  return fit_forced(series, *force, file, options, watch);
+}
+
+LeftOut outside(const Series& all, const Series& used) {
+  LeftOut left;
+  if (used.t.empty()) return left;
+  const double first = used.t.front(), last = used.t.back();
+  for (std::size_t i = 0; i < all.t.size(); ++i)
+    if (all.t[i] < first || all.t[i] > last) {
+      left.t.push_back(all.t[i]);
+      left.y.push_back(all.y[i]);
+    }
+  return left;
 }
 
 // A column other than the fitted one that may hold the force; "" if there is none, or one is named.
@@ -379,7 +412,10 @@ bool is_perhaps_on_a_string(const Recording& recording, const FittedRecording& f
 
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
                                 const FitOptions& options, const Watch& watch) {
-  Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
+  const Result<Series> series = take_motion(recording, options.column, run, options.read);
+  if (!series) return series.error();
+  Result<FittedRecording> fitted = fit_motion(recording, *series, file, options, watch);
+  if (fitted) fitted->left_out = outside(*series, fitted->series);
   constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
   if (fitted && (fitted->driven || !fitted->succeeded() || fitted->fit.explained <= well ||
                  has_notice(*fitted, "no_law_describes")))
@@ -442,14 +478,17 @@ Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOp
   }
   if (!any_read && first_error) return *first_error;
   for (FittedRecording& each : fits) each.one_of_several = fits.size() > 1;
+  const auto say_of_file = [&](Notice said) {
+    FittedRecording& first = fits.front();
+    first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file), std::move(said));
+    ++first.of_file;
+    ++first.of_record;
+  };
   if (options.mass.size() == 1)
-    if (const auto spread = unlike_frequencies(fits)) {
-      FittedRecording& first = fits.front();
-      first.notices.insert(first.notices.begin() + static_cast<std::ptrdiff_t>(first.of_file),
-                           Notice{"one_mass_for_unlike_runs", {{"percent", spread->percent}}});
-      ++first.of_file;
-      ++first.of_record;
-    }
+    if (const auto spread = unlike_frequencies(fits))
+      say_of_file(Notice{"one_mass_for_unlike_runs", {{"percent", spread->percent}}});
+  if constexpr (fits_held_masses)
+    if (Notice held = perhaps_held(fits); !held.empty()) say_of_file(std::move(held));
   return fits;
 }
 

@@ -84,10 +84,16 @@ struct HeldOut {
   std::vector<double> t{}, measured{}, law{};  ///< at each of them; [s], SI unit of the column
 };
 
+/// Samples outside the part that is used; [s], SI unit of the column.
+struct LeftOut {
+  std::vector<double> t{}, y{};
+};
+
 struct FittedRecording {
   std::string file;
   bool of_arrays = false;   ///< handed over as arrays: `file` is only what to call them
   Series series;            ///< the samples used, in SI units
+  LeftOut left_out{};       ///< before and after them; empty unless a file was fitted
   std::size_t samples = 0;  ///< in the file
   FitOptions options;
   LawFit fit;

@@ -178,6 +178,10 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
   return holds;
 }
 
+double residual_of(const StaticStiffness& found, const Hold& hold) {
+  return hold.position - (found.line.intercept + found.line.slope * hold.mass.value);
+}
+
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity) {
   std::vector<UncertainPoint> points;
   for (const Hold& hold : holds)

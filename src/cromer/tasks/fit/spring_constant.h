@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/analysis/ground_motion.h"
 #include "cromer/analysis/line.h"
 #include "cromer/base/quantity.h"
 #include "cromer/tasks/fit/fit.h"
@@ -50,10 +51,13 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
 /// degree of freedom, and the interval is as wide. Fewer than two holds, or all masses alike, are Errors.
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity);
 
+/// What the line leaves of a hold [m].
+double residual_of(const StaticStiffness& found, const Hold& hold);
+
 struct StaticOptions {
-  FitOptions fit{};                ///< reading, column, run, from and to are used
-  std::vector<Quantity> masses{};  // [kg] >= 0; one for each hold
-  Quantity gravity{9.80665, 0};    // [m/s²] > 0
+  FitOptions fit{};                       ///< reading, column, run, from and to are used
+  std::vector<Quantity> masses{};         // [kg] >= 0; one for each hold
+  Quantity gravity{standard_gravity, 0};  // [m/s²] > 0
 };
 
 /// Takes the holds in the order of the files and their runs; a single file of one run may hold several

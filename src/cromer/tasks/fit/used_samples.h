@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/identify/diagnose/slip.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
 #include "cromer/tasks/fit/fit.h"
@@ -17,6 +18,9 @@ Result<Series> used_part(Series series, const FitOptions& options);
 /// The samples from --from to --to. If neither is given, the series ends where a sensor has lost the motion
 /// for good. Drop-outs join the outliers. An Error if no sample is left.
 Result<Series> samples_in_use(Series series, const FitOptions& options);
+
+/// The series with the slip taken out of its times. Samples that were told twice are left out.
+Series without_slip(Series series, const TimeSlip& slip);
 
 /// The row of a fit before it is fitted: `used` are the samples in use of `series`, with their notices.
 FittedRecording row_to_fit(const Series& series, Series used, std::string_view file,

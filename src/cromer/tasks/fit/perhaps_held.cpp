@@ -1,0 +1,28 @@
+#include "cromer/tasks/fit/perhaps_held.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/extent.h"
+
+namespace cromer::core {
+
+Notice perhaps_held(const std::vector<FittedRecording>& runs) {
+  constexpr double much_more = 50;
+  double least = HUGE_VAL, most = 0;
+  std::vector<double> levels;
+  for (const FittedRecording& run : runs) {
+    if (run.series.quantity != "position" || run.series.y.empty()) return {};
+    const auto [low, high] = extent_of(run.series.y);
+    least = std::min(least, (high - low) / 2);
+    most = std::max(most, (high - low) / 2);
+    levels.push_back((low + high) / 2);
+  }
+  std::sort(levels.begin(), levels.end());
+  if (levels.size() < 2) return {};
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    if (!(levels[i] - levels[i - 1] > much_more * most)) return {};
+  return Notice{"perhaps_held", {{"least", least}, {"most", most}}};
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,21 @@
+// Runs that are no swings but masses at rest.
+#pragma once
+
+#include <vector>
+
+#include "cromer/tasks/fit/fit.h"
+
+namespace cromer::core {
+
+/// The page knows no masses at rest.
+#ifdef CROMER_PAGE
+inline constexpr bool fits_held_masses = false;
+#else
+inline constexpr bool fits_held_masses = true;
+#endif
+
+/// Where the runs of positions lie apart, each by fifty times as much as any of them moves: that a spring
+/// constant follows from the masses that hang there. Else empty.
+Notice perhaps_held(const std::vector<FittedRecording>& runs);
+
+}  // namespace cromer::core
