@@ -134,5 +134,28 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
               ElementsAre("interrupted after 0 of the 4 segments"));
 }
 
+// Noise that is slower than a stretch moves its rate, and does not show within it.
+TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
+  double squares = 0, count = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    NormalDeviates noise(seed);
+    std::vector<double> t, y;
+    double slow = 0;  // how strong what swings along is: it changes within some ten seconds
+    for (int i = 0; i < 3000; ++i) {
+      t.push_back(0.02 * i);
+      slow = 0.998 * slow + 0.01 * noise.next();
+      y.push_back((0.3 * std::exp(-0.03 * t.back()) + 0.03 * slow) * std::cos(6 * t.back()) +
+                  1e-3 * noise.next());
+    }
+    const Record record{t, y, 0};
+    for (const AmplitudeRate& each : decay_by_amplitude(record, fit_law(record, {}))) {
+      squares += std::pow((each.rate.value - 0.03) / each.rate.standard_error, 2);
+      count += 1;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / count), 1.3);
+  EXPECT_GT(std::sqrt(squares / count), 0.6);
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/model/sensor.h"
@@ -96,6 +97,75 @@ TEST(StaticStiffness, ItsIntervalHoldsTheTruthAsOftenAsItSays) {
     inside += result->stiffness.low <= k && k <= result->stiffness.high;
   }
   EXPECT_NEAR(static_cast<double>(inside) / repetitions, 0.95, 0.015);
+}
+
+// 100 values at each level with noise of 0.2 mm; `change` is told the second and the value.
+std::vector<Series> three_holds(const std::function<double(double, double)>& change) {
+  std::vector<Series> runs;
+  NormalDeviates normal(7);
+  for (int run = 1; run <= 3; ++run) {
+    Series& series = runs.emplace_back();
+    series.quantity = "position";
+    series.run = run;
+    series.rate = 25;
+    for (int i = 0; i < 100; ++i) {
+      series.t.push_back(0.04 * i);
+      series.y.push_back(change(0.04 * i, 0.4 - 0.02 * run + 2e-4 * normal.next()));
+    }
+  }
+  return runs;
+}
+
+TEST(StaticStiffness, ADriftIsSaidAndInTheUncertainty) {
+  const auto still =
+      find_holds(three_holds([](double, double x) { return x; }), "held.csv", grams({40, 60, 80}));
+  const auto drifting = find_holds(three_holds([](double t, double x) { return x - 1e-4 * t; }), "held.csv",
+                                   grams({40, 60, 80}));
+  ASSERT_TRUE(still && drifting);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ((*still)[i].drift, 0);
+    EXPECT_NEAR((*drifting)[i].drift, -4e-4, 1e-4);
+    EXPECT_GT((*drifting)[i].standard_error, 4 * (*still)[i].standard_error);
+  }
+  EXPECT_THAT(in_words(static_stiffness(*drifting, {9.81, 0})->notices),
+              Contains(testing::AllOf(HasSubstr("held.csv, run 2, 0 to 3.96 s drifts by 440 µm"),
+                                      HasSubstr("wait"))));
+}
+
+TEST(StaticStiffness, SamplesFarFromAllOthersAreLeftOut) {
+  const auto holds = find_holds(three_holds([](double t, double x) { return t == 2 ? x + 0.05 : x; }),
+                                "held.csv", grams({40, 60, 80}));
+  ASSERT_TRUE(holds);
+  for (const Hold& hold : *holds) {
+    EXPECT_EQ(hold.set_aside, 1u);
+    EXPECT_EQ(hold.samples, 99u);
+    EXPECT_LT(hold.standard_error, 5e-5);
+  }
+  EXPECT_THAT(in_words(static_stiffness(*holds, {9.81, 0})->notices),
+              Contains(HasSubstr("1 sample lies far from all others and is left out")));
+}
+
+TEST(StaticStiffness, ValuesThatAreAllTheSameDoNotMove) {
+  const auto holds = find_holds(three_holds([](double, double x) { return std::round(100 * x) / 100; }),
+                                "held.csv", grams({40, 60, 80}));
+  ASSERT_TRUE(holds);
+  for (const Hold& hold : *holds) EXPECT_FALSE(hold.moves);
+}
+
+// Scatter leaves one degree of freedom, whose interval of 12.7 standard errors is not gravity's.
+TEST(StaticStiffness, GravityHasManyDegreesOfFreedom) {
+  std::vector<Hold> holds;
+  for (const double x : {0.1, 0.201, 0.299}) {
+    Hold& hold = holds.emplace_back();
+    hold.position = x;
+    hold.standard_error = 1e-6;
+    hold.mass = {10 * x + (x == 0.201 ? -0.01 : x == 0.299 ? 0.01 : 0), 0};
+  }
+  const auto exact = static_stiffness(holds, {10, 0}), rough = static_stiffness(holds, {10, 2});
+  ASSERT_TRUE(exact && rough);
+  EXPECT_NEAR((exact->stiffness.high - exact->stiffness.value) / exact->stiffness.standard_error, 12.706,
+              0.01);
+  EXPECT_NEAR((rough->stiffness.high - rough->stiffness.value) / rough->stiffness.standard_error, 1.96, 0.05);
 }
 
 TEST(StaticStiffness, SaysWhatIsWrong) {

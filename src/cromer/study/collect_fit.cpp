@@ -69,6 +69,12 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
     bar.insert(bar.end(), {each.rate.value - each.rate.standard_error,
                            each.rate.value + each.rate.standard_error, none});
   }
+  const auto set_stretch = [&](const std::string& name, const AmplitudeRate& stretch) {
+    results.set(id + name, Quantity{stretch.rate.value, stretch.rate.standard_error}, "1/s");
+    results.set(id + name + ".amplitude", stretch.amplitude, unit);
+  };
+  set_stretch(".first_stretch", fitted.decay_by_amplitude.front());
+  set_stretch(".last_stretch", fitted.decay_by_amplitude.back());
   const auto [least, most] = extent_of(amplitude);
   const AmplitudeDecay decay = amplitude_decay(fitted.fit);
   constexpr int points = 200;
@@ -173,11 +179,19 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
     results.set(id + ".law_terms", terms_in_words(fitted.fit.law, results.language()));
   for (const auto& [option, value] : fitted.simulate)
     results.set(id + ".simulate." + with_underscores(option), value);
+  if (const auto other = other_stiffness(fitted)) {
+    results.set(id + ".other_stiffness", other->stiffness, "N/m");
+    results.set(id + ".other_stiffness.rms", other->rms, unit_of(fitted.series));
+  }
+  if (fitted.common_decay)
+    results.set(id + ".common_decay",
+                Quantity{fitted.common_decay->value, fitted.common_decay->standard_error}, "1/s");
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   if (fitted.reynolds_max) {
     const Quantity air = body_of(fitted.options).temperature;
     results.set(id + ".air_temperature", air, "K");
+    results.set(id + ".air_density", air_density(air.value), "kg/m³");
     results.set(id + ".air_viscosity", air_kinematic_viscosity(air.value), "m²/s");
   }
   collect_mean_damping(id, fitted, results);

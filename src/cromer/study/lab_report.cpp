@@ -85,10 +85,11 @@ class Part : public LabTold {
     add(!is_known("frequency") ? fitted_.driven ? "report_driven_motion" : "report_free_motion"
         : harmonic             ? "report_driven_by"
         : fitted_.driven       ? "report_driven_at"
+        : lacks_a_law()        ? "report_swings_about"
         : has_amplitude()      ? "report_swings_at_amplitude"
                                : "report_swings_at",
         {{"file", verbatim(title())},
-         {"frequency", in_braces("frequency")},
+         {"frequency", in_braces(lacks_a_law() ? "frequency, 2" : "frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
          {"amplitude", at_amplitude()}});
     if (fitted_.find("stiffness"))
@@ -108,15 +109,20 @@ class Part : public LabTold {
 
   void key_figures() const {
     if (is_poorly_described()) return;
-    const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
+    const auto measured_key = [&](std::string_view code, const std::string& value,
+                                  const std::string& remark) {
       toml_.table("key_figure");
       toml_.text("name", words(code));
-      toml_.text("value", in_braces(value + large()));
+      toml_.text("value", in_braces(value));
       toml_.text("remark", remark);
     };
+    const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
+      measured_key(code, value + large(), remark);
+    };
     // Of a swing whose frequency and damping change as it dies down.
-    const std::string there =
-        depends_on_amplitude() ? words("report_of_amplitude", {{"amplitude", at_amplitude()}}) : "";
+    const std::string there = depends_on_amplitude() && !lacks_a_law()
+                                  ? words("report_of_amplitude", {{"amplitude", at_amplitude()}})
+                                  : "";
     if (is_known("frequency"))
       key("frequency", "frequency",
           there.empty() ? words("report_period_is", {{"period", in_braces("period, 4")}}) : there);
@@ -125,7 +131,14 @@ class Part : public LabTold {
     if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
     if (fitted_.driven && fitted_.find("decay_rate"))
       key("decay_rate", "decay_rate", ends_of("decay_rate", *fitted_.find("decay_rate")));
-    if (const Parameter* start = named(fitted_.headline, "decay_rate_start"))
+    if (const Parameter* start = named(fitted_.headline, "decay_rate_start"); !start)
+      ;
+    else if (lacks_a_law() && has_stretches())
+      measured_key("report_rate_at_first", "first_stretch, concise",
+                   words("report_of_a_part", {{"rate", in_braces("last_stretch")}}));
+    else if (has_only_a_common_rate())
+      key("decay_rate", "common_decay", words("report_at_rms_amplitude"));
+    else
       key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
           named(fitted_.headline, "decay_rate_end") && !has_one_rate()
               ? words("report_at_end",
@@ -133,7 +146,8 @@ class Part : public LabTold {
               : ends_of("decay_rate_start", start->estimate));
     if (fitted_.reynolds_max)
       key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
-    else if (is_known("quality_factor") && std::isfinite(fitted_.find("quality_factor")->high))
+    else if (is_known("quality_factor") && !lacks_a_law() &&
+             std::isfinite(fitted_.find("quality_factor")->high))
       key("quality_factor", "quality_factor", there);
   }
 
@@ -293,7 +307,7 @@ class Part : public LabTold {
 
   void table() {
     toml_.table("block");
-    toml_.text("table", words("report_table"));
+    toml_.text("table", words(lacks_a_law() ? "report_table_of_no_law" : "report_table"));
     toml_.bare("header", fmt::format("[{}, {}, {}, {}]", toml_text(words("report_quantity")),
                                      toml_text(words("report_its_value")), toml_text("95 %"),
                                      toml_text(words("report_term"))));
@@ -315,6 +329,7 @@ class Part : public LabTold {
   /// Of few degrees of freedom a 95 % interval is much wider than twice the standard uncertainty.
   void wide_intervals() {
     constexpr double wide = 3;  // of a standard uncertainty, to each side: less than some three degrees
+    if (lacks_a_law()) return;
     std::vector<std::string> names;
     std::size_t all = 0;
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
@@ -482,6 +497,11 @@ class Part : public LabTold {
     if (depends_on_amplitude() && has_bent_spring())
       text += " " + words("report_small_swings_stiffness",
                           {{"frequency", in_braces("frequency")}, {"amplitude", at_amplitude()}});
+    if (const auto other = other_stiffness(fitted_))
+      text += " " + words("report_other_stiffness", {{"law", to_text(other->law)},
+                                                     {"rms", rms("other_stiffness.rms", other->rms)},
+                                                     {"own", rms()},
+                                                     {"stiffness", in_braces("other_stiffness, 5")}});
     for (const Notice& notice : fitted_.notices)
       if (notice.code == "swing_does_not_die_down")
         text += " " + verbatim(words("report_sentence", {{"what", notice}}));
@@ -525,9 +545,12 @@ class Part : public LabTold {
                                                  {"last", in_braces("reynolds_last, 3")}});
     if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10)
       text += " " + words("report_not_stokes");
+    text += " " + words("report_disc", {{"diameter", in_braces("disc_diameter, cm")}});
     text += " " + words(fitted_.options.temperature ? "report_air" : "report_air_assumed",
                         {{"temperature", in_braces("air_temperature")},
                          {"viscosity", in_braces("air_viscosity, 3")}});
+    if (fitted_.find("drag_coefficient"))
+      text += " " + words("report_drag_coefficient", {{"density", in_braces("air_density, 3")}});
     if (fitted_.options.disc_diameter && !(fitted_.options.disc_diameter->uncertainty > 0))
       text += " " + words("report_without_error", {{"quantity", name_of("disc_diameter")}});
     paragraph(text);
@@ -647,22 +670,22 @@ class Part : public LabTold {
     const std::string ids[] = {figure_id("position"), figure_id("velocity"), figure_id("portrait"),
                                figure_id("energy"), figure_id("phase")};
 
-    FigureLines figure =
-        method_figure(ids[0], "report_position_title", "report_position_caption", "x", position, x_unit);
+    FigureLines figure = method_figure(ids[0], turns() ? "report_angle_title" : "report_position_title",
+                                       "report_by_both", "x", position, x_unit);
     if (of_position()) {
       figure.curves.push_back(measured_swing(until()));
       figure.caption =
-          words("report_position_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
+          words("report_measured_and_by_both", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
     }
     add_methods(figure, !of_position());
     figure.size = "wide";
     toml_.figure(figure);
 
-    figure = method_figure(ids[1], "report_velocity_title", "report_velocity_caption", "v", velocity, v_unit);
+    figure = method_figure(ids[1], "report_velocity_title", "report_by_both", "v", velocity, v_unit);
     if (of_velocity()) {
       figure.curves.push_back(measured_swing(until()));
       figure.caption =
-          words("report_velocity_measured", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
+          words("report_measured_and_by_both", {{"step", fmt::format("{{{}.1.step, 2}}", methods_)}});
     }
     add_methods(figure, !of_velocity());
     figure.size = "tall";

@@ -107,6 +107,27 @@ class LabTold {
            fitted_.fit.residual.rms > much * spread_;
   }
 
+  /// Whether no law that was tried describes the recording: what follows from the law may be far off.
+  bool lacks_a_law() const {
+    const std::string code = first_doubt().code;
+    return code == "no_law_describes" || code == "law_does_not_describe";
+  }
+
+  bool has_stretches() const { return fitted_.decay_by_amplitude.size() > 1; }
+
+  /// Of the first or the last stretch by itself.
+  std::string amplitude_of(std::string_view stretch) const {
+    const auto& all = fitted_.decay_by_amplitude;
+    const double size = stretch == "first_stretch" ? all.front().amplitude : all.back().amplitude;
+    const std::string unit = readable_unit(units_.displacement, size);
+    return in_braces(fmt::format("{}.amplitude, {}2", stretch, unit.empty() ? "" : unit + ", "));
+  }
+
+  /// Whether rival laws leave open how the rate changes as the swing dies down.
+  bool has_only_a_common_rate() const {
+    return fitted_.common_decay && !stretches_fall() && !stretches_rise();
+  }
+
   /// Whether the rate is the same at the start and at the end, by the law.
   bool has_one_rate() const {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
@@ -129,6 +150,12 @@ class LabTold {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
                     *end = named(fitted_.headline, "decay_rate_end");
     if (!start) return "";
+    if (lacks_a_law() && has_stretches())
+      return words("report_rate_of_stretches", {{"first", in_braces("first_stretch")},
+                                                {"first_amplitude", amplitude_of("first_stretch")},
+                                                {"last", in_braces("last_stretch")},
+                                                {"last_amplitude", amplitude_of("last_stretch")}});
+    if (has_only_a_common_rate()) return words("report_rate_common", {{"rate", in_braces("common_decay")}});
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
     if (has_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});
@@ -173,9 +200,11 @@ class LabTold {
     return in_braces(unit.empty() ? std::string("equilibrium") : fmt::format("equilibrium, {}", unit));
   }
 
-  std::string rms() const {
-    const std::string unit = readable_unit(si(), fitted_.fit.residual.rms);
-    return in_braces(unit.empty() ? std::string("rms, 3") : fmt::format("rms, {}, 3", unit));
+  std::string rms() const { return rms("rms", fitted_.fit.residual.rms); }
+  /// Of the result `name`, whose value this is.
+  std::string rms(std::string_view name, double value) const {
+    const std::string unit = readable_unit(si(), value);
+    return in_braces(fmt::format("{}, {}3", name, unit.empty() ? "" : unit + ", "));
   }
 
   std::string equation() const {
@@ -270,7 +299,7 @@ class LabTold {
 
   std::string row_of(const Parameter& each) const {
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
-    const bool known = each.estimate.standard_error > 0;
+    const bool known = each.estimate.standard_error > 0 && !lacks_a_law();
     const bool is_fitted =
         std::find(fitted_.fit.names.begin(), fitted_.fit.names.end(), each.name) != fitted_.fit.names.end();
     const std::string ends = known       ? interval(place, each.estimate)
@@ -278,7 +307,7 @@ class LabTold {
                                          : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
-                       toml_text(in_braces(place)), toml_text(ends),
+                       toml_text(in_braces(lacks_a_law() ? place + ", 3" : place)), toml_text(ends),
                        toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 

@@ -67,13 +67,13 @@ constexpr Entry entries[] = {
      "no oscillation found: the best decaying sinusoid accounts for {percent:.1f} % of the variance, and "
      "noise like the residual could do as much; choose the part that oscillates with {|{--from} and "
      "{--to}|the handles}, or another {|{--column}|column}",
-     "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
-     "Varianz, was Rauschen auch könnte; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, der "
-     "schwingt, oder {|mit {--column} eine|eine} andere Spalte"},
+     "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der Varianz, "
+     "was Rauschen auch könnte; bitte mit {|{--from} und {--to}|den Griffen} den Teil wählen, der schwingt, "
+     "oder {|mit {--column} eine|eine} andere Spalte"},
     {"no_single_decay", error,
-     "no single decaying swing found: the best one accounts for {percent:.1f} % of the variance, and what it "
-     "leaves is too large to find a law beside it; choose the part that swings freely with {|{--from} and "
-     "{--to}|the handles}, or another {|{--column}|column}",
+     "no single decaying swing found: the best one accounts for {percent:.1f} % of the variance, and what "
+     "it leaves is too large to find a law beside it; choose the part that swings freely with {|{--from} "
+     "and {--to}|the handles}, or another {|{--column}|column}",
      "keine einzelne abklingende Schwingung gefunden: die beste erklärt {percent:.1f} % der Varianz, und "
      "was sie übrig lässt, ist zu viel, um daneben ein Gesetz zu finden; bitte mit {|{--from} und "
      "{--to}|den Griffen} den Teil wählen, der frei schwingt, oder {|mit {--column} eine|eine} andere "
@@ -157,8 +157,8 @@ constexpr Entry entries[] = {
      "{rival:.5g} rad/s passt fast so gut wie {frequency:.5g} rad/s: wie viele Perioden in den Lücken "
      "vergingen, ist nicht sicher"},
     {"frequency_changes", worth_knowing,
-     "the frequency changes along the record: one decaying sinusoid accounts for only {percent:.0f} % of the "
-     "variance",
+     "the frequency changes along the record: one decaying sinusoid accounts for only {percent:.0f} % of "
+     "the variance",
      "die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur "
      "{percent:.0f} % der Varianz"},
     {"half_swings_before_rest_unsure", worth_knowing,
@@ -172,8 +172,8 @@ constexpr Entry entries[] = {
      "the residuals are correlated ({correlation:.3f} at a lag of {samples} samples)",
      "die Residuen sind korreliert ({correlation:.3f} im Abstand von {samples} Messwerten)"},
     {"noise_is_uneven", detail,
-     "the noise is uneven, up to {times:.2g} times as large at one time as at another: the uncertainties are "
-     "those of such noise",
+     "the noise is uneven, up to {times:.2g} times as large at one time as at another: the uncertainties "
+     "are those of such noise",
      "das Rauschen ist ungleich, bis zu {times:.2g}-mal so groß zu einer Zeit wie zu einer anderen: die "
      "Unsicherheiten sind die von solchem Rauschen"},
     {"uncertainties_hardly_widened", detail,
@@ -197,8 +197,8 @@ constexpr Entry entries[] = {
      "die Gesetze wurden an den ersten {compared} von {samples} Messwerten verglichen; das gewählte ist an "
      "alle angepasst"},
     {"rival_laws", worth_knowing,
-     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right. Known "
-     "whichever law is right: {known}",
+     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right. "
+     "Known whichever law is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten gelten nur, wenn das "
      "Gesetz stimmt. In jedem Fall bekannt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
@@ -246,8 +246,8 @@ constexpr Entry entries[] = {
      "Federkonstante nicht die der Feder"},
     {"coarse_levels", wrong_if_ignored,
      "the values take only {levels:.0f} levels, {resolution:.3g}{unit: } apart: the frequency follows from "
-     "when they change, but amplitude and decay rate hardly show, and their uncertainties cannot be trusted; "
-     "measure with a finer resolution",
+     "when they change, but amplitude and decay rate hardly show, and their uncertainties cannot be "
+     "trusted; measure with a finer resolution",
      "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}{unit: }: die Frequenz folgt "
      "daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten "
      "ist nicht zu trauen; bitte feiner messen"},
@@ -277,8 +277,8 @@ constexpr Entry entries[] = {
      "{amplitude:.3g}{unit: } auf weniger als ein Zehntel davon, als hielte eine Hand sie an: bitte mit "
      "{|{--to}|den Griffen} vorher enden"},
     {"law_over_a_stop", wrong_if_ignored,
-     "the law {law} is fitted to the swing and to what follows the stop, and leaves {rms:.3g}{unit: } (rms): "
-     "its uncertainties cannot be trusted",
+     "the law {law} is fitted to the swing and to what follows the stop, and leaves {rms:.3g}{unit: } "
+     "(rms): its uncertainties cannot be trusted",
      "das Gesetz {law} ist an die Schwingung und an das angepasst, was nach ihrem Ende kommt, und lässt "
      "{rms:.3g}{unit: } (Effektivwert) übrig: seinen Unsicherheiten ist nicht zu trauen"},
     {"few_samples_in_a_period", wrong_if_ignored,
@@ -309,21 +309,24 @@ constexpr Entry entries[] = {
      "der Rest schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von {amplitude:.2g}{unit: } "
      "({percent:.2g} % der Schwingung): {what}"},
     {"second_harmonic", clause,
-     "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from a "
-     "spring or a sensor that is not symmetric",
-     "das Doppelte ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die zweite "
-     "Harmonische, von einer Feder oder einem Sensor, die nicht symmetrisch sind"},
+     "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from "
+     "a restoring force or a sensor that is not symmetric",
+     "das Doppelte ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
+     "zweite Harmonische, von einer Rückstellkraft oder einem Sensor, die nicht symmetrisch sind"},
     {"third_harmonic", clause,
      "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
-     "from a spring, a damping or a sensor that is nonlinear in another way than the law",
+     "from a restoring force, a damping or a sensor that is nonlinear in another way than the law",
      "das Dreifache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
-     "dritte Harmonische, von einer Feder, einer Dämpfung oder einem Sensor, die auf andere Weise "
+     "dritte Harmonische, von einer Rückstellkraft, einer Dämpfung oder einem Sensor, die auf andere Weise "
      "nichtlinear sind als das Gesetz"},
     {"higher_harmonic", clause,
      "{order} times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: a harmonic of it, "
      "as from a motion with corners or cut-off peaks",
      "das {order}-Fache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: eine "
      "Harmonische, wie von einer Bewegung mit Ecken oder abgeschnittenen Gipfeln"},
+    {"line_among_others", clause,
+     "not the largest part of the residual, and perhaps one of many in what wanders",
+     "nicht der größte Teil des Rests, und vielleicht einer von vielen in dem, was wandert"},
     {"second_mode", clause,
      "a second mode, as from a coupled or a sideways swing, or something that shakes the mount",
      "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},

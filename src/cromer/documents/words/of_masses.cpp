@@ -66,12 +66,12 @@ constexpr Entry entries[] = {
      "known",
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
-    {"perhaps_held", wrong_if_ignored,
-     "the runs lie apart by much more than they move, {least:length} to {most:length}, as masses do that "
-     "hang at rest: for the spring constant give {--static} {--masses} \"0.1 kg, 0.2 kg\"",
-     "die Läufe liegen viel weiter auseinander, als sie sich bewegen, {least:length} bis {most:length}, wie "
-     "Massen, die in Ruhe hängen: für die Federkonstante bitte {--static} {--masses} \"0.1 kg, 0.2 kg\" "
-     "angeben"},
+    {"perhaps_held", worth_knowing,
+     "the runs lie apart by much more than they move, {least:length} to {most:length}: if different masses "
+     "hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its constant from where they rest",
+     "die Läufe liegen viel weiter auseinander, als sie sich bewegen, {least:length} bis {most:length}: "
+     "hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"0.1 kg, 0.2 kg\" deren "
+     "Konstante aus den Ruhelagen"},
     {"holds_scatter", worth_knowing,
      "the holds scatter about the line by more than their own errors give on average: {scatter:length} is "
      "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
@@ -85,6 +85,17 @@ constexpr Entry entries[] = {
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:length} "
      "(Effektivwert), und der Mittelwert gilt; bitte mit {|{--from} und {--to}|den Griffen} einen ruhigen "
      "Teil wählen oder die Schwingung ohne {--static} anpassen"},
+    {"hold_drifts", wrong_if_ignored,
+     "{file}, run {run}, {from:.4g} to {to:.4g} s drifts by {drift:length}: its mean is taken and the drift "
+     "is in its uncertainty, but what drifts between the holds is not; wait until it is at rest",
+     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s wandert um {drift:length}: der Mittelwert gilt, und das "
+     "Wandern steckt in seiner Unsicherheit, nicht aber, was zwischen den Ruhelagen wandert; bitte warten, "
+     "bis sie ruht"},
+    {"hold_with_outliers", worth_knowing,
+     "{file}, run {run}, {from:.4g} to {to:.4g} s: {samples:sample lies|samples lie} far from all others and "
+     "{samples?is|are} left out",
+     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s: {samples:Messwert liegt|Messwerte liegen} weit von "
+     "allen anderen und {samples?fehlt|fehlen} im Mittelwert"},
     {"holds_out_of_order", wrong_if_ignored,
      "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
      "holds?",

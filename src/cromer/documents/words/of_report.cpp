@@ -29,6 +29,8 @@ constexpr Entry entries[] = {
      "Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
+    {"report_swings_about", clause, "{file}: a free swing at about {frequency}.",
+     "{file}: eine freie Schwingung mit etwa {frequency}."},
     {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
     {"report_driven_motion", clause, "{file}: a driven motion.", "{file}: eine angetriebene Bewegung."},
     {"report_swings_at_amplitude", clause,
@@ -66,6 +68,20 @@ constexpr Entry entries[] = {
     {"report_rate_by_the_law", clause,
      "By this law the decay rate would be {start} at the start and {end} at the end.",
      "Nach diesem Gesetz wäre die Abklingrate {start} am Anfang und {end} am Ende."},
+    {"report_rate_of_stretches", clause,
+     "The decay rate of parts of the recording, each fitted by itself, is {first} at an amplitude of "
+     "{first_amplitude} and {last} at {last_amplitude}.",
+     "Die Abklingrate von Teilen der Aufnahme, jeder für sich angepasst, ist {first} bei einer Amplitude "
+     "von {first_amplitude} und {last} bei {last_amplitude}."},
+    {"report_rate_common", clause,
+     "The decay rate is {rate} at the record's rms amplitude; how it changes as the swing dies down depends "
+     "on which of the laws that fit is right.",
+     "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Aufnahme; wie sie sich beim "
+     "Abklingen ändert, hängt davon ab, welches der passenden Gesetze stimmt."},
+    {"report_at_rms_amplitude", clause, "at the rms amplitude", "bei der mittleren Amplitude"},
+    {"report_rate_at_first", clause, "decay rate at first", "Abklingrate zuerst"},
+    {"report_of_a_part", clause, "of a part by itself; of the last {rate}",
+     "eines Teils für sich; des letzten {rate}"},
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
      "Die Reynolds-Zahl erreicht {largest}."},
     {"report_period_is", clause, "period {period}", "Periode {period}"},
@@ -164,6 +180,9 @@ constexpr Entry entries[] = {
      "recordings, if the law is right.",
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
+    {"report_table_of_no_law", clause,
+     "What the law says, without uncertainties: no law that was tried describes this recording.",
+     "Was das Gesetz sagt, ohne Unsicherheiten: keines der versuchten Gesetze beschreibt diese Aufnahme."},
     {"report_few_degrees", clause,
      "The 95 % intervals are wider than ± suggests, those of: {names:and}. What disturbs them is slow, so "
      "the record holds few independent values of it, or ± stands at a bound.",
@@ -253,6 +272,11 @@ constexpr Entry entries[] = {
      "swings of {amplitude}, and does not give the same *k*.",
      "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die "
      "von Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
+    {"report_other_stiffness", clause,
+     "The interval holds if this law is right: {law}, which leaves {rms} (rms) where this one leaves {own}, "
+     "gives {stiffness}.",
+     "Das Intervall gilt, falls dieses Gesetz stimmt: {law}, das {rms} (Effektivwert) übrig lässt, wo dieses "
+     "{own} lässt, ergibt {stiffness}."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",
@@ -282,10 +306,10 @@ constexpr Entry entries[] = {
     {"report_held_stiffness", clause,
      "At rest the spring's pull is the weight: *k* *x* = *m g*, so the position is a straight line in the "
      "mass whose slope is *g*/*k*, whatever the spring's own mass. With *g* = {gravity}, *k* = {stiffness}; "
-     "95 %: {interval}. The line is weighted with the uncertainties of positions and masses.",
+     "95 %: {interval}.",
      "In Ruhe ist die Federkraft das Gewicht: *k* *x* = *m g*; der Ort ist also eine Gerade in der Masse "
      "mit der Steigung *g*/*k*, unabhängig von der Masse der Feder. Mit *g* = {gravity} ist *k* = "
-     "{stiffness}; 95 %: {interval}. Die Gerade ist mit den Unsicherheiten der Orte und Massen gewichtet."},
+     "{stiffness}; 95 %: {interval}."},
     {"report_gravity_assumed", clause,
      "This *g* is the standard value, without an uncertainty ({--gravity}): between pole and equator it "
      "varies by 0.5 %.",
@@ -318,6 +342,11 @@ constexpr Entry entries[] = {
      "recording is so slow.",
      "Ein Widerstand proportional zur Geschwindigkeit (Stokes) braucht ein Re weit unter 1: an der "
      "schnellsten Stelle ist es bei keiner Schwingung dieser Aufnahme so klein."},
+    {"report_disc", clause, "The disc has a diameter *D* of {diameter}.",
+     "Die Scheibe hat einen Durchmesser *D* von {diameter}."},
+    {"report_drag_coefficient", clause,
+     "The drag coefficient is 2*d*/(*ρ A*) with the disc's area *A* and air of *ρ* = {density}.",
+     "Der Widerstandsbeiwert ist 2*d*/(*ρ A*) mit der Fläche *A* der Scheibe und Luft von *ρ* = {density}."},
     {"report_air", clause, "The air has {temperature}, its kinematic viscosity *ν* is {viscosity}.",
      "Die Luft hat {temperature}, ihre kinematische Viskosität *ν* ist {viscosity}."},
     {"report_air_assumed", clause,
@@ -362,15 +391,12 @@ constexpr Entry entries[] = {
      "{exact}-Fache."},
     {"report_exact", clause, "exact", "exakt"},
     {"report_position_title", clause, "Position by both methods", "Ort nach beiden Verfahren"},
-    {"report_position_caption", clause, "The displacement by both methods, steps of {step}.",
-     "Die Auslenkung nach beiden Verfahren, Schritte von {step}."},
-    {"report_position_measured", clause, "The displacement as measured and by both methods, steps of {step}.",
-     "Die Auslenkung, gemessen und nach beiden Verfahren, Schritte von {step}."},
+    {"report_angle_title", clause, "Angle by both methods", "Winkel nach beiden Verfahren"},
     {"report_velocity_title", clause, "Velocity by both methods", "Geschwindigkeit nach beiden Verfahren"},
-    {"report_velocity_caption", clause, "The velocity by both methods, steps of {step}.",
-     "Die Geschwindigkeit nach beiden Verfahren, Schritte von {step}."},
-    {"report_velocity_measured", clause, "The velocity as measured and by both methods, steps of {step}.",
-     "Die Geschwindigkeit, gemessen und nach beiden Verfahren, Schritte von {step}."},
+    {"report_by_both", clause, "By both methods, steps of {step}.",
+     "Nach beiden Verfahren, Schritte von {step}."},
+    {"report_measured_and_by_both", clause, "As measured and by both methods, steps of {step}.",
+     "Gemessen und nach beiden Verfahren, Schritte von {step}."},
     {"report_portrait_title", clause, "Velocity against position by both methods",
      "Geschwindigkeit gegen Ort nach beiden Verfahren"},
     {"report_portrait_caption", clause, "Phase portrait of the same runs.", "Phasenbild derselben Läufe."},

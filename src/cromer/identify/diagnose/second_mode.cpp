@@ -96,7 +96,7 @@ void measure(const Record& residuals, ResidualLine& line) {
 }
 
 Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
-  if (line.harmonic == 0) return Notice{"second_mode"};
+  if (line.harmonic == 0) return Notice{line.among_others ? "line_among_others" : "second_mode"};
   // It is one of the swing at the amplitude that it had then.
   const double swing = std::clamp(line.angular_frequency / line.harmonic, own.low, own.high);
   const bool varies = own.high - own.low > 1e-4 * own.high;
@@ -111,10 +111,15 @@ double skirt_of(double duration, const LawFit& fit) {
   return 4 * std::max(two_pi / duration, fit.decay_rate().value);
 }
 
+struct LinesOfSpectrum {
+  std::vector<ResidualLine> lines;
+  double top = 0, top_amplitude = 0;  // [rad/s] where the spectrum is largest, and how large
+};
+
 // The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
 // swing's own.
-std::vector<ResidualLine> residual_lines_of(const std::vector<double>& values, double h, double duration,
-                                            const FrequencyBand& own, double skirt) {
+LinesOfSpectrum residual_lines_of(const std::vector<double>& values, double h, double duration,
+                                  const FrequencyBand& own, double skirt) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
   const std::vector<double>& a = spectrum.amplitude;
   double power = 0;
@@ -122,20 +127,25 @@ std::vector<ResidualLine> residual_lines_of(const std::vector<double>& values, d
   const double resolution = two_pi / duration;
   const auto bins = static_cast<std::size_t>(std::max(1.0, std::round(resolution / spectrum.step)));
 
-  std::vector<ResidualLine> lines;
+  LinesOfSpectrum found;
   for (std::size_t k = 2; k + 1 < a.size(); ++k) {
     const double w = static_cast<double>(k) * spectrum.step;
     const bool top = a[k] >= a[k - 1] && a[k] > a[k + 1];
     // Slower than four cycles in the record is drift.
-    if (!top || w < 4 * resolution || own.holds(w, 1, skirt)) continue;
+    if (!top || w < 4 * resolution) continue;
+    if (a[k] > found.top_amplitude) {
+      found.top = w;
+      found.top_amplitude = a[k];
+    }
+    if (own.holds(w, 1, skirt)) continue;
     // The window lets a lasting line's amplitude through; its power is half the square.
     if (0.5 * a[k] * a[k] < 0.05 * power || a[k] < 6 * median_around(a, k, 40 * bins)) continue;
     ResidualLine line;
     line.angular_frequency = w + offset_of_maximum(a[k - 1], a[k], a[k + 1]) * spectrum.step;
     line.amplitude = a[k];
-    lines.push_back(line);
+    found.lines.push_back(line);
   }
-  return lines;
+  return found;
 }
 
 // The strongest lines, three at most, that rounding has not made; `own` and its skirts are left out.
@@ -143,7 +153,8 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   const double duration = residuals.t.back() - residuals.t.front();
   const double h = duration / static_cast<double>(residuals.t.size() - 1);
   const std::vector<double> r(residuals.y.begin(), residuals.y.end());
-  std::vector<ResidualLine> lines = residual_lines_of(even(residuals.t, r, h), h, duration, own, skirt);
+  LinesOfSpectrum found = residual_lines_of(even(residuals.t, r, h), h, duration, own, skirt);
+  std::vector<ResidualLine>& lines = found.lines;
   std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
     return one.amplitude > other.amplitude;
   });
@@ -155,6 +166,12 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
     });
     if (!near && distinct.size() < 3) distinct.push_back(line);
   }
+  constexpr double as_large = 0.8;
+  const bool top_is_line = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& line) {
+    return std::abs(line.angular_frequency - found.top) < skirt;
+  });
+  for (ResidualLine& line : distinct)
+    line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
   for (ResidualLine& line : distinct) measure({residuals.t, residuals.y, 0}, line);
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };

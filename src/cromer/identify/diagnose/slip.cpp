@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/sampling.h"
@@ -14,24 +15,21 @@
 namespace cromer::core {
 namespace {
 
-// What is left of a viscous swing may be its own parameters, which the fit has where no time slips, or the
-// slip.
+// What is left of a fit may be its own parameters, which are the fit's where no time slips, or the slip: a
+// little more of the motion and of its velocity, and of both times the time, as of a frequency and a decay.
 class SlipSearch {
  public:
-  SlipSearch(const Record& record, const LawFit& straight, std::vector<double> residuals)
+  SlipSearch(const Record& record, const LawFit& fit, std::vector<double> residuals)
       : residuals_(std::move(residuals)) {
-    const double w0 = straight.motion.angular_frequency(), g = straight.motion.decay_rate();
-    const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
-    const Trajectory motion = motion_of(straight, record.t);
+    const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
+    const Trajectory motion = motion_of(fit, record.t);
     for (std::size_t i = 0; i < record.t.size(); ++i) {
-      const double s = record.t[i] - record.t.front(), decay = std::exp(-g * s),
-                   cosine = decay * std::cos(w * s), sine = decay * std::sin(w * s);
-      const double x = motion.x[i], v = motion.v[i];
+      const double s = record.t[i] - record.t.front(), x = motion.x[i], v = motion.v[i];
       // Later times show what was due a slip before: minus the derivative of what is seen.
       const double earlier = record.derivative == 0   ? -v
                              : record.derivative == 1 ? w0 * w0 * x + 2 * g * v
                                                       : w0 * w0 * v - 2 * g * (w0 * w0 * x + 2 * g * v);
-      rows_.push_back({1, cosine, sine, s * cosine, s * sine, earlier});
+      rows_.push_back({1, x, v / w0, s * x, s * v / w0, earlier});
     }
   }
 
@@ -81,39 +79,91 @@ class SlipSearch {
   std::vector<std::array<double, 6>> rows_;
 };
 
-// The slip as a viscous swing shows it whose times have it no longer: the search takes it as small.
-TimeSlip remeasured(TimeSlip slip, const Record& record, const Watch& watch) {
-  constexpr int most_rounds = 4;
-  for (int round = 0; round < most_rounds && !watch.interrupted(); ++round) {
-    std::vector<double> t(record.t.begin(), record.t.end()), y(record.y.begin(), record.y.end());
-    const SamplesToldTwice twice = take_out(slip, t);
-    for (auto* values : {&t, &y})
-      values->erase(values->begin() + static_cast<std::ptrdiff_t>(twice.from),
-                    values->begin() + static_cast<std::ptrdiff_t>(twice.to));
-    Record without = record;
-    without.t = t;
-    without.y = y;
-    const LawFit fit = fit_law(without, {}, watch);
-    std::vector<double> residuals = residuals_of(fit, without);
-    if (!fit.is_usable() || residuals.size() != t.size()) break;
-    const double rest = SlipSearch(without, fit, std::move(residuals)).before(twice.from).slip();
-    if (!std::isfinite(rest)) break;
-    slip.by += rest;
-    constexpr double small = 0.01;  // of the time between samples
-    if (std::abs(rest) < small * median_step(record.t)) break;
+// The first sample after the slip: where the motion before it and the one after it, fitted to the times
+// without it, leave least. Looked for among the samples beside it.
+double place_of(const TimeSlip& slip, const Record& record, const LawFit& fit) {
+  constexpr std::ptrdiff_t beside = 12;
+  const auto begin = record.t.begin();
+  const std::ptrdiff_t n = record.t.end() - begin,
+                       at = std::lower_bound(begin, record.t.end(), slip.at) - begin,
+                       from = std::max<std::ptrdiff_t>(beside, at - beside), to = std::min(n, at + beside);
+  // The motion begins at the first sample.
+  const auto left = [&](double late) {
+    std::vector<double> t{record.t.front()}, y{record.y.front()};
+    for (std::ptrdiff_t i = from; i < to; ++i) {
+      t.push_back(begin[i] - late);
+      y.push_back(record.y[static_cast<std::size_t>(i)]);
+    }
+    Record part = record;
+    part.t = t;
+    part.y = y;
+    std::vector<double> residuals = residuals_of(fit, part);
+    if (!residuals.empty()) residuals.erase(residuals.begin());
+    return residuals;
+  };
+  const std::vector<double> before = left(0), after = left(slip.by);
+  if (before.empty() || before.size() != after.size()) return slip.at;
+  double rest = 0, least = 0;
+  std::ptrdiff_t best = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {  // all after it; then one more before it each time
+    rest += before[i] * before[i] - after[i] * after[i];
+    if (rest < least) {
+      least = rest;
+      best = static_cast<std::ptrdiff_t>(i) + 1;
+    }
   }
-  return slip;
+  return record.t[static_cast<std::size_t>(std::min(n - 1, from + best))];
+}
+
+// The law with a linear spring in place of all that restores it.
+Law with_straight_spring(Law law) {
+  return Law{law.terms & dampings.with(law_with<Friction>).terms}.with(law_with<Spring>);
+}
+
+// The place and size that leave least of a fit, not at an end of the record: what is odd there may be a
+// beginning or an end.
+struct Suspect {
+  Law law;
+  double rms = 0;  ///< of the fit's residuals
+  SlipSearch search;
+  SlipSearch::Found found{};
+
+  double rest() const { return found.rest; }
+};
+
+std::optional<Suspect> suspect_of(const Record& record, const LawFit& fit) {
+  const std::size_t n = record.t.size();
+  std::vector<double> residuals = residuals_of(fit, record);
+  if (residuals.size() != n) return std::nullopt;
+  Suspect suspect{fit.law, fit.residual.rms, SlipSearch(record, fit, std::move(residuals))};
+  constexpr std::size_t places = 48;
+  const std::size_t edge = n / 20, around = std::max<std::size_t>(1, n / places);
+  suspect.found = suspect.search.best(edge, n - edge, places);
+  const std::size_t at = suspect.found.at, from = std::max(edge, at - std::min(around, at)),
+                    to = std::min(n - edge, at + around);
+  suspect.found = suspect.search.best(from, to, places);
+  const std::size_t stride = std::max<std::size_t>(1, (to - from) / places);
+  if (suspect.found.at < edge + stride || suspect.found.at + stride >= n - edge) return std::nullopt;
+  return suspect;
 }
 
 }  // namespace
 
-Notice TimeSlip::notice(const char* code) const {
+Notice TimeSlip::told() const {
   const bool twice = by > 0;
-  return Notice{code,
+  return Notice{"times_slip",
                 {{"t", at},
                  {"slip", std::abs(by)},
                  {"how", Notice{twice ? "samples_repeated" : "samples_lost"}},
                  {"shift", Notice{twice ? "shifted_earlier" : "shifted_later"}}}};
+}
+
+Notice TimeSlip::taken_out(const LawFit& as_recorded) const {
+  Notice taken = told();
+  taken.code = "slip_taken_out";
+  taken.values.push_back({"law", to_text(as_recorded.law)});
+  taken.values.push_back({"frequency", as_recorded.swing_frequency().value / two_pi});
+  return taken;
 }
 
 SamplesToldTwice take_out(const TimeSlip& slip, std::vector<double>& t) {
@@ -125,44 +175,92 @@ SamplesToldTwice take_out(const TimeSlip& slip, std::vector<double>& t) {
   return {static_cast<std::size_t>(twice - t.begin()), static_cast<std::size_t>(first - t.begin())};
 }
 
-std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, const Watch& watch) {
+TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const Watch& watch) {
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds && !watch.interrupted(); ++round) {
+    std::vector<double> t(record.t.begin(), record.t.end()), y(record.y.begin(), record.y.end());
+    const SamplesToldTwice twice = take_out(slip, t);
+    for (auto* values : {&t, &y})
+      values->erase(values->begin() + static_cast<std::ptrdiff_t>(twice.from),
+                    values->begin() + static_cast<std::ptrdiff_t>(twice.to));
+    Record without = record;
+    without.t = t;
+    without.y = y;
+    const LawFit fit = fit_law(without, {.law = law}, watch);
+    std::vector<double> residuals = residuals_of(fit, without);
+    if (!fit.is_usable() || residuals.size() != t.size()) break;
+    const double rest = SlipSearch(without, fit, std::move(residuals)).before(twice.from).slip();
+    if (!std::isfinite(rest)) break;
+    slip.by += rest;
+    constexpr double small = 0.01;  // of the time between samples
+    if (std::abs(rest) > small * median_step(record.t)) continue;
+    slip.at = place_of(slip, record, fit);
+    break;
+  }
+  return slip;
+}
+
+bool is_sharp(double slips_at, const Record& record, const LawFit& fit) {
+  constexpr double as_good = 1.7;
+  constexpr std::size_t fewest = 8;
+  const double half = 0.5 * two_pi / fit.motion.angular_frequency();
+  const std::vector<double> residuals = residuals_of(fit, record);
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    if (std::abs(record.t[i] - slips_at) < half) {
+      squares += residuals[i] * residuals[i];
+      ++count;
+    }
+  return count < fewest || std::sqrt(squares / static_cast<double>(count)) <= as_good * fit.residual.rms;
+}
+
+std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::span<const LawFit> others,
+                                  const Watch& watch) {
   constexpr std::size_t longest = 20'000;  // samples that are worth the search
   constexpr double smooth = 0.2;           // of the residuals, from sample to sample: else they are noise
   const std::size_t n = record.t.size();
   const bool turns = fit.law.has<Pendulum>(), bent = turns || has_bent_spring(fit.law);
-  if (!bent && !(fit.residual.autocorrelation > smooth)) return std::nullopt;
+  const bool is_noise = !(fit.residual.autocorrelation > smooth);
   if (fit.drive.kind != DriveKind::none || n < 64 || n > longest) return std::nullopt;
   const LawFit straight = fit_law(record, {}, watch);
-  std::vector<double> residuals = residuals_of(straight, record);
-  if (!straight.is_usable() || residuals.size() != n || watch.interrupted()) return std::nullopt;
-
-  const SlipSearch search(record, straight, std::move(residuals));
-  constexpr std::size_t places = 48;
-  const std::size_t edge = n / 10;  // what is odd there may be a beginning or an end
-  SlipSearch::Found found = search.best(edge, n - edge, places);
-  const std::size_t around = std::max<std::size_t>(1, n / places);
-  found = search.best(std::max(edge, found.at - std::min(around, found.at)),
-                      std::min(n - edge, found.at + around), places);
+  if (!straight.is_usable() || watch.interrupted()) return std::nullopt;
+  // A bent spring may be no more than the slip, and other terms be right beside it.
+  std::optional<Suspect> suspect = suspect_of(record, straight);
+  const Law plain = with_straight_spring(fit.law);
+  const auto other = std::find_if(others.begin(), others.end(), [&](const LawFit& each) {
+    return each.law == plain && each.is_usable() && !(plain == straight.law);
+  });
+  if (other != others.end())
+    if (auto found = suspect_of(record, *other); found && (!suspect || found->rest() < suspect->rest()))
+      suspect = std::move(found);
+  if (!suspect) return std::nullopt;
+  const SlipSearch::Found& found = suspect->found;
   const double steps = std::abs(found.slip()) / median_step(record.t),
                angle = std::abs(found.slip()) * straight.motion.angular_frequency();
   constexpr double fewest = 0.5, most = 10, farthest = 0.7;  // between samples; [rad] where a slip is linear
   if (steps < fewest || steps > most || angle > farthest) return std::nullopt;
 
   const double rest = std::sqrt(found.rest / static_cast<double>(n));
-  constexpr double clearly = 0.9;  // of the rms residual
-  if (rest > (bent && !turns ? 1 : clearly) * fit.residual.rms) return std::nullopt;
   // Noise that wanders is part slip by chance: as many samples count as are independent.
-  const std::vector<double> left = search.left_by(found);
+  const std::vector<double> left = suspect->search.left_by(found);
   const double correlation = std::clamp(autocorrelations(left, find_grid(record.t), 1)[1], 0.0, 0.999);
   const double independent = static_cast<double>(n) * (1 - correlation) / (1 + correlation);
-  constexpr double by_chance = 30;  // of twice the logarithm of the likelihood, over all places
-  if (independent * 2 * std::log(straight.residual.rms / rest) < by_chance) return std::nullopt;
+  // Twice the logarithm of how much likelier a slip is than another law.
+  const auto evidence = [&](double rms) { return independent * 2 * std::log(rms / rest); };
+  constexpr double by_chance = 30, likelier = 10;  // over all places; than one other law
+  if (!(evidence(suspect->rms) >= by_chance)) return std::nullopt;
+  constexpr double clearly = 0.9;  // of the rms residual, where a wrong law may leave it
+  const auto is_clear = [&](const LawFit& other) {
+    return is_noise ? evidence(other.residual.rms) >= likelier : rest <= clearly * other.residual.rms;
+  };
+  if (bent && !turns ? rest > fit.residual.rms : !is_clear(fit)) return std::nullopt;
   // A phase that bends, as a nonlinear spring makes it, is half explained by one that jumps.
   if (!bent) {
     const LawFit softening = fit_law(record, {.law = law_of("viscous+cubic")}, watch);
-    if (!softening.is_usable() || rest > clearly * softening.residual.rms) return std::nullopt;
+    if (!softening.is_usable() || !is_clear(softening)) return std::nullopt;
   }
-  return remeasured({record.t[found.at], found.slip()}, record, watch);
+  return slip_under(suspect->law, {record.t[found.at], found.slip()}, record, watch);
 }
 
 }  // namespace cromer::core

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cromer/identify/law_fit.h"
@@ -20,16 +21,30 @@ struct TimeSlip {
   double at = 0;  // [s] the first sample that is late
   double by = 0;  // [s] by so much; negative where it is early, for samples that were lost
 
-  /// When and by how much, with a clause for why.
-  Notice notice(const char* code) const;
+  /// That times slip, when and by how much.
+  Notice told() const;
+  /// That the slip was taken out, and what `as_recorded` found of the times with it.
+  Notice taken_out(const LawFit& as_recorded) const;
 };
 
-/// A viscous law whose times slip once leaves no more than `fit` with its nonlinear spring, a tenth less than
-/// `fit` of a pendulum, or a tenth less than `fit` without either and than a cubic spring. Slips from half a
-/// step between samples to ten are found, of less than a tenth of a period. A phase that jumps once looks
-/// like a frequency that changes as the swing dies down. Empty where nothing slips, and of more than 20,000
-/// samples.
-std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, const Watch& watch = {});
+/// Whether it tells of a slip that is still in the times.
+inline bool is_of_slips(const Notice& notice) { return notice.code == "times_slip"; }
+
+/// A law with a straight spring, the viscous one or that of `fit` without its nonlinear spring where it is
+/// among `others`, whose times slip once: it leaves no more than `fit` with its nonlinear spring, or clearly
+/// less than `fit` without one and than a cubic spring. Slips from half a step between samples to ten are
+/// found, of less than a tenth of a period, not in the first or the last twentieth of the record. A phase
+/// that jumps once looks like a frequency that changes as the swing dies down. Empty where nothing slips, and
+/// of more than 20,000 samples.
+std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit,
+                                  std::span<const LawFit> others = {}, const Watch& watch = {});
+
+/// The same slip where a law shows it, which is fitted to the times without it; `record` still has it.
+TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const Watch& watch = {});
+
+/// Whether a fit of the times without the slip is as good beside it, within half a period, as elsewhere: what
+/// slides for a while leaves more there. `record` has those times.
+bool is_sharp(double slips_at, const Record& record, const LawFit& fit);
 
 struct SamplesToldTwice {
   std::size_t from = 0, to = 0;  ///< the numbers of the samples before the slip that were told again after it

@@ -426,7 +426,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
       doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit), unit_of(series));
   if constexpr (looks_for_slips)
     for (const Notice& notice : recording.notices)
-      if (notice.code == "times_slip") result.doubts.push_back(notice);
+      if (is_of_slips(notice)) result.doubts.push_back(notice);
   result.others_tried = !law_is_chosen(options.fit);
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;

@@ -63,7 +63,7 @@ std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& 
   if (rates.size() < 3) return std::nullopt;
   double squares = 0, least = HUGE_VAL, largest = -HUGE_VAL;
   for (const AmplitudeRate& each : rates) {
-    const double off = (each.rate.value - each.law_rate) / each.rate.standard_error;
+    const double off = each.widened * (each.rate.value - each.law_rate) / each.rate.standard_error;
     squares += off * off / static_cast<double>(rates.size());
     least = std::min(least, each.rate.value);
     largest = std::max(largest, each.rate.value);

@@ -90,7 +90,33 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   if (!std::isfinite(error) || !(amplitude > 4 * of_noise)) return std::nullopt;
   w = p[DampedPhasor::angular_frequency];
   const double t = student_95(std::max(1.0, degrees / widening));
-  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0};
+  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
+}
+
+/// Widens the errors by as much as what a rate differs from the law's lies off the straight line between its
+/// neighbours' beyond them, root mean square, where that is none by chance.
+void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
+  constexpr std::size_t fewest = 5;
+  if (stretches.size() < fewest) return;
+  const double count = static_cast<double>(stretches.size() - 2);
+  const auto off = [&](std::size_t i) { return stretches[i].rate.value - stretches[i].law_rate; };
+  const auto error = [&](std::size_t i) { return stretches[i].rate.standard_error; };
+  double square = 0;  // of the second differences over their errors, mean
+  for (std::size_t i = 1; i + 1 < stretches.size(); ++i)
+    square += std::pow((off(i - 1) - 2 * off(i) + off(i + 1)) /
+                           std::hypot(error(i - 1), 2 * error(i), error(i + 1)),
+                       2) /
+              count;
+  // Second differences that share stretches are correlated: their mean square has a variance of 3.9 over
+  // their number.
+  if (!(square > 1 + 2 * std::sqrt(3.9 / count))) return;
+  const double times = std::sqrt(square);
+  for (AmplitudeRate& each : stretches) {
+    const Estimate& rate = each.rate;
+    each.widened = times;
+    each.rate = {rate.value, times * rate.standard_error, rate.value - times * (rate.value - rate.low),
+                 rate.value + times * (rate.high - rate.value)};
+  }
 }
 
 }  // namespace
@@ -228,6 +254,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
     if (last) break;
     first = next;
   }
+  widen_by_neighbours(result);
   return result;
 }
 

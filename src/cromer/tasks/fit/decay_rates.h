@@ -30,10 +30,12 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
                            std::optional<int> count, const Watch& watch = {});
 
 struct AmplitudeRate {
-  double from, to;   // [s] the stretch
-  double amplitude;  ///< in its middle, unit of the displacement
-  Estimate rate;     // [1/s] of one decaying sinusoid fitted to the stretch alone
-  double law_rate;   // [1/s] the law's at that amplitude, averaged over a cycle
+  double from, to;               // [s] the stretch
+  double amplitude;              ///< in its middle, unit of the displacement
+  Estimate rate;                 // [1/s] of one decaying sinusoid fitted to the stretch alone
+  double law_rate;               // [1/s] the law's at that amplitude, averaged over a cycle
+  double angular_frequency = 0;  // [rad/s] of that sinusoid
+  double widened = 1;            ///< the rate's error was multiplied by this, for how neighbours differ
 };
 
 /// What the law's damping does to the amplitude.
@@ -61,7 +63,9 @@ double first_amplitude(const LawFit& fit);
 /// The decay rate of stretches of the record against their amplitude. A stretch holds at least two periods
 /// and twelve samples. It is as long as its rate takes to be known to 5 %, but at most a sixth of the record;
 /// there are at most 60. A stretch whose error exceeds its rate is left out. Empty if first_amplitude is NaN.
-/// `fit` must have values. Errors are widened for the correlation of the stretch's own residuals.
+/// `fit` must have values. Errors are widened for the correlation of the stretch's own residuals, and where
+/// what they differ from the law by jumps from neighbour to neighbour by more than that: noise that is slower
+/// than a stretch does not show within it.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 

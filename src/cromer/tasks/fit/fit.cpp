@@ -10,8 +10,10 @@
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"
+#include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/diagnose/undisturbed.h"
@@ -175,6 +177,36 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
+bool has_notice(const FittedRecording& fitted, std::string_view code) {
+  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
+                     [&](const Notice& notice) { return notice.code == code; });
+}
+
+// By how much the decay rate changes from the first sample to the last, by the law [1/s].
+std::optional<double> change_of_rate(const LawFit& fit, double duration) {
+  const std::vector<Parameter> ends = decay_rate_ends(fit, duration);
+  if (ends.size() != 2) return std::nullopt;
+  return ends.back().estimate.value - ends.front().estimate.value;
+}
+
+// The decay rate that a law has in common with others that fit as well, where it changes otherwise by them.
+std::optional<Estimate> common_decay(const Record& record, const LawFit& chosen,
+                                     const std::vector<LawFit>& candidates) {
+  const std::optional<MeanDecay> mean = mean_decay(chosen, record);
+  const double duration = record.t.back() - record.t.front();
+  const std::optional<double> change = change_of_rate(chosen, duration);
+  constexpr double otherwise = 0.1;  // of the rate
+  if (!mean || !change) return std::nullopt;
+  const bool is_open = std::any_of(candidates.begin(), candidates.end(), [&](const LawFit& rival) {
+    if (rival.status != FitStatus::converged || rival.bic > chosen.bic + strong_evidence ||
+        rival.fitted > chosen.fitted + 1)
+      return false;
+    const std::optional<double> other = change_of_rate(rival, duration);
+    return other && std::abs(*other - *change) > otherwise * std::abs(mean->rate.value);
+  });
+  return is_open ? std::optional(mean->rate) : std::nullopt;
+}
+
 // What the fit's message says is not said again. What was stopped has not come to rest by friction, after
 // whatever number of half swings. Of a record that is no free swing of one law nothing is known whichever law
 // is right.
@@ -193,20 +225,38 @@ void drop_what_no_longer_holds(std::vector<Notice>& notices, const Notice& messa
               "rival_laws");
 }
 
-// The fit of the times without this slip, with a notice; nothing where one was taken out before, or the fit
-// is no better.
-std::optional<FittedRecording> fit_without(const TimeSlip& slip, const FittedRecording& with,
-                                           const Series& series, const FitOptions& options,
-                                           const Watch& watch) {
+// The fit of the times without a slip. What is chosen by the time is chosen by the recorder's.
+Result<FittedRecording> fit_without(const TimeSlip& slip, const FittedRecording& with, const Series& series,
+                                    FitOptions options, const Watch& watch) {
+  for (auto* time : {&options.from, &options.to})
+    if (*time && **time >= slip.at) **time -= slip.by;
+  return fit_series(without_slip(series, slip), with.file, options, watch);
+}
+
+// The fit of the times without the slip that `with` found in them, with a notice; nothing where one was taken
+// out before, or the fit is no better.
+std::optional<FittedRecording> fit_mended(TimeSlip slip, const Record& record, const FittedRecording& with,
+                                          const Series& series, const Watch& watch) {
   if (series.slips_at < HUGE_VAL) return std::nullopt;
-  Result<FittedRecording> mended = fit_series(without_slip(series, slip), with.file, options, watch);
-  if (!mended || !mended->succeeded() || !(mended->fit.residual.rms <= with.fit.residual.rms))
+  const FitOptions& options = with.options;
+  Result<FittedRecording> mended = fit_without(slip, with, series, options, watch);
+  if (!mended || !mended->succeeded()) return std::nullopt;
+  // Another law shows it better.
+  const TimeSlip better = slip_under(mended->fit.law, slip, record, watch);
+  constexpr double alike = 0.02;  // of the time between samples
+  if (better.at != slip.at || std::abs(better.by - slip.by) * series.rate > alike) {
+    slip = better;
+    mended = fit_without(slip, with, series, options, watch);
+    if (!mended || !mended->succeeded()) return std::nullopt;
+  }
+  const FittedSamples samples = without_outliers(mended->series);
+  const Record kept{samples.t, samples.y, record.resolution, record.derivative};
+  if (!(mended->fit.residual.rms <= with.fit.residual.rms) ||
+      !is_sharp(mended->series.slips_at, kept, mended->fit))
     return std::nullopt;
-  Notice taken_out = slip.notice("slip_taken_out");
-  taken_out.values.push_back({"law", to_text(with.fit.law)});
-  taken_out.values.push_back({"frequency", with.fit.swing_frequency().value / two_pi});
+  mended->options = options;
   mended->samples = with.samples;
-  mended->notices.insert(mended->notices.begin(), std::move(taken_out));
+  mended->notices.insert(mended->notices.begin(), slip.taken_out(with.fit));
   ++mended->of_record;
   return *std::move(mended);
 }
@@ -279,8 +329,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice->candidates)
     if (candidate.is_usable())
-      result.candidates.push_back(
-          {candidate.law, candidate.residual.rms, candidate.bic, candidate.status == FitStatus::converged});
+      result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
+                                   candidate.status == FitStatus::converged,
+                                   candidate.motion.angular_frequency()});
   if (!result.fit.is_usable()) return result;
 
   const Body body = body_of(options);
@@ -299,6 +350,12 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.notices.insert(result.notices.end(), segments.notices.begin(), segments.notices.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
+  Notice slip;
+  if constexpr (looks_for_slips)
+    if (const auto found = find_slip(kept, result.fit, choice->candidates, watch)) {
+      if (auto mended = fit_mended(*found, kept, result, series, watch)) return *std::move(mended);
+      slip = found->told();
+    }
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = Notice{"fit_interrupted"};
@@ -307,23 +364,16 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
-  if constexpr (looks_for_slips)
-    if (const auto slip = find_slip(kept, result.fit, watch)) {
-      if (auto mended = fit_without(*slip, result, series, options, watch)) return *std::move(mended);
-      result.notices.push_back(slip->notice("times_slip"));
-    }
+  if (!slip.empty()) result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);
+  if (has_notice(result, "rival_laws"))
+    result.common_decay = common_decay(record, result.fit, choice->candidates);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;
 }
 
 namespace {
-
-bool has_notice(const FittedRecording& fitted, std::string_view code) {
-  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
-                     [&](const Notice& notice) { return notice.code == code; });
-}
 
 // Whether no law was found, or one that leaves a seventh of the swing.
 bool is_without_a_law(const FittedRecording& fitted) {

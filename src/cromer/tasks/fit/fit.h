@@ -67,6 +67,7 @@ struct Candidate {
   double rms;
   double bic;
   bool converged;
+  double angular_frequency = 0;   // [rad/s] of small swings
   std::string between_samples{};  ///< how a recorded force was read between samples; "" without one
 };
 
@@ -109,6 +110,7 @@ struct FittedRecording {
   double reynolds_max_t = 0;                   // [s]
   std::optional<Estimate> keulegan_carpenter;  ///< 2 pi A/D at the largest amplitude
   std::vector<AmplitudeRate> decay_by_amplitude;
+  std::optional<Estimate> common_decay{};  ///< [1/s] at the rms amplitude, beside laws that fit as well
   std::vector<Contribution> stiffness_budget;
   std::optional<MonteCarlo> monte_carlo;
   std::optional<RecordingPlan> plan;

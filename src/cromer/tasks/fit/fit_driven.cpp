@@ -60,6 +60,7 @@ void describe_driven_fit(FittedRecording& result, LawChoice&& choice, const Reco
     if (candidate.residual.rms > 0)
       result.candidates.push_back(
           {candidate.law, candidate.residual.rms, candidate.bic, candidate.status == FitStatus::converged,
+           candidate.motion.angular_frequency(),
            is_recorded(candidate.drive.kind) ? std::string(name(candidate.drive.force.between)) : ""});
   const LawFit& fit = result.fit;
   if (!fit.is_usable()) return;

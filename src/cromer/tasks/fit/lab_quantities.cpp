@@ -67,6 +67,23 @@ Body body_of(const FitOptions& options) {
   return body;
 }
 
+std::optional<OtherStiffness> other_stiffness(const FittedRecording& fitted) {
+  constexpr double nearly_as_good = 4.0 / 3;  // of the rms residual
+  const Estimate* k = fitted.find("stiffness");
+  const double w = fitted.fit.angular_frequency().value;
+  if (!k || fitted.driven || !(w > 0)) return std::nullopt;
+  std::optional<OtherStiffness> farthest;
+  double most = (k->high - k->low) / 2;
+  for (const Candidate& each : fitted.candidates) {
+    const double other = k->value * std::pow(each.angular_frequency / w, 2),
+                 away = std::abs(other - k->value);
+    if (!each.converged || each.rms > nearly_as_good * fitted.fit.residual.rms || !(away > most)) continue;
+    most = away;
+    farthest = {each.law, other, each.rms};
+  }
+  return farthest;
+}
+
 std::vector<Parameter> headline_of(const FittedRecording& fitted) {
   std::vector<Parameter> headline;
   for (const std::string_view name : {"frequency", "stiffness"})
@@ -172,8 +189,9 @@ std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& seri
 
 std::vector<TypedOption> over_settings(const FittedRecording& fitted) {
   const Series& series = fitted.series;
-  if (fitted.simulate.empty() || fitted.of_arrays || fitted.file.empty() || fitted.file == "-" ||
-      !lies_under_runs(series))
+  const bool is_as_recorded = series.slips_at == HUGE_VAL;  // a slip of the times was taken out of the others
+  if (!is_as_recorded || fitted.simulate.empty() || fitted.of_arrays || fitted.file.empty() ||
+      fitted.file == "-" || !lies_under_runs(series))
     return {};
   std::vector<TypedOption> settings{{"over", fitted.file}, {"over-column", series.column}};
   if (series.run > 1) settings.emplace_back("over-run", fmt::format("{}", series.run));

@@ -10,6 +10,17 @@ namespace cromer::core {
 /// The body that the options describe.
 Body body_of(const FitOptions& options);
 
+/// A law that leaves up to a third more, and gives another spring constant.
+struct OtherStiffness {
+  Law law;
+  double stiffness = 0;  // [N/m]
+  double rms = 0;        ///< what it leaves, in the SI unit of the column
+};
+
+/// The law whose spring constant is farthest from the fit's, by more than half its 95 % interval's width;
+/// none where laws agree, or nothing is known of the mass.
+std::optional<OtherStiffness> other_stiffness(const FittedRecording& fitted);
+
 /// What a reader looks for first, as far as the fit knows it: frequency, stiffness, decay_rate_ends() and
 /// reynolds_max.
 std::vector<Parameter> headline_of(const FittedRecording& fitted);

@@ -8,7 +8,7 @@
 namespace cromer::core {
 
 Notice perhaps_held(const std::vector<FittedRecording>& runs) {
-  constexpr double much_more = 50;
+  constexpr double much_more = 20;
   double least = HUGE_VAL, most = 0;
   std::vector<double> levels;
   for (const FittedRecording& run : runs) {

@@ -14,8 +14,8 @@ inline constexpr bool fits_held_masses = false;
 inline constexpr bool fits_held_masses = true;
 #endif
 
-/// Where the runs of positions lie apart, each by fifty times as much as any of them moves: that a spring
-/// constant follows from the masses that hang there. Else empty.
+/// Where the runs of positions lie apart, each by twenty times as far as any of them moves from its middle:
+/// that a spring constant follows from where they rest. Else empty.
 Notice perhaps_held(const std::vector<FittedRecording>& runs);
 
 }  // namespace cromer::core

@@ -19,16 +19,65 @@
 namespace cromer::core {
 namespace {
 
+/// Takes out values that lie ten times as far from the middle as half of all do, if they are few; their
+/// number.
+std::size_t set_far_ones_aside(std::vector<double>& t, std::vector<double>& y, double resolution) {
+  constexpr double far = 10, few = 0.1;
+  std::vector<double> sorted = y;
+  const double middle = upper_median(sorted);
+  std::vector<double> off;
+  for (const double each : y) off.push_back(std::abs(each - middle));
+  std::vector<double> sizes = off;
+  const double limit = far * std::max(upper_median(sizes), resolution);
+  const auto count = static_cast<std::size_t>(
+      std::count_if(off.begin(), off.end(), [&](double each) { return each > limit; }));
+  if (count == 0 || !(limit > 0) || static_cast<double>(count) > few * static_cast<double>(y.size()))
+    return 0;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (off[i] > limit) continue;
+    t[kept] = t[i];
+    y[kept++] = y[i];
+  }
+  t.resize(kept);
+  y.resize(kept);
+  return count;
+}
+
+/// How far a straight line through values about their mean goes, where that is four times its error, widened
+/// for correlation, and more than rounding; else 0.
+double drift_of(const std::vector<double>& t, const std::vector<double>& y, double resolution) {
+  constexpr std::size_t fewest = 8;
+  if (y.size() < fewest) return 0;
+  const Line line = fit_line(t, y);
+  const double duration = t.back() - t.front(), middle = 0.5 * (t.front() + t.back());
+  std::vector<double> left = y;
+  double square = 0, spread = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    left[i] -= line.intercept + line.slope * t[i];
+    square += left[i] * left[i];
+    spread += (t[i] - middle) * (t[i] - middle);
+  }
+  const double variance = square / static_cast<double>(y.size() - 2);
+  const double widening = square > 0 ? correlation_factor(left, 0) : 1;
+  constexpr double surely = 4;
+  const double drift = line.slope * duration, error = duration * std::sqrt(variance * widening / spread);
+  return std::abs(drift) > std::max(surely * error, resolution) ? drift : 0;
+}
+
 Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::string_view file) {
   Hold hold;
   hold.file = file;
   hold.run = series.run;
   hold.from = series.t[first];
   hold.to = series.t[last - 1];
-  hold.samples = last - first;
+  std::vector<double> t(series.t.begin() + static_cast<std::ptrdiff_t>(first),
+                        series.t.begin() + static_cast<std::ptrdiff_t>(last)),
+      y(series.y.begin() + static_cast<std::ptrdiff_t>(first),
+        series.y.begin() + static_cast<std::ptrdiff_t>(last));
+  hold.set_aside = set_far_ones_aside(t, y, series.resolution);
+  hold.samples = y.size();
   const auto n = static_cast<double>(hold.samples);
-  std::vector<double> y(series.y.begin() + static_cast<std::ptrdiff_t>(first),
-                        series.y.begin() + static_cast<std::ptrdiff_t>(last));
   for (const double each : y) hold.position += each / n;
   for (double& each : y) each -= hold.position;
   double square = 0, steps = 0;
@@ -36,11 +85,15 @@ Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::str
   for (std::size_t i = 1; i < y.size(); ++i) steps += 0.5 * (y[i] - y[i - 1]) * (y[i] - y[i - 1]);
   hold.scatter = n > 1 ? std::sqrt(square / (n - 1)) : 0;
   // Noise is as large from sample to sample as over the whole; a swing is much larger over the whole.
-  hold.moves = hold.scatter > 2 * series.resolution && square > 6 * steps;
+  const double rounding_of_doubles = 1e-12 * std::abs(hold.position);
+  hold.moves = hold.scatter > std::max(2 * series.resolution, rounding_of_doubles) && square > 6 * steps;
   const double widening = square > 0 && y.size() > 3 ? correlation_factor(y, 0) : 1;
   // A mean of rounded values is not known better than rounding leaves it.
   const double rounding = series.resolution / std::sqrt(12.0);
   hold.standard_error = std::hypot(hold.scatter * std::sqrt(widening / n), rounding);
+  hold.drift = drift_of(t, y, series.resolution);
+  // Where on its way it was when the others were measured is not known.
+  hold.standard_error = std::hypot(hold.standard_error, hold.drift / std::sqrt(12.0));
   return hold;
 }
 
@@ -194,20 +247,28 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   // The sensor may look from below or from above: the extension is the distance.
   const double slope = std::abs(line->slope);
   const double k = gravity.value / slope;
-  const double relative = std::hypot(line->slope_error / slope, gravity.uncertainty / gravity.value);
-  const double t = line->extra_scatter > 0 ? student_95(line->degrees) : student_95(1e9);
-  result.stiffness = make_estimate(k, relative * k, t);
+  const double of_slope = line->slope_error / slope, of_gravity = gravity.uncertainty / gravity.value;
+  // Only the slope's part has few degrees of freedom (Welch and Satterthwaite).
+  const double squares = of_slope * of_slope + of_gravity * of_gravity;
+  const double degrees = line->extra_scatter > 0 && of_slope > 0
+                             ? line->degrees * squares * squares / std::pow(of_slope, 4)
+                             : 1e9;
+  result.stiffness = make_estimate(k, std::sqrt(squares) * k, student_95(degrees));
   if (line->extra_scatter > 0)
     result.notices.push_back(
         Notice{"holds_scatter", {{"scatter", line->extra_scatter}, {"degrees", line->degrees}}});
-  for (const Hold& hold : holds)
-    if (hold.moves)
-      result.notices.push_back(Notice{"hold_moves",
-                                      {{"file", hold.file},
-                                       {"run", hold.run},
-                                       {"from", hold.from},
-                                       {"to", hold.to},
-                                       {"scatter", hold.scatter}}});
+  for (const Hold& hold : holds) {
+    const auto say = [&](const char* code, NoticeValue what) {
+      result.notices.push_back(Notice{
+          code,
+          {{"file", hold.file}, {"run", hold.run}, {"from", hold.from}, {"to", hold.to}, std::move(what)}});
+    };
+    if (hold.drift != 0)
+      say("hold_drifts", {"drift", std::abs(hold.drift)});
+    else if (hold.moves)
+      say("hold_moves", {"scatter", hold.scatter});
+    if (hold.set_aside > 0) say("hold_with_outliers", {"samples", hold.set_aside});
+  }
   if (!goes_one_way(points)) result.notices.push_back(Notice{"holds_out_of_order"});
   if (holds.size() == 2) result.notices.push_back(Notice{"line_of_two"});
   result.holds = std::move(holds);

@@ -29,6 +29,8 @@ struct Hold {
   double scatter = 0;         // [m] standard deviation of the samples
   double standard_error = 0;  // [m] of the mean, widened for correlation
   bool moves = false;         ///< slowly, as a swing does; noise changes from sample to sample
+  double drift = 0;           // [m] from the first sample to the last, where it is none by chance
+  std::size_t set_aside = 0;  ///< of the samples: they lie far from all others
   Quantity mass;              // [kg]
 };
 
