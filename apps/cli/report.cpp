@@ -143,10 +143,10 @@ struct OwnReport {
   std::vector<std::string> failures;
 };
 
-/// Fits the recordings. An exit status where there is nothing to report.
-std::optional<int> read_swings(const std::vector<std::string>& files, const ReportOptions& options,
-                               const std::vector<TypedOption>& given, const ReportFront& front,
-                               const Watch& watch, OwnReport& own) {
+/// Fits the recordings and makes their study. An exit status where there is nothing to report.
+std::optional<int> fit_swings(const std::vector<std::string>& files, const ReportOptions& options,
+                              const std::vector<TypedOption>& given, const ReportFront& front,
+                              const Watch& watch, OwnReport& own) {
   if (auto good = check_fit_options(options.fit); !good) return refuse(good.error());
   const auto found = recording_files(files);
   if (!found) return refuse(found.error());
@@ -171,10 +171,10 @@ std::optional<int> read_swings(const std::vector<std::string>& files, const Repo
   return std::nullopt;
 }
 
-/// The same of masses at rest.
-std::optional<int> read_held(const std::vector<std::string>& files, const ReportOptions& options,
-                             const std::vector<TypedOption>& given, const ReportFront& front,
-                             OwnReport& own) {
+/// Fits masses at rest and makes their study. An exit status where there is nothing to report.
+std::optional<int> fit_held_masses(const std::vector<std::string>& files, const ReportOptions& options,
+                                   const std::vector<TypedOption>& given, const ReportFront& front,
+                                   OwnReport& own) {
   const auto recordings = recording_files(files);
   if (!recordings) return refuse(recordings.error());
   const auto opened = open_recordings(recordings->files, options.fit.read);
@@ -259,7 +259,7 @@ int run_report(const Arguments& arguments) {
       return refuse(fmt::format("--{}: a study says this itself, in {}", typed.first, files.front()));
   if (!options.language.empty() && options.language != "en" && options.language != "de")
     return refuse(fmt::format("--language {}: it must be en or de", options.language));
-  if (auto good = check_spring_options(options.spring); !good) return refuse(good.error());
+  if (auto good = check_spring_options(options.spring, true); !good) return refuse(good.error());
   if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
   std::string pdf;
   if (const std::string name = without_ending(options.folder); !name.empty())
@@ -281,8 +281,8 @@ int run_report(const Arguments& arguments) {
     const auto front = front_of(options);
     if (!front) return refuse(front.error());
     std::erase_if(given, [&](const TypedOption& typed) { return !is_of_fit(typed); });
-    if (const auto status = options.spring.held ? read_held(files, options, given, *front, own)
-                                                : read_swings(files, options, given, *front, watch, own))
+    if (const auto status = options.spring.held ? fit_held_masses(files, options, given, *front, own)
+                                                : fit_swings(files, options, given, *front, watch, own))
       return *status;
     const auto path = write_study(own.study, options.folder);
     if (!path) return refuse(path.error());

@@ -88,7 +88,9 @@ TEST(Words, ThePageHasHandlesWhereTheProgramHasOptions) {
   EXPECT_THAT(in_words(cut, of_the_german_page), EndsWith("bitte den späteren Teil mit den Griffen wählen"));
   const Notice alike{"columns_alike", {{"columns", std::vector<std::string>{"x", "y"}}, {"first", "x"}}};
   EXPECT_EQ(in_words(alike),
-            "several columns are alike: x, y; say which with --column, for instance --column \"x\"");
+            "several columns are alike: x, y; say which with --column, for instance --column \"x\"; "
+            "\"modes\" finds "
+            "the natural frequencies of coupled motions from all of them");
   EXPECT_EQ(in_words(alike, of_the_page), "several columns are alike: x, y; choose one, for instance \"x\"");
   // either may be empty
   EXPECT_EQ(in_words(Notice{"no_time_column"}, of_the_page),

@@ -32,7 +32,7 @@ TEST(SlippedTimes, AreFoundUnderEachLaw) {
       ASSERT_TRUE(slip) << seed << " " << to_text(fit.law);
       EXPECT_NEAR(slip->at, 16 + 0.8 * seed, 1) << seed;
       EXPECT_NEAR(slip->by, -0.02 * (1 + seed % 2), 0.002) << seed;
-      EXPECT_THAT(in_words(slip->told()), testing::HasSubstr("lost samples"));
+      EXPECT_THAT(in_words(slip->notice()), testing::HasSubstr("lost samples"));
     }
   }
 }
@@ -82,7 +82,7 @@ TEST(SlippedTimes, AreFoundInDerivatives) {
       const LawFit fit = fit_law(seen, {});
       const auto slip = find_slip(seen, fit);
       ASSERT_TRUE(slip) << derivative << " " << seed;
-      EXPECT_THAT(in_words(slip->told()), testing::HasSubstr("repeated samples"));
+      EXPECT_THAT(in_words(slip->notice()), testing::HasSubstr("repeated samples"));
       EXPECT_NEAR(slip->at, 18, 1);
       EXPECT_NEAR(slip->by, 0.04, 0.003);
     }

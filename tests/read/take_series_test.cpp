@@ -110,7 +110,7 @@ TEST(TakeSeries, SeveralAlikeAreListed) {
   const std::string text = "t,x,y\n0,1.5,2\n1,2,3\n2,1,4\n";
   EXPECT_EQ(refusal(text),
             "lab.csv: several columns are alike: \"x\", \"y\"; say which with --column, for instance "
-            "--column \"x\"");
+            "--column \"x\"; \"modes\" finds the natural frequencies of coupled motions from all of them");
   EXPECT_EQ(series(text, "y").y[0], 2);
 }
 

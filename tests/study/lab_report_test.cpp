@@ -20,6 +20,7 @@
 namespace cromer::core {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -556,7 +557,23 @@ TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
       {{"law", "viscous+drag"}});
   EXPECT_THAT(lab.page.summary,
               HasSubstr("The decay rate of parts of the recording, each fitted by itself, is"));
+  EXPECT_THAT(lab.page.summary, HasSubstr("a free swing at about 0.95\u00a0Hz."));
+  EXPECT_THAT(lab_report(lab.recordings, {}, {}),
+              HasSubstr("What the nearest law gives, without uncertainties"));
   EXPECT_THAT(lab.page.summary, Not(HasSubstr("falls")));
+  EXPECT_THAT(lab.text(), AllOf(HasSubstr("decay rate of the first part"), Not(HasSubstr("assumed")),
+                                Not(HasSubstr("quality factor: ")), Not(HasSubstr("are widened"))));
+}
+
+TEST(LabReport, GivesTheRateThatLawsOfOtherTrendsHaveInCommon) {
+  Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {});
+  lab.recordings.front().fitted.common_decay = Estimate{0.05, 0.004, 0.042, 0.058};
+  lab.recordings.front().fitted.decay_by_amplitude.clear();
+  lab.recordings.front().compared.reset();
+  const std::string toml = lab_report(lab.recordings, {}, {});
+  EXPECT_THAT(toml,
+              AllOf(HasSubstr("The decay rate is {lab.common_decay} at the record's rms amplitude"),
+                    HasSubstr("value = \"{lab.common_decay, concise}\""), Not(HasSubstr("One decay rate"))));
 }
 
 TEST(ReportFront, IsReadFromToml) {

@@ -82,6 +82,8 @@ TEST(SlippedRecordings, SayWhatWasShiftedAndWhatTheTimesAsToldWouldGive) {
   EXPECT_NEAR(lost.series.t.back(), 1999 * spacing + 0.06, 0.005);
   EXPECT_NEAR(static_cast<double>(twice.series.t.size()), 1997, 1);
   EXPECT_GT(lost.of_record, 0u);
+  EXPECT_TRUE(lost.left_out.t.empty());
+  EXPECT_TRUE(twice.left_out.t.empty());
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace cromer::core {
 struct Line {
   double slope = 0;
   double intercept = 0;
+
+  double at(double x) const { return intercept + slope * x; }
 };
 
 /// x and y of the same length, at least two different x. Means first, so that far-off origins lose no digits.
@@ -35,8 +37,7 @@ struct UncertainPoint {
   double x_error = 0, y_error = 0;  ///< standard uncertainties, >= 0, independent of each other
 };
 
-struct LineWithErrors {
-  double slope = 0, intercept = 0;
+struct LineWithErrors : Line {
   double slope_error = 0, intercept_error = 0;  ///< standard errors
   double covariance = 0;                        ///< of slope and intercept
   double chi_squared = 0;                       ///< with the errors given; degrees expected

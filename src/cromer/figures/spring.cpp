@@ -38,7 +38,7 @@ Figure line_figure(const std::vector<UncertainPoint>& points, const LineWithErro
   Curve straight, zero;
   for (const double m : {0.0, high}) {
     straight.x.push_back(1000 * m);
-    straight.y.push_back((line.intercept + line.slope * m) / y_unit);
+    straight.y.push_back(line.at(m) / y_unit);
     zero.x.push_back(1000 * m);
     zero.y.push_back(0);
   }
@@ -49,7 +49,7 @@ Figure line_figure(const std::vector<UncertainPoint>& points, const LineWithErro
   through.curves.push_back(std::move(straight));
   add_points(through, points, y_unit);
   std::vector<UncertainPoint> residuals = points;
-  for (UncertainPoint& point : residuals) point.y -= line.intercept + line.slope * point.x;
+  for (UncertainPoint& point : residuals) point.y -= line.at(point.x);
   left.title = "What the line leaves";
   left.y = rest;
   left.curves.push_back(std::move(zero));
@@ -70,8 +70,7 @@ Figure line_figure(const std::vector<UncertainPoint>& points, const LineWithErro
 Figure static_figure(const StaticStiffness& found) {
   std::vector<UncertainPoint> points;
   for (const Hold& hold : found.holds)
-    points.push_back({hold.mass.value, hold.position, hold.mass.uncertainty,
-                      std::hypot(hold.standard_error, found.line.extra_scatter)});
+    points.push_back({hold.mass.value, hold.position, hold.mass.uncertainty, error_about_line(found, hold)});
   Axis y, rest;
   y.name = "position (mm)";
   rest.name = "residual (mm)";

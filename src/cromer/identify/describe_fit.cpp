@@ -167,12 +167,17 @@ EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum
   return known;
 }
 
-// What one standard error of something common to all samples adds to each of them moves the estimates.
-void add_common_error(EstimateNoise& known, std::span<const double> added, int k,
-                      std::span<const double> jacobian, const SquareMatrix& inverse) {
-  Parameters along{}, moved{};
-  for (std::size_t i = 0; i < added.size(); ++i)
-    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * added[i];
+// Jᵀ d: what the errors d of the samples weigh in the normal equations.
+Parameters weighed(std::span<const double> errors, int k, std::span<const double> jacobian) {
+  Parameters along{};
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * errors[i];
+  return along;
+}
+
+// The estimates move together by what one standard error, of which `along` is Jᵀ d, moves them.
+void add_common_error(EstimateNoise& known, const Parameters& along, int k, const SquareMatrix& inverse) {
+  Parameters moved{};
   for (int a = 0; a < k; ++a)
     for (int b = 0; b < k; ++b) moved[a] += inverse[a][b] * along[b];
   for (int a = 0; a < k; ++a)
@@ -192,8 +197,8 @@ std::vector<double> slip_of_a_second(const Record& record, std::span<const doubl
   return added;
 }
 
-// Errors that all samples share: of the unit of the values, which is that of a motion as much larger, and of
-// a slip of the times, which is one parameter more.
+// Errors common to many samples: of the unit of the values, as of a motion that is larger by as much (all),
+// and of a slip of the times, which is one parameter more (those after it).
 void add_common_errors(EstimateNoise& known, const Record& record, const DescribedMinimum& minimum,
                        const Inverse& inverse, std::span<const double> motion, double variance) {
   const bool slips = looks_for_slips && record.slips_at < HUGE_VAL;
@@ -201,23 +206,20 @@ void add_common_errors(EstimateNoise& known, const Record& record, const Describ
   const int k = minimum.fitted.count;
   const std::vector<double> jacobian = minimum.jacobian();
   if (record.scale_error > 0) {
-    std::vector<double> added(record.y.begin(), record.y.end());
-    for (double& each : added) each *= record.scale_error;
-    add_common_error(known, added, k, jacobian, inverse.matrix);
+    Parameters along = weighed(record.y, k, jacobian);
+    for (double& each : along) each *= record.scale_error;
+    add_common_error(known, along, k, inverse.matrix);
   }
   if (!slips) return;
-  std::vector<double> added = slip_of_a_second(record, motion);
-  Parameters along{};
+  const std::vector<double> of_slip = slip_of_a_second(record, motion);
+  Parameters along = weighed(of_slip, k, jacobian);
   double left = 0;  // of its square, that no other parameter can take
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    left += added[i] * added[i];
-    for (int a = 0; a < k; ++a) along[a] += jacobian[i * static_cast<std::size_t>(k) + a] * added[i];
-  }
+  for (const double each : of_slip) left += each * each;
   for (int a = 0; a < k; ++a)
     for (int b = 0; b < k; ++b) left -= along[a] * inverse.matrix[a][b] * along[b];
   if (!(left > 0)) return;
-  for (double& each : added) each *= std::sqrt(variance / left);
-  add_common_error(known, added, k, jacobian, inverse.matrix);
+  for (double& each : along) each *= std::sqrt(variance / left);
+  add_common_error(known, along, k, inverse.matrix);
 }
 
 // Of two parameters that are hardly known, the ratio that is: flat to the noise, not to rounding.

@@ -75,7 +75,8 @@ struct Series {
   double jitter = 0;  ///< standard deviation of the steps over their median; 0 with a given rate
   double clock_error = 0;         ///< relative standard error of the spacing that rounded times stand for
   double scale_error = 0;         ///< relative standard error of the unit of y, of an angle that was computed
-  double slips_at = HUGE_VAL;     ///< [s] from when on t was shifted, for a slip of the recorder's times
+  double slips_at = HUGE_VAL;     ///< [s] from when on t was shifted back, for a slip of the recorder's times
+  double slips_by = 0;            ///< [s] by so much
   double resolution = 0;          ///< rounding step of the values in SI, 0 if none is seen
   std::vector<Gap> gaps;          ///< where samples are missing
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y

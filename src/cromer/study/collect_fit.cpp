@@ -225,13 +225,12 @@ void collect(const std::string& id, const StaticStiffness& found, Results& resul
     position.push_back(hold.position);
     residual.push_back(residual_of(found, hold));
     results.set(name + ".residual", residual.back(), "m");
-    const double error = std::hypot(hold.standard_error, found.line.extra_scatter);
+    const double error = error_about_line(found, hold);
     bar_at.insert(bar_at.end(), {mass.back(), mass.back(), mass.back()});
     bar.insert(bar.end(), {residual.back() - error, residual.back() + error, none});
   }
   const auto [least, most] = extent_of(mass);
-  const auto on_line = [&](double m) { return found.line.intercept + found.line.slope * m; };
-  results.set_column(id + ".line", {on_line(least), on_line(most)}, "m", "position");
+  results.set_column(id + ".line", {found.line.at(least), found.line.at(most)}, "m", "position");
   results.set_column(id + ".line_mass", {least, most}, "kg", "mass");
   results.set_column(id + ".bar_mass", std::move(bar_at), "kg", "mass");
   results.set_column(id + ".bar_residual", std::move(bar), "m", "residual");

@@ -45,12 +45,8 @@ std::string LabPage::end() {
 
 void LabPage::own(const std::string& text, std::string_view heading) {
   if (text.empty()) return;
-  if (!heading.empty()) {
-    page_.table("block");
-    page_.text("heading", in_words(Notice{std::string(heading)}, {front_.language}));
-  }
-  page_.table("block");
-  page_.text("text", verbatim(text));
+  if (!heading.empty()) page_.heading(in_words(Notice{std::string(heading)}, {front_.language}));
+  page_.paragraph(verbatim(text));
 }
 
 std::string interval_of(const std::string& name, const Estimate& e, Language language) {

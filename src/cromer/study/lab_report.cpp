@@ -109,15 +109,8 @@ class Part : public LabTold {
 
   void key_figures() const {
     if (is_poorly_described()) return;
-    const auto measured_key = [&](std::string_view code, const std::string& value,
-                                  const std::string& remark) {
-      toml_.table("key_figure");
-      toml_.text("name", words(code));
-      toml_.text("value", in_braces(value));
-      toml_.text("remark", remark);
-    };
     const auto key = [&](std::string_view code, const std::string& value, const std::string& remark) {
-      measured_key(code, value + large(), remark);
+      toml_.key_figure(words(code), in_braces(value + large()), remark);
     };
     // Of a swing whose frequency and damping change as it dies down.
     const std::string there = depends_on_amplitude() && !lacks_a_law()
@@ -131,24 +124,26 @@ class Part : public LabTold {
     if (fitted_.find("drive_frequency")) key("drive_frequency", "drive_frequency, Hz", "");
     if (fitted_.driven && fitted_.find("decay_rate"))
       key("decay_rate", "decay_rate", ends_of("decay_rate", *fitted_.find("decay_rate")));
-    if (const Parameter* start = named(fitted_.headline, "decay_rate_start"); !start)
-      ;
-    else if (lacks_a_law() && has_stretches())
-      measured_key("report_rate_at_first", "first_stretch, concise",
-                   words("report_of_a_part", {{"rate", in_braces("last_stretch")}}));
-    else if (has_only_a_common_rate())
-      key("decay_rate", "common_decay", words("report_at_rms_amplitude"));
-    else
-      key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
-          named(fitted_.headline, "decay_rate_end") && !has_one_rate()
-              ? words("report_at_end",
-                      {{"rate", in_braces(is_doubted() ? "decay_rate_end, 3" : "decay_rate_end")}})
-              : ends_of("decay_rate_start", start->estimate));
+    if (const Parameter* start = named(fitted_.headline, "decay_rate_start")) key_rate(*start, key);
     if (fitted_.reynolds_max)
       key("report_reynolds_max", "reynolds.max", words("report_at", {{"t", in_braces("reynolds.t, 3")}}));
     else if (is_known("quality_factor") && !lacks_a_law() &&
              std::isfinite(fitted_.find("quality_factor")->high))
       key("quality_factor", "quality_factor", there);
+  }
+
+  /// The decay rate among them; `key` adds one by the law.
+  template <class Key>
+  void key_rate(const Parameter& start, const Key& key) const {
+    if (lacks_a_law() && has_stretches())
+      return toml_.key_figure(words("report_rate_at_first"), in_braces("first_stretch, concise"),
+                              words("report_of_a_part", {{"rate", in_braces("last_stretch")}}));
+    if (has_only_a_common_rate()) return key("decay_rate", "common_decay", words("report_at_rms_amplitude"));
+    if (has_one_rate() || !named(fitted_.headline, "decay_rate_end"))
+      return key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
+                 ends_of("decay_rate_start", start.estimate));
+    key("report_rate_at_start", "decay_rate_start",
+        words("report_at_end", {{"rate", in_braces(is_doubted() ? "decay_rate_end, 3" : "decay_rate_end")}}));
   }
 
   /// The row of this recording in the table of all.
@@ -193,13 +188,9 @@ class Part : public LabTold {
   }
 
   void heading(std::string_view code) {
-    toml_.table("block");
-    toml_.text("heading", alone_ ? words(code) : verbatim(title()) + ": " + words(code));
+    toml_.heading(alone_ ? words(code) : verbatim(title()) + ": " + words(code));
   }
-  void paragraph(const std::string& text) {
-    toml_.table("block");
-    toml_.text("text", text);
-  }
+  void paragraph(const std::string& text) { toml_.paragraph(text); }
 
   /// The options, and the file; of a file with several runs also which. Of several masses, its own.
   void settings(std::vector<TypedOption> options) {
@@ -297,7 +288,8 @@ class Part : public LabTold {
     paragraph(words("report_how", {{"several", several}}));
     if (!is_poorly_described()) table();
     for (const Notice& notice : fitted_.notices)
-      if (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened")
+      if (!lacks_a_law() &&
+          (notice.code == "uncertainties_widened" || notice.code == "uncertainties_hardly_widened"))
         paragraph(verbatim(words("report_sentence", {{"what", notice}})));
     wide_intervals();
     energy_beside_amplitude();
@@ -793,7 +785,8 @@ class Part : public LabTold {
     const bool of_length = !fitted_.series.quantity.empty() && is_linear_quantity(fitted_.series.quantity);
     if (fitted_.succeeded() && of_length && fitted_.options.mass.empty() && fitted_.fit.law.shares(springs))
       add(words("report_give_mass"));
-    if (fitted_.succeeded() && of_length && !fitted_.options.disc_diameter) add(words("report_give_disc"));
+    if (fitted_.succeeded() && fitted_.series.quantity == "position" && !fitted_.options.disc_diameter)
+      add(words("report_give_disc"));
     if (text.empty()) return;
     heading("report_not_told");
     paragraph(verbatim(text));

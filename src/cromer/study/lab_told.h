@@ -102,9 +102,7 @@ class LabTold {
   /// Whether the law leaves so much that its numbers are not those of the motion.
   bool is_poorly_described() const {
     constexpr double much = 0.1;  // of the swing
-    const std::string& code = first_doubt().code;
-    return (code == "no_law_describes" || code == "law_does_not_describe") &&
-           fitted_.fit.residual.rms > much * spread_;
+    return lacks_a_law() && fitted_.fit.residual.rms > much * spread_;
   }
 
   /// Whether no law that was tried describes the recording: what follows from the law may be far off.
@@ -302,9 +300,9 @@ class LabTold {
     const bool known = each.estimate.standard_error > 0 && !lacks_a_law();
     const bool is_fitted =
         std::find(fitted_.fit.names.begin(), fitted_.fit.names.end(), each.name) != fitted_.fit.names.end();
-    const std::string ends = known       ? interval(place, each.estimate)
-                             : is_fitted ? words("report_assumed")
-                                         : "–";
+    const std::string ends = known                         ? interval(place, each.estimate)
+                             : is_fitted && !lacks_a_law() ? words("report_assumed")
+                                                           : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
                        toml_text(in_braces(lacks_a_law() ? place + ", 3" : place)), toml_text(ends),

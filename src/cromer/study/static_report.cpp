@@ -23,12 +23,12 @@ class StaticReport {
     double farthest = 0;
     for (const Hold& hold : found.holds) {
       positions.push_back(hold.position);
-      farthest = std::max(farthest, std::abs(residual_of(found, hold)) +
-                                        std::hypot(hold.standard_error, found.line.extra_scatter));
+      farthest = std::max(farthest, std::abs(residual_of(found, hold)) + error_about_line(found, hold));
     }
     const auto [low, high] = extent_of(positions);
     unit_ = length_unit(high - low).symbol;
-    small_unit_ = length_unit(3 * farthest).symbol;
+    constexpr double in_thousands = 3;  // ticks up to a few hundred are read best
+    small_unit_ = length_unit(in_thousands * farthest).symbol;
   }
 
   std::string make(const std::vector<std::string>& paths, const std::vector<std::string>& files,
@@ -40,25 +40,25 @@ class StaticReport {
                                          {"count", found_.holds.size()},
                                          {"stiffness", "{lab.stiffness}"},
                                          {"interval", interval()}}));
-    key_figure();
+    toml_.key_figure(words("stiffness"), "{lab.stiffness, concise}", interval());
     written_.own_parts();
     task(paths, options);
     heading("report_measured");
-    paragraph(words("report_holds", {{"count", found_.holds.size()}}));
+    toml_.paragraph(words("report_holds", {{"count", found_.holds.size()}}));
     table();
     heading("report_stiffness");
-    paragraph(
+    toml_.paragraph(
         words("report_held_stiffness",
               {{"gravity", "{lab.gravity}"}, {"stiffness", "{lab.stiffness}"}, {"interval", interval()}}));
-    if (!given(options, "gravity")) paragraph(words("report_gravity_assumed"));
+    if (!given(options, "gravity")) toml_.paragraph(words("report_gravity_assumed"));
     const auto is_exact = [](const Hold& hold) { return hold.mass.uncertainty == 0; };
     if (std::all_of(found_.holds.begin(), found_.holds.end(), is_exact))
-      paragraph(words("report_masses_without_error"));
+      toml_.paragraph(words("report_masses_without_error"));
     figures();
     if (!found_.notices.empty()) {
       heading("report_not_told");
       for (const Notice& notice : worst_first(found_.notices))
-        paragraph(verbatim(words("report_sentence", {{"what", notice}})));
+        toml_.paragraph(verbatim(words("report_sentence", {{"what", notice}})));
     }
     return written_.end();
   }
@@ -76,21 +76,7 @@ class StaticReport {
     return std::any_of(options.begin(), options.end(), [&](const auto& each) { return each.first == name; });
   }
 
-  void heading(std::string_view code) {
-    toml_.table("block");
-    toml_.text("heading", words(code));
-  }
-  void paragraph(const std::string& text) {
-    toml_.table("block");
-    toml_.text("text", text);
-  }
-
-  void key_figure() {
-    toml_.table("key_figure");
-    toml_.text("name", words("stiffness"));
-    toml_.text("value", "{lab.stiffness, concise}");
-    toml_.text("remark", interval());
-  }
+  void heading(std::string_view code) { toml_.heading(words(code)); }
 
   void task(const std::vector<std::string>& paths, const std::vector<TypedOption>& options) {
     toml_.table("task");

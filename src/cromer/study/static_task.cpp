@@ -14,7 +14,7 @@ Result<TaskReport> fit_static_task(const Work& work) {
     if (option.name != "mass-line") table.push_back(option);
   table.push_back(own_option("file", &files));
   if (const auto done = work.assign_settings(table); !done) return done.error();
-  if (const auto checked = check_spring_options(spring); !checked) return work.error(checked.error());
+  if (const auto checked = check_spring_options(spring, true); !checked) return work.error(checked.error());
   if (files.empty()) files.emplace_back();
   std::vector<Recording> recordings;
   for (const std::string& file : files) {

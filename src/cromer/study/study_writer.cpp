@@ -59,6 +59,23 @@ void StudyWriter::bare(std::string_view key, std::string_view value) {
   out_ += fmt::format("{} = {}\n", key, value);
 }
 
+void StudyWriter::heading(std::string_view text) {
+  table("block");
+  this->text("heading", text);
+}
+
+void StudyWriter::paragraph(std::string_view text) {
+  table("block");
+  this->text("text", text);
+}
+
+void StudyWriter::key_figure(std::string_view name, std::string_view value, std::string_view remark) {
+  table("key_figure");
+  text("name", name);
+  text("value", value);
+  text("remark", remark);
+}
+
 void StudyWriter::figure(const FigureLines& figure) {
   table("figure");
   text("id", figure.id);

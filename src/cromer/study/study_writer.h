@@ -45,6 +45,9 @@ class StudyWriter {
   void text(std::string_view key, std::string_view value);  ///< nothing for an empty one
   void bare(std::string_view key, std::string_view value);  ///< a number, a list, true
   void raw(std::string_view lines) { out_ += lines; }
+  void heading(std::string_view text);
+  void paragraph(std::string_view text);
+  void key_figure(std::string_view name, std::string_view value, std::string_view remark);
   void figure(const FigureLines& figure);
   const std::string& written() const { return out_; }
 

@@ -325,8 +325,8 @@ constexpr Entry entries[] = {
      "das {order}-Fache ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: eine "
      "Harmonische, wie von einer Bewegung mit Ecken oder abgeschnittenen Gipfeln"},
     {"line_among_others", clause,
-     "not the largest part of the residual, and perhaps one of many in what wanders",
-     "nicht der größte Teil des Rests, und vielleicht einer von vielen in dem, was wandert"},
+     "not the largest part of the residual, and perhaps one peak of many in slow noise",
+     "nicht der größte Teil des Rests, und vielleicht eine von vielen Spitzen eines langsamen Rauschens"},
     {"second_mode", clause,
      "a second mode, as from a coupled or a sideways swing, or something that shakes the mount",
      "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},

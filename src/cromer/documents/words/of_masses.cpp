@@ -67,9 +67,10 @@ constexpr Entry entries[] = {
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
     {"perhaps_held", worth_knowing,
-     "the runs lie apart by much more than they move, {least:length} to {most:length}: if different masses "
-     "hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its constant from where they rest",
-     "die Läufe liegen viel weiter auseinander, als sie sich bewegen, {least:length} bis {most:length}: "
+     "the runs lie apart by much more than they move ({least:length} to {most:length} each): if different "
+     "masses hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its constant from where they "
+     "rest",
+     "die Läufe liegen viel weiter auseinander, als sie sich bewegen (je {least:length} bis {most:length}): "
      "hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"0.1 kg, 0.2 kg\" deren "
      "Konstante aus den Ruhelagen"},
     {"holds_scatter", worth_knowing,
@@ -87,13 +88,14 @@ constexpr Entry entries[] = {
      "Teil wählen oder die Schwingung ohne {--static} anpassen"},
     {"hold_drifts", wrong_if_ignored,
      "{file}, run {run}, {from:.4g} to {to:.4g} s drifts by {drift:length}: its mean is taken and the drift "
-     "is in its uncertainty, but what drifts between the holds is not; wait until it is at rest",
+     "is in its uncertainty; a drift from one hold to the next is not included; wait until the mass is at "
+     "rest",
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s wandert um {drift:length}: der Mittelwert gilt, und das "
-     "Wandern steckt in seiner Unsicherheit, nicht aber, was zwischen den Ruhelagen wandert; bitte warten, "
-     "bis sie ruht"},
+     "Wandern steckt in seiner Unsicherheit, ein Wandern von einer Ruhelage zur nächsten nicht; bitte "
+     "warten, bis die Masse ruht"},
     {"hold_with_outliers", worth_knowing,
-     "{file}, run {run}, {from:.4g} to {to:.4g} s: {samples:sample lies|samples lie} far from all others and "
-     "{samples?is|are} left out",
+     "{file}, run {run}, {from:.4g} to {to:.4g} s: {samples:sample lies|samples lie} far from all others "
+     "and {samples?is|are} left out",
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s: {samples:Messwert liegt|Messwerte liegen} weit von "
      "allen anderen und {samples?fehlt|fehlen} im Mittelwert"},
     {"holds_out_of_order", wrong_if_ignored,

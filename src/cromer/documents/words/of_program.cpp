@@ -66,6 +66,7 @@ constexpr Entry entries[] = {
      "{--gravity} gehört nur zu {--static}"},
     {"masses_without_line", error, "{--masses} goes with {--static} or {--mass-line}",
      "{--masses} gehört zu {--static} oder {--mass-line}"},
+    {"masses_without_static", error, "{--masses} goes with {--static}", "{--masses} gehört zu {--static}"},
     {"masses_needed", error,
      "{way:option} needs {--masses}, for instance {--masses} \"48.4 g, 67.95 g, 87.96 g\"",
      "zu {way:option} gehört {--masses}, zum Beispiel {--masses} \"48.4 g, 67.95 g, 87.96 g\""},

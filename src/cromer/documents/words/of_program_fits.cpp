@@ -109,18 +109,19 @@ constexpr Entry entries[] = {
 
     // Times that slip
     {"times_slip", wrong_if_ignored,
-     "times that slip by {slip:.2g} s at {t:.4g} s explain part of what the law leaves: the recorder may "
-     "have {how} there; fit the parts before and after with {|{--from} and {--to}|the handles}",
-     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären einen Teil dessen, was das Gesetz übrig "
-     "lässt: dort können Messwerte {how} sein; bitte die Teile davor und danach mit {|{--from} und "
+     "times that slip by {slip:.2g} s at {t:.4g} s explain the recording as well as this law does, or "
+     "better: the recorder may have {how} there; fit the parts before and after with {|{--from} and "
+     "{--to}|the handles}",
+     "Zeiten, die bei {t:.4g} s um {slip:.2g} s springen, erklären die Aufnahme ebenso gut wie dieses Gesetz "
+     "oder besser: dort können Messwerte {how} sein; bitte die Teile davor und danach mit {|{--from} und "
      "{--to}|den Griffen} anpassen"},
     {"slip_taken_out", worth_knowing,
-     "the times slip by {slip:.2g} s at {t:.4g} s, as if the recorder had {how} there (a knock looks "
-     "alike): later times are {shift} by as much, and the uncertainties include that of this slip. As "
-     "recorded, they would give {law} and {frequency:.5g} Hz",
+     "the times slip by {slip:.2g} s at {t:.4g} s, as if the recorder had {how} there (a knock looks alike): "
+     "later times are {shift} by as much, and the uncertainties include that of this slip. With the times as "
+     "recorded the fit gives {law} and {frequency:.5g} Hz",
      "die Zeiten springen bei {t:.4g} s um {slip:.2g} s, als wären dort Messwerte {how} (ein Stoß sieht "
      "ebenso aus): spätere Zeiten sind um so viel {shift}, und die Unsicherheiten enthalten die dieses "
-     "Sprungs. Wie aufgezeichnet ergäben sie {law} und {frequency:.5g} Hz"},
+     "Sprungs. Mit den Zeiten wie aufgezeichnet ergibt die Anpassung {law} und {frequency:.5g} Hz"},
     {"samples_lost", clause, "lost samples", "verloren"},
     {"samples_repeated", clause, "repeated samples", "wiederholt"},
     {"shifted_later", clause, "put later", "nach hinten verschoben"},

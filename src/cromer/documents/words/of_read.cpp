@@ -86,8 +86,8 @@ constexpr Entry entries[] = {
      "Dezimalkomma; {--delimiter} comma sagt das eine, {--decimal} comma das andere"},
     {"bad_row", error,
      "{what}; {|{--skip-bad-rows} drops such rows|mend the row in the file, or leave such rows out}",
-     "{what}; {|mit {--skip-bad-rows} bleiben solche Zeilen weg|bitte die Zeile in der Datei ausbessern oder "
-     "solche Zeilen weglassen}"},
+     "{what}; {|mit {--skip-bad-rows} bleiben solche Zeilen weg|bitte die Zeile in der Datei ausbessern "
+     "oder solche Zeilen weglassen}"},
     {"bad_cell", error, "column \"{column}\": \"{cell}\" is not a number",
      "Spalte „{column}“: „{cell}“ ist keine Zahl"},
     {"bad_cell_but", error, "column \"{column}\": \"{cell}\" is not a number; {what}",
@@ -134,10 +134,12 @@ constexpr Entry entries[] = {
     {"several_columns_fit", error, "\"{name}\" fits several columns; there are {columns}",
      "„{name}“ passt auf mehrere Spalten; es gibt {columns}"},
     {"columns_alike", error,
-     "several columns are alike: {columns}; {|say which with {--column}, for instance {--column}|choose one, "
-     "for instance} \"{first}\"",
+     "several columns are alike: {columns}; {|say which with {--column}, for instance {--column}|choose "
+     "one, for instance} \"{first}\"{|; \"modes\" finds the natural frequencies of coupled motions from all "
+     "of them|}",
      "mehrere Spalten gleichen einander: {columns}; bitte {|mit {--column} eine nennen, zum Beispiel "
-     "{--column}|eine wählen, zum Beispiel} „{first}“"},
+     "{--column}|eine wählen, zum Beispiel} „{first}“{|; „modes“ findet die Eigenfrequenzen gekoppelter "
+     "Bewegungen aus allen|}"},
     {"angle_about_pivot", worth_knowing,
      "{x} and {y} lie on an arc of radius {radius:n}, as the bob of a filmed pendulum does: the angle about "
      "its centre is taken, from the middle of the swing{|; {--column} {x} takes {x} alone|}",
@@ -174,14 +176,15 @@ constexpr Entry entries[] = {
     {"first_column_taken", worth_knowing,
      "no column is known to be a position, angle or velocity: of {columns}, \"{column}\" is taken; "
      "{|{--column} names another|another one can be chosen}",
-     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ genommen; "
-     "{|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ "
+     "genommen; {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"frequencies_only", error,
-     "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit one "
-     "all the same, {|name it with {--column}, for instance {--column}|choose it, for instance} \"{first}\"",
-     "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten Frequenzen}; "
-     "soll sie dennoch angepasst werden, bitte {|mit {--column} nennen, zum Beispiel {--column}|wählen, zum "
-     "Beispiel} „{first}“"},
+     "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit "
+     "one all the same, {|name it with {--column}, for instance {--column}|choose it, for instance} "
+     "\"{first}\"",
+     "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten "
+     "Frequenzen}; soll sie dennoch angepasst werden, bitte {|mit {--column} nennen, zum Beispiel "
+     "{--column}|wählen, zum Beispiel} „{first}“"},
     {"no_column_beside_time", error, "there is no column beside the time",
      "neben der Zeit gibt es keine Spalte"},
     {"column_without_values", error, "column \"{column}\" of run {run} has no values",
@@ -245,13 +248,13 @@ constexpr Entry entries[] = {
     {"bad_time_unit", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
      "(seconds need none)",
-     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
-     "schreiben (Sekunden brauchen keine)"},
+     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der "
+     "Zeit schreiben (Sekunden brauchen keine)"},
     {"bad_time_unit_or_column", error,
      "column \"{column}\": the unit \"{unit}\" {fault}: write s, ms, us, min or h after the time's name "
      "(seconds need none){|, or name another column with {--time-column}|}",
-     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der Zeit "
-     "schreiben (Sekunden brauchen keine){| oder mit {--time-column} eine andere Spalte nennen|}"},
+     "Spalte „{column}“: die Einheit „{unit}“ {fault}: bitte s, ms, us, min oder h hinter den Namen der "
+     "Zeit schreiben (Sekunden brauchen keine){| oder mit {--time-column} eine andere Spalte nennen|}"},
     {"is_not_known", clause, "is not known", "ist unbekannt"},
     {"is_no_unit_of_time", clause, "is no unit of time", "ist keine Zeiteinheit"},
     {"taken_as_time", worth_knowing, "\"{column}\" runs evenly upward: it is taken as the time in seconds",

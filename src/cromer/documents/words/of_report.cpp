@@ -79,9 +79,8 @@ constexpr Entry entries[] = {
      "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Aufnahme; wie sie sich beim "
      "Abklingen ändert, hängt davon ab, welches der passenden Gesetze stimmt."},
     {"report_at_rms_amplitude", clause, "at the rms amplitude", "bei der mittleren Amplitude"},
-    {"report_rate_at_first", clause, "decay rate at first", "Abklingrate zuerst"},
-    {"report_of_a_part", clause, "of a part by itself; of the last {rate}",
-     "eines Teils für sich; des letzten {rate}"},
+    {"report_rate_at_first", clause, "decay rate of the first part", "Abklingrate des ersten Teils"},
+    {"report_of_a_part", clause, "last part: {rate}", "letzter Teil: {rate}"},
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",
      "Die Reynolds-Zahl erreicht {largest}."},
     {"report_period_is", clause, "period {period}", "Periode {period}"},
@@ -181,8 +180,9 @@ constexpr Entry entries[] = {
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
     {"report_table_of_no_law", clause,
-     "What the law says, without uncertainties: no law that was tried describes this recording.",
-     "Was das Gesetz sagt, ohne Unsicherheiten: keines der versuchten Gesetze beschreibt diese Aufnahme."},
+     "What the nearest law gives, without uncertainties, for no law that was tried describes this recording.",
+     "Was das nächste Gesetz ergibt, ohne Unsicherheiten, denn keines der geprüften beschreibt diese "
+     "Aufnahme."},
     {"report_few_degrees", clause,
      "The 95 % intervals are wider than ± suggests, those of: {names:and}. What disturbs them is slow, so "
      "the record holds few independent values of it, or ± stands at a bound.",
@@ -273,10 +273,10 @@ constexpr Entry entries[] = {
      "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die "
      "von Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
     {"report_other_stiffness", clause,
-     "The interval holds if this law is right: {law}, which leaves {rms} (rms) where this one leaves {own}, "
-     "gives {stiffness}.",
-     "Das Intervall gilt, falls dieses Gesetz stimmt: {law}, das {rms} (Effektivwert) übrig lässt, wo dieses "
-     "{own} lässt, ergibt {stiffness}."},
+     "The interval holds only if this law is right. Another law, {law}, leaves {rms} (rms) instead of {own} "
+     "and gives {stiffness}.",
+     "Das Intervall gilt nur, falls dieses Gesetz stimmt. Ein anderes, {law}, lässt {rms} statt {own} "
+     "(Effektivwert) übrig und ergibt {stiffness}."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",
@@ -284,16 +284,15 @@ constexpr Entry entries[] = {
     {"report_held_title", clause, "The spring constant from masses at rest: {file}",
      "Die Federkonstante aus ruhenden Massen: {file}"},
     {"report_held", clause,
-     "{file}: {count} masses held at rest. By how much each stretches the spring, its constant is "
+     "{file}: {count} masses held at rest. From how far each stretches the spring, the spring constant is "
      "{stiffness}; 95 %: {interval}.",
-     "{file}: {count} ruhende Massen. Danach, wie weit jede die Feder dehnt, ist ihre Federkonstante "
+     "{file}: {count} ruhende Massen. Daraus, wie weit jede die Feder dehnt, folgt die Federkonstante "
      "{stiffness}; 95 %: {interval}."},
     {"report_holds", clause,
-     "{count} masses hung at rest, one after the other. Each position is the mean of all samples of its "
-     "hold; its uncertainty allows for samples that are alike because they follow each other, and for "
-     "rounding.",
-     "{count} Massen hingen nacheinander in Ruhe. Jeder Ort ist das Mittel aller Messwerte; seine "
-     "Unsicherheit berücksichtigt, dass aufeinanderfolgende Werte einander gleichen, und das Runden."},
+     "{count} masses hung at rest, one after the other. Each position is the mean of its hold, without stray "
+     "samples; its uncertainty allows for correlated samples, drift and rounding.",
+     "{count} Massen hingen nacheinander in Ruhe. Jede Ruhelage ist das Mittel ihrer Messwerte, ohne "
+     "Ausreißer; ihre Unsicherheit berücksichtigt korrelierte Messwerte, Wandern und Runden."},
     {"report_holds_table", clause,
      "The masses and where they hung, with standard uncertainties, and how far from the line that is.",
      "Die Massen und wo sie hingen, mit Standardunsicherheiten, und wie weit das von der Geraden entfernt "
@@ -304,11 +303,11 @@ constexpr Entry entries[] = {
     {"report_off_line", clause, "measured minus line", "gemessen minus Gerade"},
     {"report_line", clause, "straight line", "Gerade"},
     {"report_held_stiffness", clause,
-     "At rest the spring's pull is the weight: *k* *x* = *m g*, so the position is a straight line in the "
-     "mass whose slope is *g*/*k*, whatever the spring's own mass. With *g* = {gravity}, *k* = {stiffness}; "
-     "95 %: {interval}.",
-     "In Ruhe ist die Federkraft das Gewicht: *k* *x* = *m g*; der Ort ist also eine Gerade in der Masse "
-     "mit der Steigung *g*/*k*, unabhängig von der Masse der Feder. Mit *g* = {gravity} ist *k* = "
+     "Each mass stretches the spring by *m g*/*k*: against the mass the position is a straight line of slope "
+     "*g*/*k* (or −*g*/*k*, seen from below), whatever the spring's own mass. With *g* = {gravity}, *k* = "
+     "{stiffness}; 95 %: {interval}.",
+     "Jede Masse dehnt die Feder um *m g*/*k*: gegen die Masse ist der Ort eine Gerade der Steigung *g*/*k* "
+     "(oder −*g*/*k*, von unten gesehen), unabhängig von der Masse der Feder. Mit *g* = {gravity} ist *k* = "
      "{stiffness}; 95 %: {interval}."},
     {"report_gravity_assumed", clause,
      "This *g* is the standard value, without an uncertainty ({--gravity}): between pole and equator it "
@@ -317,15 +316,17 @@ constexpr Entry entries[] = {
      "um 0,5 %."},
     {"report_masses_without_error", clause,
      "The masses have no ±, so their part is not in the uncertainty beyond what shows as scatter.",
-     "Die Massen sind ohne ± angegeben; ihr Teil steckt nur in der Unsicherheit, soweit er als Streuung "
+     "Die Massen sind ohne ± angegeben; ihr Anteil steckt in der Unsicherheit nur, soweit er als Streuung "
      "sichtbar ist."},
     {"report_held_line_title", clause, "Position at rest against mass", "Ruhelage gegen Masse"},
     {"report_held_line", clause, "The positions at rest, and the line through them.",
      "Die Ruhelagen und die Gerade durch sie."},
     {"report_held_residual_title", clause, "What the line leaves", "Was die Gerade übrig lässt"},
     {"report_held_residual", clause,
-     "Measured minus line; bars: the standard uncertainties that the line was weighted with.",
-     "Gemessen minus Gerade; Balken: die Standardunsicherheiten, mit denen die Gerade gewichtet ist."},
+     "Measured minus line; bars: the standard uncertainties of the positions, with the scatter that was "
+     "added.",
+     "Gemessen minus Gerade; Balken: die Standardunsicherheiten der Ruhelagen mit der zugeschlagenen "
+     "Streuung."},
     {"report_budget", clause, "Where the uncertainty of the spring constant comes from.",
      "Woher die Unsicherheit der Federkonstante kommt."},
     {"report_from_what", clause, "from", "aus"},

@@ -178,7 +178,7 @@ class Sentence {
   }
 
   void put_value(double number, std::string_view how, bool alone) {
-    if (how == "length") {  // of metres
+    if (how == "length") {  // metres, in the unit that suits them
       const LengthUnit unit = length_unit(std::abs(number));
       text_ += with_comma(number_text(number / unit.metres, ".2g"), voice_.language) + ' ';
       text_ += unit.symbol;

@@ -148,6 +148,11 @@ Notice named_rival(const LawFit& fit) {
 
 }  // namespace
 
+bool fits_as_well(const LawFit& rival, const LawFit& chosen) {
+  return rival.status == FitStatus::converged && rival.bic <= chosen.bic + strong_evidence &&
+         (rival.fitted == chosen.fitted || rival.fitted == chosen.fitted + 1);
+}
+
 Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
   const LawFit& best = candidates[chosen];
   if (best.status != FitStatus::converged || !best.law.shares(springs)) return {};
@@ -155,11 +160,8 @@ Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, s
   if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
   std::vector<const LawFit*> rivals;
   for (const LawFit& rival : candidates) {
-    if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence)
-      continue;
-    const int terms = rival.fitted;
-    if (terms != best.fitted && terms != best.fitted + 1) continue;
-    if (moves_the_numbers(best, rival) || (terms == best.fitted && has_other_damping(best, rival)))
+    if (&rival == &best || !fits_as_well(rival, best)) continue;
+    if (moves_the_numbers(best, rival) || (rival.fitted == best.fitted && has_other_damping(best, rival)))
       rivals.push_back(&rival);
   }
   if (rivals.empty()) return {};

@@ -55,6 +55,10 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution 
 /// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
 
+/// Whether a law describes the record as well as the chosen one: its BIC is at most strong_evidence higher,
+/// and it has as many parameters or one more.
+bool fits_as_well(const LawFit& rival, const LawFit& chosen);
+
 /// Names at most three rival laws, which describe the record as well as the chosen one and would change its
 /// numbers; empty where there are none, or where the record shows no damping. The BIC of a rival is at most 6
 /// above the chosen candidate's, and it has as many parameters or one more. It either puts a coefficient that

@@ -117,7 +117,7 @@ struct LinesOfSpectrum {
 };
 
 // The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
-// swing's own.
+// swing's own; and its largest peak.
 LinesOfSpectrum residual_lines_of(const std::vector<double>& values, double h, double duration,
                                   const FrequencyBand& own, double skirt) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
@@ -130,9 +130,9 @@ LinesOfSpectrum residual_lines_of(const std::vector<double>& values, double h, d
   LinesOfSpectrum found;
   for (std::size_t k = 2; k + 1 < a.size(); ++k) {
     const double w = static_cast<double>(k) * spectrum.step;
-    const bool top = a[k] >= a[k - 1] && a[k] > a[k + 1];
+    const bool is_peak = a[k] >= a[k - 1] && a[k] > a[k + 1];
     // Slower than four cycles in the record is drift.
-    if (!top || w < 4 * resolution) continue;
+    if (!is_peak || w < 4 * resolution) continue;
     if (a[k] > found.top_amplitude) {
       found.top = w;
       found.top_amplitude = a[k];

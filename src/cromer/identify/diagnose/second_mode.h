@@ -31,7 +31,7 @@ struct ResidualLine {
   double amplitude = 0;          ///< at the first sample, in the unit of the record
   double decay_rate = 0;         // [1/s] roughly
   int harmonic = 0;              ///< of the swing's own frequency, as harmonic_of says
-  bool among_others = false;     ///< what is no line has a larger amplitude elsewhere in the spectrum
+  bool among_others = false;     ///< the spectrum has a peak 1/0.8 times as large that is no line
 };
 
 /// Lines of the residuals' spectrum, the strongest first, at most three: each stands six times above its

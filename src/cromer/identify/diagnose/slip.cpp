@@ -82,7 +82,7 @@ class SlipSearch {
 // The first sample after the slip: where the motion before it and the one after it, fitted to the times
 // without it, leave least. Looked for among the samples beside it.
 double place_of(const TimeSlip& slip, const Record& record, const LawFit& fit) {
-  constexpr std::ptrdiff_t beside = 12;
+  constexpr std::ptrdiff_t beside = 12;  // the search is right to a few samples
   const auto begin = record.t.begin();
   const std::ptrdiff_t n = record.t.end() - begin,
                        at = std::lower_bound(begin, record.t.end(), slip.at) - begin,
@@ -122,7 +122,7 @@ Law with_straight_spring(Law law) {
 
 // The place and size that leave least of a fit, not at an end of the record: what is odd there may be a
 // beginning or an end.
-struct Suspect {
+struct SlipCandidate {
   Law law;
   double rms = 0;  ///< of the fit's residuals
   SlipSearch search;
@@ -131,11 +131,11 @@ struct Suspect {
   double rest() const { return found.rest; }
 };
 
-std::optional<Suspect> suspect_of(const Record& record, const LawFit& fit) {
+std::optional<SlipCandidate> candidate_of(const Record& record, const LawFit& fit) {
   const std::size_t n = record.t.size();
   std::vector<double> residuals = residuals_of(fit, record);
   if (residuals.size() != n) return std::nullopt;
-  Suspect suspect{fit.law, fit.residual.rms, SlipSearch(record, fit, std::move(residuals))};
+  SlipCandidate suspect{fit.law, fit.residual.rms, SlipSearch(record, fit, std::move(residuals))};
   constexpr std::size_t places = 48;
   const std::size_t edge = n / 20, around = std::max<std::size_t>(1, n / places);
   suspect.found = suspect.search.best(edge, n - edge, places);
@@ -149,7 +149,7 @@ std::optional<Suspect> suspect_of(const Record& record, const LawFit& fit) {
 
 }  // namespace
 
-Notice TimeSlip::told() const {
+Notice TimeSlip::notice() const {
   const bool twice = by > 0;
   return Notice{"times_slip",
                 {{"t", at},
@@ -158,38 +158,26 @@ Notice TimeSlip::told() const {
                  {"shift", Notice{twice ? "shifted_earlier" : "shifted_later"}}}};
 }
 
-Notice TimeSlip::taken_out(const LawFit& as_recorded) const {
-  Notice taken = told();
+Notice TimeSlip::notice_when_removed(const LawFit& as_recorded) const {
+  Notice taken = notice();
   taken.code = "slip_taken_out";
   taken.values.push_back({"law", to_text(as_recorded.law)});
   taken.values.push_back({"frequency", as_recorded.swing_frequency().value / two_pi});
   return taken;
 }
 
-SamplesToldTwice take_out(const TimeSlip& slip, std::vector<double>& t) {
-  const auto first = std::lower_bound(t.begin(), t.end(), slip.at);
-  if (first == t.end()) return {};
-  const double begins = *first - slip.by;
-  const auto twice = std::lower_bound(t.begin(), first, begins);
-  std::for_each(first, t.end(), [&](double& each) { each -= slip.by; });
-  return {static_cast<std::size_t>(twice - t.begin()), static_cast<std::size_t>(first - t.begin())};
-}
-
 TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const Watch& watch) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds && !watch.interrupted(); ++round) {
     std::vector<double> t(record.t.begin(), record.t.end()), y(record.y.begin(), record.y.end());
-    const SamplesToldTwice twice = take_out(slip, t);
-    for (auto* values : {&t, &y})
-      values->erase(values->begin() + static_cast<std::ptrdiff_t>(twice.from),
-                    values->begin() + static_cast<std::ptrdiff_t>(twice.to));
+    const std::size_t first = remove_slip(slip, t, y);
     Record without = record;
     without.t = t;
     without.y = y;
     const LawFit fit = fit_law(without, {.law = law}, watch);
     std::vector<double> residuals = residuals_of(fit, without);
     if (!fit.is_usable() || residuals.size() != t.size()) break;
-    const double rest = SlipSearch(without, fit, std::move(residuals)).before(twice.from).slip();
+    const double rest = SlipSearch(without, fit, std::move(residuals)).before(first).slip();
     if (!std::isfinite(rest)) break;
     slip.by += rest;
     constexpr double small = 0.01;  // of the time between samples
@@ -200,8 +188,8 @@ TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const W
   return slip;
 }
 
-bool is_sharp(double slips_at, const Record& record, const LawFit& fit) {
-  constexpr double as_good = 1.7;
+bool is_sudden(double slips_at, const Record& record, const LawFit& fit) {
+  constexpr double as_good = 1.7;  // of an rms residual of few samples, by chance
   constexpr std::size_t fewest = 8;
   const double half = 0.5 * two_pi / fit.motion.angular_frequency();
   const std::vector<double> residuals = residuals_of(fit, record);
@@ -226,13 +214,13 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::
   const LawFit straight = fit_law(record, {}, watch);
   if (!straight.is_usable() || watch.interrupted()) return std::nullopt;
   // A bent spring may be no more than the slip, and other terms be right beside it.
-  std::optional<Suspect> suspect = suspect_of(record, straight);
+  std::optional<SlipCandidate> suspect = candidate_of(record, straight);
   const Law plain = with_straight_spring(fit.law);
   const auto other = std::find_if(others.begin(), others.end(), [&](const LawFit& each) {
     return each.law == plain && each.is_usable() && !(plain == straight.law);
   });
   if (other != others.end())
-    if (auto found = suspect_of(record, *other); found && (!suspect || found->rest() < suspect->rest()))
+    if (auto found = candidate_of(record, *other); found && (!suspect || found->rest() < suspect->rest()))
       suspect = std::move(found);
   if (!suspect) return std::nullopt;
   const SlipSearch::Found& found = suspect->found;

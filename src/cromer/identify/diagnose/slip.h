@@ -1,6 +1,7 @@
 // Times that slip: samples that a recorder lost, or told twice, while its times went on evenly.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -21,10 +22,10 @@ struct TimeSlip {
   double at = 0;  // [s] the first sample that is late
   double by = 0;  // [s] by so much; negative where it is early, for samples that were lost
 
-  /// That times slip, when and by how much.
-  Notice told() const;
-  /// That the slip was taken out, and what `as_recorded` found of the times with it.
-  Notice taken_out(const LawFit& as_recorded) const;
+  /// A notice of when and by how much the times slip.
+  Notice notice() const;
+  /// The same where the slip was removed; `as_recorded` is the fit of the times with it.
+  Notice notice_when_removed(const LawFit& as_recorded) const;
 };
 
 /// Whether it tells of a slip that is still in the times.
@@ -32,10 +33,10 @@ inline bool is_of_slips(const Notice& notice) { return notice.code == "times_sli
 
 /// A law with a straight spring, the viscous one or that of `fit` without its nonlinear spring where it is
 /// among `others`, whose times slip once: it leaves no more than `fit` with its nonlinear spring, or clearly
-/// less than `fit` without one and than a cubic spring. Slips from half a step between samples to ten are
-/// found, of less than a tenth of a period, not in the first or the last twentieth of the record. A phase
-/// that jumps once looks like a frequency that changes as the swing dies down. Empty where nothing slips, and
-/// of more than 20,000 samples.
+/// less than `fit` of a pendulum, or without either, and than a cubic spring. Slips from half a step between
+/// samples to ten are found, of less than a ninth of a period, not in the first or the last twentieth of the
+/// record. A phase that jumps once looks like a frequency that changes as the swing dies down. Empty where
+/// nothing slips, and of more than 20,000 samples.
 std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit,
                                   std::span<const LawFit> others = {}, const Watch& watch = {});
 
@@ -43,15 +44,26 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit,
 TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const Watch& watch = {});
 
 /// Whether a fit of the times without the slip is as good beside it, within half a period, as elsewhere: what
-/// slides for a while leaves more there. `record` has those times.
-bool is_sharp(double slips_at, const Record& record, const LawFit& fit);
+/// slides for a while leaves more there. `record` has those times; fewer than eight samples there show
+/// nothing.
+bool is_sudden(double slips_at, const Record& record, const LawFit& fit);
 
-struct SamplesToldTwice {
-  std::size_t from = 0, to = 0;  ///< the numbers of the samples before the slip that were told again after it
-};
-
-/// Takes the slip out of the times. What was told twice lies behind the first sample after the slip, and is
-/// to be left out.
-SamplesToldTwice take_out(const TimeSlip& slip, std::vector<double>& t);
+/// Shifts the times after the slip back, and erases the samples before it whose times the shifted ones
+/// repeat, also from `beside`. The number of the first sample after the slip.
+template <class... Beside>
+std::size_t remove_slip(const TimeSlip& slip, std::vector<double>& t, Beside&... beside) {
+  const std::size_t n = t.size();
+  const auto first = std::lower_bound(t.begin(), t.end(), slip.at);
+  if (first == t.end()) return n;
+  const auto repeated = std::lower_bound(t.begin(), first, *first - slip.by);
+  std::for_each(first, t.end(), [&](double& each) { each -= slip.by; });
+  const std::ptrdiff_t from = repeated - t.begin(), to = first - t.begin();
+  const auto erase = [&](auto& values) {
+    if (values.size() == n) values.erase(values.begin() + from, values.begin() + to);
+  };
+  (erase(beside), ...);
+  erase(t);
+  return static_cast<std::size_t>(from);
+}
 
 }  // namespace cromer::core

@@ -56,7 +56,7 @@ std::optional<std::pair<double, double>> rates_at_the_ends(const FittedRecording
 }
 
 /// The least and the largest decay rate of single stretches, where they scatter about the law's far beyond
-/// their own uncertainties: three of them, root mean square.
+/// the uncertainties that each has by itself: three of them, root mean square.
 std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& recording) {
   constexpr double far = 3;
   const auto& rates = recording.decay_by_amplitude;

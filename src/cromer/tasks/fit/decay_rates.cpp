@@ -90,11 +90,11 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   if (!std::isfinite(error) || !(amplitude > 4 * of_noise)) return std::nullopt;
   w = p[DampedPhasor::angular_frequency];
   const double t = student_95(std::max(1.0, degrees / widening));
-  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
+  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0};
 }
 
-/// Widens the errors by as much as what a rate differs from the law's lies off the straight line between its
-/// neighbours' beyond them, root mean square, where that is none by chance.
+/// Multiplies all errors by the rms of the second differences of (rate - law_rate), in units of their errors,
+/// where that exceeds 1 by more than chance.
 void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
   constexpr std::size_t fewest = 5;
   if (stretches.size() < fewest) return;
@@ -107,9 +107,10 @@ void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
                            std::hypot(error(i - 1), 2 * error(i), error(i + 1)),
                        2) /
               count;
-  // Second differences that share stretches are correlated: their mean square has a variance of 3.9 over
-  // their number.
-  if (!(square > 1 + 2 * std::sqrt(3.9 / count))) return;
+  // The squares of second differences that share stretches are correlated, by (4/6)^2 and (1/6)^2 of normal
+  // noise: their mean has a variance of 2 (1 + 2 (16 + 1)/36) over their number.
+  constexpr double variance = 2 * (1 + 2 * 17.0 / 36);
+  if (!(square > 1 + 2 * std::sqrt(variance / count))) return;
   const double times = std::sqrt(square);
   for (AmplitudeRate& each : stretches) {
     const Estimate& rate = each.rate;

@@ -177,11 +177,6 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
-bool has_notice(const FittedRecording& fitted, std::string_view code) {
-  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
-                     [&](const Notice& notice) { return notice.code == code; });
-}
-
 // By how much the decay rate changes from the first sample to the last, by the law [1/s].
 std::optional<double> change_of_rate(const LawFit& fit, double duration) {
   const std::vector<Parameter> ends = decay_rate_ends(fit, duration);
@@ -198,9 +193,7 @@ std::optional<Estimate> common_decay(const Record& record, const LawFit& chosen,
   constexpr double otherwise = 0.1;  // of the rate
   if (!mean || !change) return std::nullopt;
   const bool is_open = std::any_of(candidates.begin(), candidates.end(), [&](const LawFit& rival) {
-    if (rival.status != FitStatus::converged || rival.bic > chosen.bic + strong_evidence ||
-        rival.fitted > chosen.fitted + 1)
-      return false;
+    if (!fits_as_well(rival, chosen)) return false;
     const std::optional<double> other = change_of_rate(rival, duration);
     return other && std::abs(*other - *change) > otherwise * std::abs(mean->rate.value);
   });
@@ -252,11 +245,11 @@ std::optional<FittedRecording> fit_mended(TimeSlip slip, const Record& record, c
   const FittedSamples samples = without_outliers(mended->series);
   const Record kept{samples.t, samples.y, record.resolution, record.derivative};
   if (!(mended->fit.residual.rms <= with.fit.residual.rms) ||
-      !is_sharp(mended->series.slips_at, kept, mended->fit))
+      !is_sudden(mended->series.slips_at, kept, mended->fit))
     return std::nullopt;
   mended->options = options;
   mended->samples = with.samples;
-  mended->notices.insert(mended->notices.begin(), slip.taken_out(with.fit));
+  mended->notices.insert(mended->notices.begin(), slip.notice_when_removed(with.fit));
   ++mended->of_record;
   return *std::move(mended);
 }
@@ -268,6 +261,11 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
     for (const Parameter& number : *list)
       if (number.name == wanted) return &number.estimate;
   return nullptr;
+}
+
+bool FittedRecording::says(std::string_view code) const {
+  return std::any_of(notices.begin(), notices.end(),
+                     [&](const Notice& notice) { return notice.code == code; });
 }
 
 std::size_t FittedRecording::used() const { return without_outliers(series).t.size(); }
@@ -334,15 +332,22 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                                    candidate.motion.angular_frequency()});
   if (!result.fit.is_usable()) return result;
 
+  const FittedSamples good = without_outliers(result.series);
+  Record kept{good.t, good.y, record.resolution, record.derivative};
+  kept.slips_at = record.slips_at;
+  Notice slip;
+  if constexpr (looks_for_slips)
+    if (const auto found = find_slip(kept, result.fit, choice->candidates, watch)) {
+      if (auto mended = fit_mended(*found, kept, result, series, watch)) return *std::move(mended);
+      slip = found->notice();
+    }
+
   const Body body = body_of(options);
   result.parameters = law_parameters(result.fit, unit, record.derivative);
   add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, unit, record.derivative);
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
-  const FittedSamples good = without_outliers(result.series);
-  Record kept{good.t, good.y, record.resolution, record.derivative};
-  kept.slips_at = record.slips_at;
   const DecaySegments segments = fit_segments(kept, two_pi / result.fit.swing_frequency().value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
@@ -350,12 +355,6 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.notices.insert(result.notices.end(), segments.notices.begin(), segments.notices.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
-  Notice slip;
-  if constexpr (looks_for_slips)
-    if (const auto found = find_slip(kept, result.fit, choice->candidates, watch)) {
-      if (auto mended = fit_mended(*found, kept, result, series, watch)) return *std::move(mended);
-      slip = found->told();
-    }
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = Notice{"fit_interrupted"};
@@ -366,8 +365,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);
-  if (has_notice(result, "rival_laws"))
-    result.common_decay = common_decay(record, result.fit, choice->candidates);
+  if (result.says("rival_laws")) result.common_decay = common_decay(record, result.fit, choice->candidates);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;
@@ -378,8 +376,7 @@ namespace {
 // Whether no law was found, or one that leaves a seventh of the swing.
 bool is_without_a_law(const FittedRecording& fitted) {
   constexpr double nearly_all = 0.98;  // of the motion's squares
-  if (fitted.fit.is_usable())
-    return has_notice(fitted, "no_law_describes") && fitted.fit.explained < nearly_all;
+  if (fitted.fit.is_usable()) return fitted.says("no_law_describes") && fitted.fit.explained < nearly_all;
   return fitted.fit.status == FitStatus::no_oscillation && !fitted.wrong_input;
 }
 
@@ -432,7 +429,8 @@ Result<FittedRecording> fit_motion(const Recording& recording, const Series& ser
 LeftOut outside(const Series& all, const Series& used) {
   LeftOut left;
   if (used.t.empty()) return left;
-  const double first = used.t.front(), last = used.t.back();
+  const auto as_recorded = [&](double t) { return t < used.slips_at ? t : t + used.slips_by; };
+  const double first = as_recorded(used.t.front()), last = as_recorded(used.t.back());
   for (std::size_t i = 0; i < all.t.size(); ++i)
     if (all.t[i] < first || all.t[i] > last) {
       left.t.push_back(all.t[i]);
@@ -468,7 +466,7 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   if (fitted) fitted->left_out = outside(*series, fitted->series);
   constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
   if (fitted && (fitted->driven || !fitted->succeeded() || fitted->fit.explained <= well ||
-                 has_notice(*fitted, "no_law_describes")))
+                 fitted->says("no_law_describes")))
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
       fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});

@@ -132,6 +132,7 @@ struct FittedRecording {
   std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
 
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
+  bool says(std::string_view code) const;             ///< whether one of its notices has this code
 };
 
 /// Checks what can be checked of the options without a recording: the range of each, what they require of

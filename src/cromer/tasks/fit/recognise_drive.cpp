@@ -151,15 +151,10 @@ bool may_recognise(const FitOptions& options) {
   return options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
 }
 
-bool tells(const FittedRecording& fitted, std::string_view code) {
-  return std::any_of(fitted.notices.begin(), fitted.notices.end(),
-                     [&](const Notice& notice) { return notice.code == code; });
-}
-
 // Whether the motion keeps its amplitude, at the drive's frequency if that is known: a settled driven motion.
 bool is_settled(const FittedRecording& free, std::optional<double> drive) {
   const double resolution = two_pi / (free.series.t.back() - free.series.t.front());
-  return tells(free, "swing_does_not_die_down") &&
+  return free.says("swing_does_not_die_down") &&
          (!drive || std::abs(free.fit.motion.angular_frequency() - *drive) < resolution);
 }
 
@@ -197,7 +192,7 @@ std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view 
   viscous.from = options.from;
   viscous.to = options.to;
   Result<FittedRecording> free = fit_series(motion, file, viscous, without_progress(watch));
-  if (!free || !free->succeeded() || !tells(*free, "amplitude_rises")) return std::nullopt;
+  if (!free || !free->succeeded() || !free->says("amplitude_rises")) return std::nullopt;
   free->options = options;
   FittedRecording driven = recognise_drive(*std::move(free), motion, options, watch);
   if (!drives_beside_resonance(driven)) return std::nullopt;

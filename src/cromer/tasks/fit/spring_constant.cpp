@@ -21,7 +21,7 @@ namespace {
 
 /// Takes out values that lie ten times as far from the middle as half of all do, if they are few; their
 /// number.
-std::size_t set_far_ones_aside(std::vector<double>& t, std::vector<double>& y, double resolution) {
+std::size_t remove_outliers(std::vector<double>& t, std::vector<double>& y, double resolution) {
   constexpr double far = 10, few = 0.1;
   std::vector<double> sorted = y;
   const double middle = upper_median(sorted);
@@ -54,7 +54,7 @@ double drift_of(const std::vector<double>& t, const std::vector<double>& y, doub
   std::vector<double> left = y;
   double square = 0, spread = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    left[i] -= line.intercept + line.slope * t[i];
+    left[i] -= line.at(t[i]);
     square += left[i] * left[i];
     spread += (t[i] - middle) * (t[i] - middle);
   }
@@ -75,7 +75,7 @@ Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::str
                         series.t.begin() + static_cast<std::ptrdiff_t>(last)),
       y(series.y.begin() + static_cast<std::ptrdiff_t>(first),
         series.y.begin() + static_cast<std::ptrdiff_t>(last));
-  hold.set_aside = set_far_ones_aside(t, y, series.resolution);
+  hold.set_aside = remove_outliers(t, y, series.resolution);
   hold.samples = y.size();
   const auto n = static_cast<double>(hold.samples);
   for (const double each : y) hold.position += each / n;
@@ -85,7 +85,7 @@ Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::str
   for (std::size_t i = 1; i < y.size(); ++i) steps += 0.5 * (y[i] - y[i - 1]) * (y[i] - y[i - 1]);
   hold.scatter = n > 1 ? std::sqrt(square / (n - 1)) : 0;
   // Noise is as large from sample to sample as over the whole; a swing is much larger over the whole.
-  const double rounding_of_doubles = 1e-12 * std::abs(hold.position);
+  const double rounding_of_doubles = 1e-12 * std::abs(hold.position);  // and of sums of many
   hold.moves = hold.scatter > std::max(2 * series.resolution, rounding_of_doubles) && square > 6 * steps;
   const double widening = square > 0 && y.size() > 3 ? correlation_factor(y, 0) : 1;
   // A mean of rounded values is not known better than rounding leaves it.
@@ -232,7 +232,11 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
 }
 
 double residual_of(const StaticStiffness& found, const Hold& hold) {
-  return hold.position - (found.line.intercept + found.line.slope * hold.mass.value);
+  return hold.position - found.line.at(hold.mass.value);
+}
+
+double error_about_line(const StaticStiffness& found, const Hold& hold) {
+  return std::hypot(hold.standard_error, found.line.extra_scatter);
 }
 
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity) {
@@ -279,6 +283,7 @@ Result<StaticStiffness> fit_static(const std::vector<Recording>& recordings, con
   const std::vector<Quantity>& masses = options.masses;
   if (const std::string_view unused = of_a_motion(options.fit); !unused.empty())
     return Error{"no_meaning_with_static", {{"option", unused}}};
+  if (const Result<void> checked = check_fit_options(options.fit); !checked) return checked.error();
   std::vector<Hold> holds;
   std::size_t next = 0;
   for (const Recording& recording : recordings) {

@@ -56,6 +56,9 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
 /// What the line leaves of a hold [m].
 double residual_of(const StaticStiffness& found, const Hold& hold);
 
+/// [m] The standard uncertainty of its position, with the scatter that was added.
+double error_about_line(const StaticStiffness& found, const Hold& hold);
+
 struct StaticOptions {
   FitOptions fit{};                       ///< reading, column, run, from and to are used
   std::vector<Quantity> masses{};         // [kg] >= 0; one for each hold

@@ -24,11 +24,13 @@ StaticOptions static_options(const FitOptions& fit, const SpringOptions& spring)
   return options;
 }
 
-Result<void> check_spring_options(const SpringOptions& options) {
+Result<void> check_spring_options(const SpringOptions& options, bool only_held) {
   if (options.held && options.mass_line) return Error{"static_or_mass_line"};
   const char* way = options.held ? "static" : "mass-line";
   if (!options.held && options.gravity) return Error{"gravity_without_static"};
-  if (!options.any()) return options.masses.empty() ? Result<void>{} : Error{"masses_without_line"};
+  if (!options.any())
+    return options.masses.empty() ? Result<void>{}
+                                  : Error{only_held ? "masses_without_static" : "masses_without_line"};
   if (options.masses.empty()) return Error{"masses_needed", {{"way", way}}};
   if (options.masses.size() < 2) return Error{"two_masses_needed", {{"way", way}}};
   return {};

@@ -26,7 +26,8 @@ std::vector<Option> options_of(SpringOptions& options);
 /// What a fit of held masses is asked, by its options and those of fit.
 StaticOptions static_options(const FitOptions& fit, const SpringOptions& spring);
 
-/// That the options go together, and that there are masses where they are needed.
-Result<void> check_spring_options(const SpringOptions& options);
+/// Checks that the options go together, and that there are masses where they are needed. `only_held`: there
+/// is no --mass-line.
+Result<void> check_spring_options(const SpringOptions& options, bool only_held = false);
 
 }  // namespace cromer::core

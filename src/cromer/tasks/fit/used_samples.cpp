@@ -65,20 +65,13 @@ void set_drop_outs_aside(Series& series) {
 }  // namespace
 
 Series without_slip(Series series, const TimeSlip& slip) {
-  const std::size_t n = series.t.size();
-  const SamplesToldTwice twice = take_out(slip, series.t);
-  const auto first = static_cast<std::ptrdiff_t>(twice.from), last = static_cast<std::ptrdiff_t>(twice.to);
-  const auto cut = [&](auto& values) {
-    if (values.size() == n) values.erase(values.begin() + first, values.begin() + last);
-  };
-  cut(series.t);
-  cut(series.y);
-  cut(series.lines);
+  remove_slip(slip, series.t, series.y, series.lines);
   for (Gap& gap : series.gaps)
     if (gap.t >= slip.at) gap.t -= slip.by;
   for (Outlier& outlier : series.outliers)
     if (outlier.t >= slip.at) outlier.t -= slip.by;
   series.slips_at = slip.at - slip.by;
+  series.slips_by = slip.by;
   return series;
 }
 
