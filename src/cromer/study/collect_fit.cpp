@@ -7,6 +7,7 @@
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
+#include "cromer/base/pi.h"
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/text/words.h"
@@ -72,6 +73,7 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
   const auto set_stretch = [&](const std::string& name, const AmplitudeRate& stretch) {
     results.set(id + name, Quantity{stretch.rate.value, stretch.rate.standard_error}, "1/s");
     results.set(id + name + ".amplitude", stretch.amplitude, unit);
+    results.set(id + name + ".frequency", stretch.angular_frequency / two_pi, "Hz");
   };
   set_stretch(".first_stretch", fitted.decay_by_amplitude.front());
   set_stretch(".last_stretch", fitted.decay_by_amplitude.back());

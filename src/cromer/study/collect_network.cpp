@@ -146,11 +146,10 @@ void collect(const std::string& id, const ModesResult& found, Results& results) 
     damping_ratio.push_back(mode.damping_ratio.value);
   }
   results.set(id + ".modes", static_cast<double>(found.modes.size()));
-  if (found.modes.size() == 2) {
-    const double slow = frequency[0], fast = frequency[1];
-    results.set(id + ".beat_frequency", fast - slow, "Hz");
-    results.set(id + ".beat_period", 1 / (fast - slow), "s");
-    results.set(id + ".coupling", (fast * fast - slow * slow) / (fast * fast + slow * slow));
+  if (const auto beat = beat_of(found)) {
+    facts.set(id + ".beat_frequency", beat->frequency, "Hz");
+    facts.set(id + ".beat_period", beat->period, "s");
+    facts.set(id + ".coupling", beat->coupling, "");
   }
   results.set_column(id + ".mode", std::move(number), "", "mode");
   results.set_column(id + ".frequency", std::move(frequency), "Hz", "frequency *f*");

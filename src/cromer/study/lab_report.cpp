@@ -85,23 +85,25 @@ class Part : public LabTold {
     add(!is_known("frequency") ? fitted_.driven ? "report_driven_motion" : "report_free_motion"
         : harmonic             ? "report_driven_by"
         : fitted_.driven       ? "report_driven_at"
-        : lacks_a_law()        ? "report_swings_about"
+        : has_only_parts()     ? "report_swings_at_first"
         : has_amplitude()      ? "report_swings_at_amplitude"
                                : "report_swings_at",
         {{"file", verbatim(title())},
-         {"frequency", in_braces(lacks_a_law() ? "frequency, 2" : "frequency")},
+         {"frequency", in_braces(has_only_parts() ? "first_stretch.frequency, 3" : "frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
-         {"amplitude", at_amplitude()}});
+         {"amplitude", has_only_parts() ? amplitude_of("first_stretch") : at_amplitude()}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant",
-          {{"stiffness", in_braces("stiffness")},
+          {{"stiffness", in_braces(lacks_a_law() ? "stiffness, 3" : "stiffness")},
            {"mass", in_braces("mass, g")},
            {"alone", fitted_.options.spring_mass ? "" : words("report_without_the_springs_own")},
            {"swings", has_bent_spring() ? words("report_for_small_swings") : ""}});
     for (const Notice& notice : fitted_.notices)
       if (qualifies(notice.code)) lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
-    if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", in_braces("reynolds.max")}});
+    if (fitted_.reynolds_max)
+      add("report_largest_reynolds",
+          {{"largest", in_braces(lacks_a_law() ? "reynolds.max, 2" : "reynolds.max")}});
     if (const Notice doubt = first_doubt(); !doubt.empty())
       lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
     return lines;
@@ -113,10 +115,13 @@ class Part : public LabTold {
       toml_.key_figure(words(code), in_braces(value + large()), remark);
     };
     // Of a swing whose frequency and damping change as it dies down.
-    const std::string there = depends_on_amplitude() && !lacks_a_law()
+    const std::string there = depends_on_amplitude() && !has_only_parts()
                                   ? words("report_of_amplitude", {{"amplitude", at_amplitude()}})
                                   : "";
-    if (is_known("frequency"))
+    if (has_only_parts())
+      toml_.key_figure(words("frequency"), in_braces("first_stretch.frequency, 3"),
+                       words("report_of_amplitude", {{"amplitude", amplitude_of("first_stretch")}}));
+    else if (is_known("frequency"))
       key("frequency", "frequency",
           there.empty() ? words("report_period_is", {{"period", in_braces("period, 4")}}) : there);
     if (const Estimate* k = fitted_.find("stiffness"))
@@ -135,7 +140,7 @@ class Part : public LabTold {
   /// The decay rate among them; `key` adds one by the law.
   template <class Key>
   void key_rate(const Parameter& start, const Key& key) const {
-    if (lacks_a_law() && has_stretches())
+    if (has_only_parts())
       return toml_.key_figure(words("report_rate_at_first"), in_braces("first_stretch, concise"),
                               words("report_of_a_part", {{"rate", in_braces("last_stretch")}}));
     if (has_only_a_common_rate()) return key("decay_rate", "common_decay", words("report_at_rms_amplitude"));
@@ -481,10 +486,10 @@ class Part : public LabTold {
     const Estimate& k = *fitted_.find("stiffness");
     std::string text =
         words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
-              {{"stiffness", in_braces("stiffness")},
-               {"w", in_braces("angular_frequency")},
+              {{"stiffness", in_braces(lacks_a_law() ? "stiffness, 3" : "stiffness")},
+               {"w", in_braces(lacks_a_law() ? "angular_frequency, 3" : "angular_frequency")},
                {"mass", in_braces("mass, g")},
-               {"interval", interval("stiffness", k)}});
+               {"interval", lacks_a_law() ? words("report_not_known") : interval("stiffness", k)}});
     if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
     if (depends_on_amplitude() && has_bent_spring())
       text += " " + words("report_small_swings_stiffness",
@@ -508,6 +513,7 @@ class Part : public LabTold {
       for (const Contribution& each : fitted_.stiffness_budget)
         if (!(each.standard_uncertainty > 0))
           text += " " + words("report_without_error", {{"quantity", name_of(each.quantity)}});
+    if (lacks_a_law()) return paragraph(text);
     if (known > 1 && most > 0.5)
       text += " " + words("report_most_from", {{"quantity", name_of(std::string(source))},
                                                {"share", fmt::format("{:.0f}", 100 * most)}});
@@ -778,7 +784,10 @@ class Part : public LabTold {
     std::vector<Notice> open = compared_ ? compared_->notices : fitted_.notices;
     const std::vector<Notice> told = of_the_record();
     std::erase_if(open, [&](const Notice& notice) {
-      return std::find(told.begin(), told.end(), notice) != told.end();
+      const bool supposes_a_law = notice.code == "dampings_not_told_apart" ||
+                                  notice.code == "parameter_on_bound" ||
+                                  notice.code == "interval_cut_at_bound";
+      return (lacks_a_law() && supposes_a_law) || std::find(told.begin(), told.end(), notice) != told.end();
     });
     std::string text = sentences_of(open);
     const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "\n\n") + sentence; };

@@ -111,7 +111,8 @@ class LabTold {
     return code == "no_law_describes" || code == "law_does_not_describe";
   }
 
-  bool has_stretches() const { return fitted_.decay_by_amplitude.size() > 1; }
+  /// Whether more is known of the recording's parts than of the whole.
+  bool has_only_parts() const { return lacks_a_law() && fitted_.decay_by_amplitude.size() > 1; }
 
   /// Of the first or the last stretch by itself.
   std::string amplitude_of(std::string_view stretch) const {
@@ -148,7 +149,7 @@ class LabTold {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
                     *end = named(fitted_.headline, "decay_rate_end");
     if (!start) return "";
-    if (lacks_a_law() && has_stretches())
+    if (has_only_parts())
       return words("report_rate_of_stretches", {{"first", in_braces("first_stretch")},
                                                 {"first_amplitude", amplitude_of("first_stretch")},
                                                 {"last", in_braces("last_stretch")},

@@ -876,6 +876,21 @@ export interface NaturalMode {
   methods: ModeByMethod[]
 }
 
+export interface Beat {
+  /** [Hz] difference of the two frequencies */
+  frequency: Maybe
+  /** [Hz] its standard error */
+  standard_error: Maybe
+  /** [s] time from one beat to the next */
+  period: Maybe
+  /** [s] its standard error */
+  standard_error: Maybe
+  /** difference of the squared frequencies over their sum */
+  coupling: Maybe
+  /** its standard error */
+  standard_error: Maybe
+}
+
 export interface SpectralPeak {
   /** [Hz] where it stands */
   frequency: number
@@ -928,6 +943,8 @@ export interface Modes {
   names: string[]
   /** by rising frequency */
   modes: NaturalMode[]
+  /** of two modes how they beat and are coupled; null of another number */
+  beat: Beat | null
   /** what the modes were found in; null of a network */
   recording: ModalSource | null
   /** why no mode was found */

@@ -128,6 +128,15 @@ struct Described<ModalSource> {
 };
 
 template <>
+struct Described<Beat> {
+  static constexpr std::string_view name = "Beat";
+  static constexpr auto entries = members(
+      estimated("frequency", &Beat::frequency, "Hz", "difference of the two frequencies"),
+      estimated("period", &Beat::period, "s", "time from one beat to the next"),
+      estimated("coupling", &Beat::coupling, "", "difference of the squared frequencies over their sum"));
+};
+
+template <>
 struct Described<ModesResult> {
   static constexpr std::string_view name = "Modes";
   static constexpr auto entries = members(
@@ -135,6 +144,7 @@ struct Described<ModesResult> {
       field("names", &ModesResult::names, "",
             "the masses or channels, in the order of the components of shapes"),
       field("modes", &ModesResult::modes, "", "by rising frequency"),
+      field("beat", &beat_of, "", "of two modes how they beat and are coupled; null of another number"),
       field("recording", &ModesResult::recording, "", "what the modes were found in; null of a network"),
       field(
           "message", [](const ModesResult& r) { return r.ok() ? std::nullopt : std::optional(r.message); },

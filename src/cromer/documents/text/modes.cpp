@@ -39,6 +39,15 @@ std::string shapes_text(const ModesResult& result) {
   return "\n" + text_table(rows, 1, rows[0].size());
 }
 
+/// How two modes beat.
+std::string beat_text(const ModesResult& result) {
+  const std::optional<Beat> beat = beat_of(result);
+  if (!beat) return "";
+  return fmt::format(
+      "\nthe two beat every {} s; coupling, the difference of their squared frequencies over the sum: {}\n",
+      number_with_interval(beat->period), number_with_interval(beat->coupling));
+}
+
 std::string percent_off_if_known(const std::optional<double>& value, double asked) {
   return value && asked != 0 && std::isfinite(asked) ? percent_off(*value / asked - 1) : "";
 }
@@ -98,8 +107,8 @@ std::string modes_text(const ModesResult& result) {
     if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");
   }
   const std::string motion = result.recording ? "\n" + in_words(result.recording->words) + "\n" : "";
-  return text_table(rows, 1, rows[0].size()) + shapes_text(result) + network_text(result) +
-         methods_text(result) + motion;
+  return text_table(rows, 1, rows[0].size()) + beat_text(result) + shapes_text(result) +
+         network_text(result) + methods_text(result) + motion;
 }
 
 }  // namespace cromer::core

@@ -29,8 +29,9 @@ constexpr Entry entries[] = {
      "Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
-    {"report_swings_about", clause, "{file}: a free swing at about {frequency}.",
-     "{file}: eine freie Schwingung mit etwa {frequency}."},
+    {"report_swings_at_first", clause,
+     "{file}: a free swing, at first at {frequency} with an amplitude of {amplitude}.",
+     "{file}: eine freie Schwingung, zuerst mit {frequency} bei einer Amplitude von {amplitude}."},
     {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
     {"report_driven_motion", clause, "{file}: a driven motion.", "{file}: eine angetriebene Bewegung."},
     {"report_swings_at_amplitude", clause,
@@ -272,6 +273,7 @@ constexpr Entry entries[] = {
      "swings of {amplitude}, and does not give the same *k*.",
      "Das ist ihre Steife für kleine Schwingungen nach diesem Gesetz; die Frequenz von {frequency} ist die "
      "von Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
+    {"report_not_known", clause, "not known", "nicht bekannt"},
     {"report_other_stiffness", clause,
      "The interval holds only if this law is right. Another law, {law}, leaves {rms} (rms) instead of {own} "
      "and gives {stiffness}.",
@@ -289,8 +291,8 @@ constexpr Entry entries[] = {
      "{file}: {count} ruhende Massen. Daraus, wie weit jede die Feder dehnt, folgt die Federkonstante "
      "{stiffness}; 95 %: {interval}."},
     {"report_holds", clause,
-     "{count} masses hung at rest, one after the other. Each position is the mean of its hold, without stray "
-     "samples; its uncertainty allows for correlated samples, drift and rounding.",
+     "{count} masses hung at rest, one after the other. Each position is the mean of its hold, without "
+     "stray samples; its uncertainty allows for correlated samples, drift and rounding.",
      "{count} Massen hingen nacheinander in Ruhe. Jede Ruhelage ist das Mittel ihrer Messwerte, ohne "
      "Ausreißer; ihre Unsicherheit berücksichtigt korrelierte Messwerte, Wandern und Runden."},
     {"report_holds_table", clause,
@@ -303,9 +305,9 @@ constexpr Entry entries[] = {
     {"report_off_line", clause, "measured minus line", "gemessen minus Gerade"},
     {"report_line", clause, "straight line", "Gerade"},
     {"report_held_stiffness", clause,
-     "Each mass stretches the spring by *m g*/*k*: against the mass the position is a straight line of slope "
-     "*g*/*k* (or −*g*/*k*, seen from below), whatever the spring's own mass. With *g* = {gravity}, *k* = "
-     "{stiffness}; 95 %: {interval}.",
+     "Each mass stretches the spring by *m g*/*k*: against the mass the position is a straight line of "
+     "slope *g*/*k* (or −*g*/*k*, seen from below), whatever the spring's own mass. With *g* = {gravity}, "
+     "*k* = {stiffness}; 95 %: {interval}.",
      "Jede Masse dehnt die Feder um *m g*/*k*: gegen die Masse ist der Ort eine Gerade der Steigung *g*/*k* "
      "(oder −*g*/*k*, von unten gesehen), unabhängig von der Masse der Feder. Mit *g* = {gravity} ist *k* = "
      "{stiffness}; 95 %: {interval}."},

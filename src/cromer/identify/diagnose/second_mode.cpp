@@ -168,7 +168,7 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   }
   constexpr double as_large = 0.8;
   const bool top_is_line = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& line) {
-    return std::abs(line.angular_frequency - found.top) < skirt;
+    return std::abs(line.angular_frequency - found.top) < 4 * two_pi / duration;
   });
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;

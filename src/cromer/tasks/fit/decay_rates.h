@@ -30,11 +30,12 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
                            std::optional<int> count, const Watch& watch = {});
 
 struct AmplitudeRate {
-  double from, to;     // [s] the stretch
-  double amplitude;    ///< in its middle, unit of the displacement
-  Estimate rate;       // [1/s] of one decaying sinusoid fitted to the stretch alone
-  double law_rate;     // [1/s] the law's at that amplitude, averaged over a cycle
-  double widened = 1;  ///< the rate's error was multiplied by this: see decay_by_amplitude()
+  double from, to;               // [s] the stretch
+  double amplitude;              ///< in its middle, unit of the displacement
+  Estimate rate;                 // [1/s] of one decaying sinusoid fitted to the stretch alone
+  double law_rate;               // [1/s] the law's at that amplitude, averaged over a cycle
+  double angular_frequency = 0;  // [rad/s] of that sinusoid
+  double widened = 1;            ///< the rate's error was multiplied by this: see decay_by_amplitude()
 };
 
 /// What the law's damping does to the amplitude.
@@ -63,9 +64,9 @@ double first_amplitude(const LawFit& fit);
 /// and twelve samples. It is as long as its rate takes to be known to 5 %, but at most a sixth of the record;
 /// there are at most 60. A stretch whose error exceeds its rate is left out. Empty if first_amplitude is NaN.
 /// `fit` must have values. Errors are widened for the correlation of the stretch's own residuals, and, of
-/// five stretches or more, multiplied by the rms of the second differences of rate less law_rate in units of
-/// their errors, where that is above 1 by two of its standard deviations: noise that is slower than a stretch
-/// does not show within it.
+/// five stretches or more, multiplied by how large the second differences of rate less law_rate are in units
+/// of their errors (by the middle one), where that is above 1 by more than chance: noise that is slower than
+/// a stretch does not show within it.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 

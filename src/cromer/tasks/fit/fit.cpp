@@ -218,7 +218,7 @@ void drop_what_no_longer_holds(std::vector<Notice>& notices, const Notice& messa
               "rival_laws");
 }
 
-// The fit of the times without a slip. What is chosen by the time is chosen by the recorder's.
+// The fit of the times without a slip. --from and --to mean the times as recorded.
 Result<FittedRecording> fit_without(const TimeSlip& slip, const FittedRecording& with, const Series& series,
                                     FitOptions options, const Watch& watch) {
   for (auto* time : {&options.from, &options.to})

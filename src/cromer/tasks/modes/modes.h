@@ -88,6 +88,17 @@ struct ModesResult {
   bool ok() const { return message.empty(); }
 };
 
+/// How two modes beat and how strongly they are coupled; as uncertain as their frequencies, which count as
+/// independent.
+struct Beat {
+  Estimate frequency;  // [Hz] their difference
+  Estimate period;     // [s]
+  Estimate coupling;   ///< the difference of their squared frequencies over the sum
+};
+
+/// Of a result with two modes of different frequencies; else empty.
+std::optional<Beat> beat_of(const ModesResult& result);
+
 /// The modes of small motions about rest. An Error names option, value and constraint, or says that there are
 /// too many masses.
 Result<ModesResult> network_modes(const Network& network, const std::string& file,
