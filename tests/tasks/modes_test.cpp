@@ -133,6 +133,29 @@ Network chain(std::size_t masses, double damping, bool to_the_right_wall = true)
   return network;
 }
 
+// Two pendulums of 9 and 16 rad²/s²: (16 - 9)/(16 + 9).
+TEST(Modes, OfTwoBeatAndAreCoupled) {
+  ModesResult result;
+  result.modes.resize(2);
+  result.modes[0].frequency = {3, 0.03, 2.94, 3.06};
+  result.modes[1].frequency = {4, 0.04, 3.92, 4.08};
+  const auto beat = beat_of(result);
+  ASSERT_TRUE(beat);
+  EXPECT_NEAR(beat->frequency.value, 1, 1e-12);
+  EXPECT_NEAR(beat->frequency.standard_error, 0.05, 1e-12);
+  EXPECT_NEAR(beat->frequency.high, 1.1, 1e-12);
+  EXPECT_NEAR(beat->period.value, 1, 1e-12);
+  EXPECT_NEAR(beat->period.standard_error, 0.05, 1e-12);
+  EXPECT_NEAR(beat->coupling.value, 7.0 / 25, 1e-12);
+  // By differences.
+  const auto coupling = [](double s, double f) { return (f * f - s * s) / (f * f + s * s); };
+  EXPECT_NEAR(beat->coupling.standard_error,
+              std::hypot(coupling(3.0003, 4) - coupling(3, 4), coupling(3, 4.0004) - coupling(3, 4)) * 100,
+              1e-5);
+  result.modes.resize(1);
+  EXPECT_FALSE(beat_of(result));
+}
+
 TEST(Modes, OfAChainHaveTheirClosedForm) {
   for (const std::size_t n : {1u, 2u, 3u, 10u, 100u}) {
     const ModesResult found = modes_of(chain(n, 0.02));

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "cromer/base/pi.h"
-#include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
@@ -94,23 +93,25 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
 }
 
-/// Multiplies all errors by how large the second differences of (rate - law_rate) are in units of their
-/// errors, by the middle one, where that exceeds 1 by more than chance.
+/// Multiplies all errors by the rms of the second differences of (rate - law_rate), in units of their errors
+/// and without the largest, where that exceeds 1 by more than chance.
 void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
-  constexpr std::size_t fewest = 5;
+  constexpr std::size_t fewest = 8;
   if (stretches.size() < fewest) return;
   const auto off = [&](std::size_t i) { return stretches[i].rate.value - stretches[i].law_rate; };
   const auto error = [&](std::size_t i) { return stretches[i].rate.standard_error; };
-  std::vector<double> squares;
-  for (std::size_t i = 1; i + 1 < stretches.size(); ++i)
-    squares.push_back(std::pow(
-        (off(i - 1) - 2 * off(i) + off(i + 1)) / std::hypot(error(i - 1), 2 * error(i), error(i + 1)), 2));
-  // The median of the square of a normal deviate, and the density of such squares there. Those that share
-  // stretches are correlated, by (4/6)^2 and (1/6)^2: as if there were so much fewer.
-  constexpr double middle = 0.455, density = 0.471, fewer = 1 + 2 * 17.0 / 36;
-  const double by_chance = std::sqrt(fewer / static_cast<double>(squares.size())) / (2 * density * middle);
-  const double square = upper_median(squares) / middle;
-  if (!(square > 1 + 2 * by_chance)) return;
+  double sum = 0, largest = 0;
+  for (std::size_t i = 1; i + 1 < stretches.size(); ++i) {
+    const double each = std::pow(
+        (off(i - 1) - 2 * off(i) + off(i + 1)) / std::hypot(error(i - 1), 2 * error(i), error(i + 1)), 2);
+    sum += each;
+    largest = std::max(largest, each);
+  }
+  const double count = static_cast<double>(stretches.size() - 3), square = (sum - largest) / count;
+  // The squares of those that share stretches are correlated, by (4/6)^2 and (1/6)^2 of normal noise: their
+  // mean has a variance of 2 (1 + 2 (16 + 1)/36) over their number.
+  constexpr double variance = 2 * (1 + 2 * 17.0 / 36), surely = 3;
+  if (!(square > 1 + surely * std::sqrt(variance / count))) return;
   const double times = std::sqrt(square);
   for (AmplitudeRate& each : stretches) {
     const Estimate& rate = each.rate;

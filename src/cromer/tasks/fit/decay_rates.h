@@ -64,9 +64,9 @@ double first_amplitude(const LawFit& fit);
 /// and twelve samples. It is as long as its rate takes to be known to 5 %, but at most a sixth of the record;
 /// there are at most 60. A stretch whose error exceeds its rate is left out. Empty if first_amplitude is NaN.
 /// `fit` must have values. Errors are widened for the correlation of the stretch's own residuals, and, of
-/// five stretches or more, multiplied by how large the second differences of rate less law_rate are in units
-/// of their errors (by the middle one), where that is above 1 by more than chance: noise that is slower than
-/// a stretch does not show within it.
+/// eight stretches or more, multiplied by the rms of the second differences of rate less law_rate, in units
+/// of their errors and without the largest, where that exceeds 1 by more than chance: noise that is slower
+/// than a stretch does not show within it.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 

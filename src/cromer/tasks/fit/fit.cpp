@@ -177,6 +177,13 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
+// What only a report tells is not found for the page, which must be small.
+#ifdef CROMER_PAGE
+constexpr bool is_reported = false;
+#else
+constexpr bool is_reported = true;
+#endif
+
 // By how much the decay rate changes from the first sample to the last, by the law [1/s].
 std::optional<double> change_of_rate(const LawFit& fit, double duration) {
   const std::vector<Parameter> ends = decay_rate_ends(fit, duration);
@@ -365,7 +372,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);
-  if (result.says("rival_laws")) result.common_decay = common_decay(record, result.fit, choice->candidates);
+  if constexpr (is_reported)
+    if (result.says("rival_laws")) result.common_decay = common_decay(record, result.fit, choice->candidates);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
     result.notices.push_back(std::move(wide));
   return result;
@@ -463,7 +471,8 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   const Result<Series> series = take_motion(recording, options.column, run, options.read);
   if (!series) return series.error();
   Result<FittedRecording> fitted = fit_motion(recording, *series, file, options, watch);
-  if (fitted) fitted->left_out = outside(*series, fitted->series);
+  if constexpr (is_reported)
+    if (fitted) fitted->left_out = outside(*series, fitted->series);
   constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
   if (fitted && (fitted->driven || !fitted->succeeded() || fitted->fit.explained <= well ||
                  fitted->says("no_law_describes")))
