@@ -135,16 +135,16 @@ std::optional<SlipCandidate> candidate_of(const Record& record, const LawFit& fi
   const std::size_t n = record.t.size();
   std::vector<double> residuals = residuals_of(fit, record);
   if (residuals.size() != n) return std::nullopt;
-  SlipCandidate suspect{fit.law, fit.residual.rms, SlipSearch(record, fit, std::move(residuals))};
+  SlipCandidate candidate{fit.law, fit.residual.rms, SlipSearch(record, fit, std::move(residuals))};
   constexpr std::size_t places = 48;
   const std::size_t edge = n / 20, around = std::max<std::size_t>(1, n / places);
-  suspect.found = suspect.search.best(edge, n - edge, places);
-  const std::size_t at = suspect.found.at, from = std::max(edge, at - std::min(around, at)),
+  candidate.found = candidate.search.best(edge, n - edge, places);
+  const std::size_t at = candidate.found.at, from = std::max(edge, at - std::min(around, at)),
                     to = std::min(n - edge, at + around);
-  suspect.found = suspect.search.best(from, to, places);
+  candidate.found = candidate.search.best(from, to, places);
   const std::size_t stride = std::max<std::size_t>(1, (to - from) / places);
-  if (suspect.found.at < edge + stride || suspect.found.at + stride >= n - edge) return std::nullopt;
-  return suspect;
+  if (candidate.found.at < edge + stride || candidate.found.at + stride >= n - edge) return std::nullopt;
+  return candidate;
 }
 
 }  // namespace
@@ -214,16 +214,16 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::
   const LawFit straight = fit_law(record, {}, watch);
   if (!straight.is_usable() || watch.interrupted()) return std::nullopt;
   // A bent spring may be no more than the slip, and other terms be right beside it.
-  std::optional<SlipCandidate> suspect = candidate_of(record, straight);
+  std::optional<SlipCandidate> candidate = candidate_of(record, straight);
   const Law plain = with_straight_spring(fit.law);
   const auto other = std::find_if(others.begin(), others.end(), [&](const LawFit& each) {
     return each.law == plain && each.is_usable() && !(plain == straight.law);
   });
   if (other != others.end())
-    if (auto found = candidate_of(record, *other); found && (!suspect || found->rest() < suspect->rest()))
-      suspect = std::move(found);
-  if (!suspect) return std::nullopt;
-  const SlipSearch::Found& found = suspect->found;
+    if (auto found = candidate_of(record, *other); found && (!candidate || found->rest() < candidate->rest()))
+      candidate = std::move(found);
+  if (!candidate) return std::nullopt;
+  const SlipSearch::Found& found = candidate->found;
   const double steps = std::abs(found.slip()) / median_step(record.t),
                angle = std::abs(found.slip()) * straight.motion.angular_frequency();
   constexpr double fewest = 0.5, most = 10, farthest = 0.7;  // between samples; [rad] where a slip is linear
@@ -231,13 +231,13 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::
 
   const double rest = std::sqrt(found.rest / static_cast<double>(n));
   // Noise that wanders is part slip by chance: as many samples count as are independent.
-  const std::vector<double> left = suspect->search.left_by(found);
+  const std::vector<double> left = candidate->search.left_by(found);
   const double correlation = std::clamp(autocorrelations(left, find_grid(record.t), 1)[1], 0.0, 0.999);
   const double independent = static_cast<double>(n) * (1 - correlation) / (1 + correlation);
   // Twice the logarithm of how much likelier a slip is than another law.
   const auto evidence = [&](double rms) { return independent * 2 * std::log(rms / rest); };
   constexpr double by_chance = 30, likelier = 10;  // over all places; than one other law
-  if (!(evidence(suspect->rms) >= by_chance)) return std::nullopt;
+  if (!(evidence(candidate->rms) >= by_chance)) return std::nullopt;
   constexpr double clearly = 0.9;  // of the rms residual, where a wrong law may leave it
   const auto is_clear = [&](const LawFit& other) {
     return is_noise ? evidence(other.residual.rms) >= likelier : rest <= clearly * other.residual.rms;
@@ -248,7 +248,7 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::
     const LawFit softening = fit_law(record, {.law = law_of("viscous+cubic")}, watch);
     if (!softening.is_usable() || !is_clear(softening)) return std::nullopt;
   }
-  return slip_under(suspect->law, {record.t[found.at], found.slip()}, record, watch);
+  return slip_under(candidate->law, {record.t[found.at], found.slip()}, record, watch);
 }
 
 }  // namespace cromer::core

@@ -7,16 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "cromer/base/for_page.h"
 #include "cromer/identify/law_fit.h"
 
 namespace cromer::core {
 
-/// The page, which must be small, looks for no slips.
-#ifdef CROMER_PAGE
-inline constexpr bool looks_for_slips = false;
-#else
-inline constexpr bool looks_for_slips = true;
-#endif
+/// The page looks for no slips.
+inline constexpr bool looks_for_slips = !for_page;
 
 struct TimeSlip {
   double at = 0;  // [s] the first sample that is late

@@ -6,6 +6,7 @@
 
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/ground_motion.h"
+#include "cromer/base/for_page.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
@@ -177,12 +178,8 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
-// What only a report tells is not found for the page, which must be small.
-#ifdef CROMER_PAGE
-constexpr bool is_reported = false;
-#else
-constexpr bool is_reported = true;
-#endif
+// What only a report tells is not found for the page.
+constexpr bool is_reported = !for_page;
 
 // By how much the decay rate changes from the first sample to the last, by the law [1/s].
 std::optional<double> change_of_rate(const LawFit& fit, double duration) {
@@ -234,7 +231,7 @@ Result<FittedRecording> fit_without(const TimeSlip& slip, const FittedRecording&
 }
 
 // The fit of the times without the slip that `with` found in them, with a notice; nothing where one was taken
-// out before, or the fit is no better.
+// out before, the fit is no better, or the phase changes slowly there.
 std::optional<FittedRecording> fit_mended(TimeSlip slip, const Record& record, const FittedRecording& with,
                                           const Series& series, const Watch& watch) {
   if (series.slips_at < HUGE_VAL) return std::nullopt;

@@ -3,16 +3,13 @@
 
 #include <vector>
 
+#include "cromer/base/for_page.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {
 
 /// The page knows no masses at rest.
-#ifdef CROMER_PAGE
-inline constexpr bool fits_held_masses = false;
-#else
-inline constexpr bool fits_held_masses = true;
-#endif
+inline constexpr bool fits_held_masses = !for_page;
 
 /// Where the runs of positions lie apart, each by twenty times as far as any of them moves from its middle:
 /// that a spring constant follows from where they rest. Else empty.
