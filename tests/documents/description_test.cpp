@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "apps/web/core/described.h"
@@ -158,8 +159,11 @@ class DocsTable {
   const std::string& text() const { return text_; }
 
  private:
-  void row(const std::string& path, std::string_view unit, std::string_view meaning) {
+  /// An entry that may be left out may be another one in the place of its namesake.
+  void row(const std::string& path, std::string_view unit, std::string_view meaning, bool left_out = false) {
     EXPECT_FALSE(meaning.empty()) << path;
+    const auto [known, is_new] = known_.emplace(path, left_out);
+    EXPECT_TRUE(is_new || (left_out && known->second)) << path << " stands twice";
     text_ += "| `" + path + "` | " + std::string(unit) + " | " + std::string(meaning) + " |\n";
   }
 
@@ -179,7 +183,7 @@ class DocsTable {
   void entry(const Field<Get>& field, std::string_view prefix) {
     using Value = ValueOf<Field<Get>, Result>;
     const std::string path = std::string(prefix) + std::string(field.name);
-    row(path, field.unit, field.meaning);
+    row(path, field.unit, field.meaning, field.if_any);
     within<Value>([&]<class Inner>() { add<Inner>(path_of<Value>(path) + "."); });
   }
   template <class Result, class Get>
@@ -212,6 +216,7 @@ class DocsTable {
     for_each_entry(entries, [&](const auto& each) { entry<Result>(each, prefix); });
   }
 
+  std::map<std::string, bool> known_;
   std::string text_;
 };
 

@@ -877,18 +877,12 @@ export interface NaturalMode {
 }
 
 export interface Beat {
-  /** [Hz] difference of the two frequencies */
-  frequency: Maybe
-  /** [Hz] its standard error */
-  standard_error: Maybe
-  /** [s] time from one beat to the next */
-  period: Maybe
-  /** [s] its standard error */
-  standard_error: Maybe
+  /** difference of the two frequencies */
+  frequency: Estimate
+  /** time from one beat to the next */
+  period: Estimate
   /** difference of the squared frequencies over their sum */
-  coupling: Maybe
-  /** its standard error */
-  standard_error: Maybe
+  coupling: Estimate
 }
 
 export interface SpectralPeak {

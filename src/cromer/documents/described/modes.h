@@ -130,10 +130,24 @@ struct Described<ModalSource> {
 template <>
 struct Described<Beat> {
   static constexpr std::string_view name = "Beat";
-  static constexpr auto entries = members(
-      estimated("frequency", &Beat::frequency, "Hz", "difference of the two frequencies"),
-      estimated("period", &Beat::period, "s", "time from one beat to the next"),
-      estimated("coupling", &Beat::coupling, "", "difference of the squared frequencies over their sum"));
+  static constexpr auto entries = members(field(
+                                              "frequency",
+                                              [](const Beat& b) {
+                                                return Parameter{"frequency", b.frequency, "Hz"};
+                                              },
+                                              "", "difference of the two frequencies"),
+                                          field(
+                                              "period",
+                                              [](const Beat& b) {
+                                                return Parameter{"period", b.period, "s"};
+                                              },
+                                              "", "time from one beat to the next"),
+                                          field(
+                                              "coupling",
+                                              [](const Beat& b) {
+                                                return Parameter{"coupling", b.coupling, "1"};
+                                              },
+                                              "", "difference of the squared frequencies over their sum"));
 };
 
 template <>
