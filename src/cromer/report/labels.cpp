@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace cromer::core {
 namespace {
@@ -11,6 +12,12 @@ namespace {
 constexpr double raster = 2;       // [px]
 constexpr double clearance = 4;    // between a word and what is drawn [px]
 constexpr double search_step = 4;  // [px]
+
+// Squares do where many distances are compared.
+double squared_distance(Spot a, Spot b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
 
 }  // namespace
 
@@ -97,10 +104,17 @@ void Occupancy::add_box(const Box& box) {
 }
 
 int Occupancy::taken(const Box& box) const {
+  // First and last square, of `all`, that places from here on lie in, each a square further.
+  const auto squares = [](double from, double length, int all) {
+    const int first = static_cast<int>(std::floor(from / raster));
+    return std::pair(std::max(first, 0), std::min(first + static_cast<int>(length / raster), all - 1));
+  };
+  const auto [left, right] = squares(box.x - frame_.x, box.width, columns_);
+  const auto [top, bottom] = squares(box.y - frame_.y, box.height, rows_);
   int count = 0;
-  for (double y = box.y; y <= box.bottom(); y += raster) {
-    for (double x = box.x; x <= box.right(); x += raster) count += is_taken(x, y);
-  }
+  for (int row = top; row <= bottom; ++row)
+    for (int column = left; column <= right; ++column)
+      count += cells_[static_cast<std::size_t>(row * columns_ + column)];
   return count;
 }
 
@@ -125,12 +139,12 @@ FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, dou
           drawn.taken({x - clearance, y - clearance, width + 2 * clearance, height + 2 * clearance});
       if (10.0 * covered >= lowest_cost) continue;
       Spot target{x, y + height / 2};
-      double distance = targets.empty() ? 0 : std::numeric_limits<double>::infinity();
+      double least = targets.empty() ? 0 : std::numeric_limits<double>::infinity();
       for (const Spot& t : targets) {
-        const Spot edge = box.nearest(t);
-        const double d = std::hypot(edge.x - t.x, edge.y - t.y);
-        if (d < distance) distance = d, target = t;
+        const double d = squared_distance(box.nearest(t), t);
+        if (d < least) least = d, target = t;
       }
+      const double distance = std::sqrt(least);
       const double crossings = distance > 14 ? drawn.crossed(box.nearest(target), target) : 0;
       const double cost = 10.0 * covered + distance + 3 * crossings;
       if (cost < lowest_cost) {
@@ -158,29 +172,28 @@ void walk(const std::vector<Spot>& spots, const See& see) {
     const Spot a = spots[i];
     if (!std::isfinite(a.x) || !std::isfinite(a.y)) continue;
     const Spot b = i + 1 < spots.size() ? spots[i + 1] : a;
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    const int steps = std::isfinite(length) ? std::min(2000, static_cast<int>(length / 3)) : 0;
-    for (int k = 0; k <= steps; ++k) {
+    const double length = squared_distance(a, b);
+    see(a);
+    if (length < 9 || !std::isfinite(length)) continue;
+    const int steps = std::min(2000, static_cast<int>(std::sqrt(length) / 3));
+    for (int k = 1; k <= steps; ++k) {
       const double s = static_cast<double>(k) / (steps + 1);
-      see(steps == 0 ? a : Spot{a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
+      see({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
     }
   }
 }
 
 double distance(const std::vector<Spot>& curve, const Box& box) {
   double least = std::numeric_limits<double>::infinity();
-  walk(curve, [&](Spot p) {
-    const Spot edge = box.nearest(p);
-    least = std::min(least, std::hypot(edge.x - p.x, edge.y - p.y));
-  });
-  return least;
+  walk(curve, [&](Spot p) { least = std::min(least, squared_distance(box.nearest(p), p)); });
+  return std::sqrt(least);
 }
 
 bool is_clear(const Drawn& drawn, const FreePlace& place, std::size_t own) {
   const Box& box = place.box;
   if (drawn.inked.taken({box.x - 2, box.y - 2, box.width + 4, box.height + 4}) > 0) return false;
   const Spot edge = box.nearest(place.target);
-  const double length = std::hypot(edge.x - place.target.x, edge.y - place.target.y);
+  const double length = std::sqrt(squared_distance(edge, place.target));
   if (length >= leader_from) {
     if (length > longest_leader) return false;
     const double share = (length - short_of_curve) / length;

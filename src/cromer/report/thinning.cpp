@@ -40,8 +40,6 @@ double distance_to_segment(Spot p, Spot a, Spot b) {
 
 }  // namespace
 
-Spot Box::nearest(Spot p) const { return {std::clamp(p.x, x, right()), std::clamp(p.y, y, bottom())}; }
-
 std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points) {
   std::vector<std::vector<Spot>> pieces;
   bool open = false;

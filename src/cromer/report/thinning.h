@@ -2,6 +2,7 @@
 // figure's size, cut at the frame.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -21,7 +22,7 @@ struct Box {
 
   double right() const { return x + width; }
   double bottom() const { return y + height; }
-  Spot nearest(Spot p) const;
+  Spot nearest(Spot p) const { return {std::clamp(p.x, x, right()), std::clamp(p.y, y, bottom())}; }
 };
 
 /// The unbroken pieces of a curve in px; points that are not finite break it.
