@@ -1,5 +1,5 @@
-#include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fit_driven.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

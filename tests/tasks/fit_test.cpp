@@ -365,9 +365,9 @@ std::vector<std::string> said_of(const std::string& bytes) {
 }
 
 /// A pendulum at 0.8 Hz, moved by hand before `until` [s], and stopped from `stop` on.
-std::string moved_by_hand(double until, double stop = HUGE_VAL) {
+std::string moved_by_hand(double until, double stop = HUGE_VAL, double duration = 30) {
   std::string bytes = "Time (s),Gyroscope z (rad/s)\n";
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 50 * duration; ++i) {
     const double t = 0.02 * i, hand = t < until ? -4 * t * (until - t) : 0;
     bytes += shortest(t) + "," +
              shortest(hand + (t < stop ? 1 : 0.3) * 1.5 * std::exp(-0.03 * t) * std::cos(5.03 * t) +
@@ -404,6 +404,17 @@ TEST(FitTask, WhatAHandStopsAtLastIsLeftOutToo) {
     EXPECT_GE(fitted.series.t.back(), stop - 1.8);
     expect_within(fitted.find("decay_rate"), 0.03, 0.004);
     EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("while a hand moves or stops it")));
+  }
+}
+
+TEST(FitTask, FourSwingsBetweenTwoHandsAreEnough) {
+  for (const double stop : {8.2, 8.4}) {
+    const auto result = fit(moved_by_hand(2.5, stop, 10), "phone.csv", {});
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
+    const FittedRecording& fitted = result->front();
+    EXPECT_GE(fitted.series.t.front(), 2.5);
+    EXPECT_LE(fitted.series.t.back(), stop);
+    expect_within(fitted.find("decay_rate"), 0.03, 0.05);
   }
 }
 

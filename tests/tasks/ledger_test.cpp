@@ -642,7 +642,8 @@ bool same_entry(const std::string& one, const std::string& other) {
     }
     const bool near = std::abs(*x - *y) <= 2e-4 * std::max(std::abs(*x), std::abs(*y)) + 1e-12;
     if (is_error && !near) return false;
-    if (is_error && !(std::abs(value - value_now) <= 2e-3 * *x + 1e-9 * std::abs(value) + 1e-12)) return false;
+    if (is_error && !(std::abs(value - value_now) <= 2e-3 * *x + 1e-9 * std::abs(value) + 1e-12))
+      return false;
     if (!is_error && open) return false;
     open = !is_error && !near;  // unless its error follows
     is_error = false;

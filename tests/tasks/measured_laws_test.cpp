@@ -63,6 +63,15 @@ TEST(MeasuredLaws, NoLawIsTriedTwice) {
   EXPECT_EQ(std::adjacent_find(laws.begin(), laws.end()), laws.end());
 }
 
+// Swung by a hand at first, and stopped by one.
+TEST(MeasuredLaws, APhoneBetweenTwoHandsIsAPendulum) {
+  const auto result = fitted("pendulum-phyphox/RawData_converted_from_xls.csv", {});
+  SKIP_WITHOUT_FIT(result);
+  EXPECT_TRUE(result->fit.law.has<Pendulum>());
+  EXPECT_GT(result->series.t.front(), 2);
+  EXPECT_LT(result->series.t.back(), 9.1);
+}
+
 TEST(MeasuredLaws, APendulumOnFilm) {
   const auto result = fitted("pendulum-tracker/8047.txt", {.column = "x"});
   SKIP_WITHOUT_FIT(result);

@@ -34,7 +34,7 @@ struct Part {
 std::optional<Part> described_part(const Record& record, std::size_t first, std::size_t end,
                                    const Watch& watch) {
   constexpr double nearly_all = 0.95;  // of the motion's squares
-  constexpr double fewest = 5;         // periods
+  constexpr double fewest = 4;         // periods
   const Record part = record.part(first, end - first);
   const LawFit swing = fit_law(part, {}, watch);
   if (!swing.is_usable() || swing.explained < nearly_all || !(swing.decay_rate().low > 0))

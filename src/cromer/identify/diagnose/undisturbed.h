@@ -14,7 +14,7 @@ struct FreeSwing {
 };
 
 /// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as a fifth
-/// before, of which a viscous law accounts for 95 % over five periods or more and is no worse in the first
+/// before, of which a viscous law accounts for 95 % over four periods or more and is no worse in the first
 /// and the last one: the rms residual there is less than twice the part's, and that no larger than 1.3 times
 /// the least of all parts. Empty where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});

@@ -382,7 +382,8 @@ namespace {
 bool is_without_a_law(const FittedRecording& fitted) {
   constexpr double nearly_all = 0.98;  // of the motion's squares
   if (fitted.fit.is_usable()) return fitted.says("no_law_describes") && fitted.fit.explained < nearly_all;
-  return fitted.fit.status == FitStatus::no_oscillation && !fitted.wrong_input;
+  const FitStatus status = fitted.fit.status;
+  return (status == FitStatus::no_oscillation || status == FitStatus::too_noisy) && !fitted.wrong_input;
 }
 
 // Where no one law is found for the whole, as a hand moves it at first: the fit of what swings freely, with a
