@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "cromer/base/both.h"
+#include "cromer/base/at_once.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -205,25 +205,24 @@ class LawSearch {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
-  // Two at a time, also where there is one thread: what a pair leaves to beat is the same everywhere. The
-  // progress goes from one share to another.
+  // A few at a time, also where there is one thread: what those before leave to beat is the same everywhere.
+  // The progress goes from one share to another.
   template <class Start>
   void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {
+    constexpr std::size_t few = 4;
     std::vector<Law> laws;
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
-    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); i += 2) {
-      std::optional<LawFit> one, other;
-      const auto fit_one = [&] { one = rough_fit(laws[i], start_of(laws[i]), watch_); };
-      if (i + 1 < laws.size())
-        both(fit_one, [&] { other = rough_fit(laws[i + 1], start_of(laws[i + 1]), quiet_); });
-      else
-        fit_one();
+    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); i += few) {
+      std::vector<LawFit> fits(std::min(few, laws.size() - i));
+      at_once(fits.size(), [&](std::size_t k) {
+        const Law& law = laws[i + k];
+        fits[k] = rough_fit(law, start_of(law), k == 0 ? watch_ : quiet_);
+      });
       if (watch_.interrupted()) return;
-      add(*std::move(one), false);
-      if (other) add(*std::move(other), false);
-      const double done = std::min(1.0, static_cast<double>(i + 2) / static_cast<double>(laws.size()));
+      for (LawFit& fit : fits) add(std::move(fit), false);
+      const double done = std::min(1.0, static_cast<double>(i + few) / static_cast<double>(laws.size()));
       if (watch_.progress && to > from) watch_.progress(from + (to - from) * done);
     }
   }
