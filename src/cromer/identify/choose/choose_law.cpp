@@ -386,24 +386,40 @@ class LawSearch {
     return {fit.motion.under(law), record_.t.size(), candidates_.front().decay_rate().value};
   }
 
-  // Fits the chosen law, and those that come close to it, as finely as the record asks for.
+  // Whether its BIC is close to the best one's: rough fits know it to about 10.
+  bool is_close(std::size_t candidate) const {
+    return candidates_[candidate].bic <= candidates_[best_].bic + 30;
+  }
+
+  // Fits these as finely as the record asks for.
+  void refine(std::vector<std::size_t> candidates) {
+    std::erase_if(candidates, [&](std::size_t each) { return fine_[each]; });
+    std::vector<LawFit> fits(candidates.size());
+    at_once(fits.size(), [&](std::size_t k) {
+      const LawFit& rough = candidates_[candidates[k]];
+      LawFitOptions one = options_;
+      one.law = rough.law;
+      fits[k] = fit_motion(record_, one, of_fit(rough, rough.law), k == 0 ? watch_ : quiet_);
+    });
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+      if (fits[k].status == FitStatus::converged) candidates_[candidates[k]] = std::move(fits[k]);
+      fine_[candidates[k]] = true;
+    }
+  }
+
+  // Refines the chosen law and those that come close to it.
   void settle() {
-    constexpr double close = 30;  // of BIC: rough fits know it to about 10
     best_ = choose_candidate(candidates_, record_.resolution, expected_);
     for (std::optional<std::size_t> next = best_; next && !watch_.interrupted();) {
-      LawFit& rough = candidates_[*next];
-      if (!fine_[*next]) {
-        LawFitOptions one = options_;
-        one.law = rough.law;
-        LawFit fit = fit_motion(record_, one, of_fit(rough, rough.law), watch_);
-        if (fit.status == FitStatus::converged) rough = std::move(fit);
-        fine_[*next] = true;
-      }
+      std::vector<std::size_t> rough{*next};
+      if (const auto other = runner_up(candidates_, best_); other && next == best_ && is_close(*other))
+        rough.push_back(*other);
+      refine(rough);
       best_ = choose_candidate(candidates_, record_.resolution, expected_);
       next = runner_up(candidates_, best_);
       if (!fine_[best_]) next = best_;
       if (const auto open = left_unsettled()) next = open;
-      if (next && (fine_[*next] || candidates_[*next].bic > candidates_[best_].bic + close)) break;
+      if (next && (fine_[*next] || !is_close(*next))) break;
     }
   }
 
