@@ -47,6 +47,20 @@ TEST(SlippedTimes, ABentSpringIsNoSlip) {
   }
 }
 
+TEST(SlippedTimes, AreFoundBesideABentSpring) {
+  FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.04, .position = 0.3};
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    bent.cubic = (seed % 2 ? 0.3 : -0.3) * 36 / 0.09;
+    const int lost = 2 + static_cast<int>(seed % 4);
+    const auto record = with_samples_lost(bent, 500 + 100 * seed, lost, seed);
+    const LawChoice choice = choose_law(record.record(), {});
+    const auto slip = find_slip(record.record(), choice.chosen, choice.candidates);
+    ASSERT_TRUE(slip) << seed << " " << to_text(choice.chosen.law);
+    EXPECT_NEAR(slip->at, 10 + 2 * seed, 1) << seed;
+    EXPECT_NEAR(slip->by, -0.02 * lost, 0.003) << seed;
+  }
+}
+
 TEST(SlippedTimes, NoiseThatWandersIsNoSlip) {
   int told = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {

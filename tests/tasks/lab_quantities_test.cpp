@@ -129,19 +129,14 @@ TEST(MonteCarlo, AgreesWithThePropagatedIntervalAndRepeats) {
 }
 
 TEST(MonteCarlo, FewDegreesOfFreedomWidenTheInterval) {
-  LawFit fit;
-  fit.independent_samples = 9;
-  fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
-  fit.estimates.assign(5, {});
-  fit.estimates[0] = make_estimate(9, 0.01, student_95(4));
-  fit.fitted = 5;
+  const Estimate frequency = make_estimate(9, 0.01, student_95(4));
   const Body body{Quantity{0.2, 0}, {}, {}, {}};
-  const MonteCarlo trials = *stiffness_monte_carlo(fit, body, 400'000, 1);
+  const MonteCarlo trials = *stiffness_monte_carlo(frequency, 4, body, 400'000, 1);
   const double error = 2 * 0.2 * 9 * 0.01;
   EXPECT_NEAR((trials.high - trials.low) / (2 * student_95(4) * error), 1, 0.01);
   EXPECT_NEAR(trials.standard_deviation / (error * std::sqrt(2.0)), 1, 0.05);  // t: sqrt(nu/(nu - 2))
   const std::atomic<bool> stop{true};
-  EXPECT_FALSE(stiffness_monte_carlo(fit, body, 400'000, 1, Watch{&stop, {}}));
+  EXPECT_FALSE(stiffness_monte_carlo(frequency, 4, body, 400'000, 1, Watch{&stop, {}}));
 }
 
 TEST(Textbook, StandsBesideTheFitOnRequest) {

@@ -78,6 +78,31 @@ TEST(StaticStiffness, AMassLoweredSlowlyIsNotHeldOnItsWay) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*holds)[i].position, levels[i], 1e-4);
 }
 
+// The way from one to the next is longer than three blocks, and less than the noise goes by in each.
+TEST(StaticStiffness, ThePathsBetweenHoldsAreNoneUnderMuchNoise) {
+  const auto masses = grams({50, 100, 150, 200, 250, 300, 350, 400});
+  for (const double noise : {1e-3, 2e-3, 3e-3})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      Series series;
+      series.quantity = "position";
+      series.rate = 20;
+      NormalDeviates normal(seed);
+      for (int i = 0; i < 20 * (8 * 3 + 7 * 1.5); ++i) {
+        const double t = i / 20.0, since = std::fmod(t, 4.5);
+        const double level = 0.1 + 0.041 * (std::floor(t / 4.5) + std::max(0.0, since - 3) / 1.5);
+        series.t.push_back(t);
+        series.y.push_back(level + noise * normal.next());
+      }
+      const auto holds = find_holds({series}, "hold.csv", masses);
+      ASSERT_TRUE(holds.ok()) << noise << ' ' << in_words(holds.error());
+      for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR((*holds)[i].position, 0.1 + 0.041 * static_cast<double>(i), 0.9 * noise) << noise;
+        EXPECT_GE((*holds)[i].from, 4.5 * static_cast<double>(i) - 0.5);
+        EXPECT_LE((*holds)[i].to, 4.5 * static_cast<double>(i) + 3.5);
+      }
+    }
+}
+
 TEST(StaticStiffness, ItsIntervalHoldsTheTruthAsOftenAsItSays) {
   const double k = 3.2, g = 9.81;
   const auto masses = grams({40, 60, 80, 100});

@@ -158,7 +158,9 @@ struct Described<ModesResult> {
       field("names", &ModesResult::names, "",
             "the masses or channels, in the order of the components of shapes"),
       field("modes", &ModesResult::modes, "", "by rising frequency"),
-      field("beat", &beat_of, "", "of two modes how they beat and are coupled; null of another number"),
+      field("beat", &beat_of, "",
+            "of two modes how they beat and are coupled; null of another number, or where their frequencies "
+            "may be the same"),
       field("recording", &ModesResult::recording, "", "what the modes were found in; null of a network"),
       field(
           "message", [](const ModesResult& r) { return r.ok() ? std::nullopt : std::optional(r.message); },

@@ -153,20 +153,28 @@ bool fits_as_well(const LawFit& rival, const LawFit& chosen) {
          (rival.fitted == chosen.fitted || rival.fitted == chosen.fitted + 1);
 }
 
-Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
-  const LawFit& best = candidates[chosen];
-  if (best.status != FitStatus::converged || !best.law.shares(springs)) return {};
-  const std::optional<MeanDecay> decay = mean_decay(best, record);
-  if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
+std::vector<const LawFit*> rivals_of(const Law& chosen, const std::vector<LawFit>& candidates) {
+  const auto best = std::find_if(candidates.begin(), candidates.end(),
+                                 [&](const LawFit& each) { return each.law == chosen; });
   std::vector<const LawFit*> rivals;
+  if (best == candidates.end() || best->status != FitStatus::converged || !chosen.shares(springs))
+    return rivals;
   for (const LawFit& rival : candidates) {
-    if (&rival == &best || !fits_as_well(rival, best)) continue;
-    if (moves_the_numbers(best, rival) || (rival.fitted == best.fitted && has_other_damping(best, rival)))
+    if (&rival == &*best || !fits_as_well(rival, *best)) continue;
+    if (moves_the_numbers(*best, rival) || (rival.fitted == best->fitted && has_other_damping(*best, rival)))
       rivals.push_back(&rival);
   }
-  if (rivals.empty()) return {};
   std::sort(rivals.begin(), rivals.end(),
             [](const LawFit* one, const LawFit* other) { return one->bic < other->bic; });
+  return rivals;
+}
+
+Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
+  const LawFit& best = candidates[chosen];
+  const std::vector<const LawFit*> rivals = rivals_of(best.law, candidates);
+  if (rivals.empty()) return {};
+  const std::optional<MeanDecay> decay = mean_decay(best, record);
+  if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
   constexpr std::size_t most = 3;
   std::vector<Notice> named;
   for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i) named.push_back(named_rival(*rivals[i]));

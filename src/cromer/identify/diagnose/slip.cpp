@@ -16,8 +16,12 @@ namespace cromer::core {
 namespace {
 
 // What is left of a fit may be its own parameters, which are the fit's where no time slips, or the slip: a
-// little more of the motion and of its velocity, and of both times the time, as of a frequency and a decay.
+// little more of the motion and of its velocity, and of both times the time, as of a frequency and a decay;
+// of a bent spring also of a frequency that follows the square of the amplitude.
 class SlipSearch {
+  static constexpr int most_terms = 7;
+  using Row = std::array<double, most_terms>;
+
  public:
   SlipSearch(const Record& record, const LawFit& fit, std::vector<double> residuals)
       : residuals_(std::move(residuals)) {
@@ -29,14 +33,16 @@ class SlipSearch {
       const double earlier = record.derivative == 0   ? -v
                              : record.derivative == 1 ? w0 * w0 * x + 2 * g * v
                                                       : w0 * w0 * v - 2 * g * (w0 * w0 * x + 2 * g * v);
-      rows_.push_back({1, x, v / w0, s * x, s * v / w0, earlier});
+      const double bends = has_bent_spring(fit.law) ? -std::expm1(-2 * g * s) * v / w0 : 0;
+      rows_.push_back({1, x, v / w0, s * x, s * v / w0, earlier, bends});
     }
+    if (has_bent_spring(fit.law)) terms_ = most_terms;
   }
 
   struct Found {
     std::size_t at = 0;
     double rest = HUGE_VAL;
-    Parameters x{};  // one for each entry of row_of(); the last is the slip [s]
+    Parameters x{};  // one for each entry of row_of(); the sixth is the slip [s]
 
     double slip() const { return x[5]; }
   };
@@ -45,8 +51,8 @@ class SlipSearch {
   std::vector<double> left_by(const Found& found) const {
     std::vector<double> left = residuals_;
     for (std::size_t i = 0; i < left.size(); ++i) {
-      const std::array<double, 6> row = row_of(i, found.at);
-      for (std::size_t j = 0; j < row.size(); ++j) left[i] -= found.x[j] * row[j];
+      const Row row = row_of(i, found.at);
+      for (int j = 0; j < terms_; ++j) left[i] -= found.x[j] * row[j];
     }
     return left;
   }
@@ -62,21 +68,22 @@ class SlipSearch {
 
   // Of a slip before this sample.
   Found before(std::size_t at) const {
-    NormalEquations sums{.size = 6};
+    NormalEquations sums{.size = terms_};
     for (std::size_t i = 0; i < rows_.size(); ++i) sums.add_row(row_of(i, at), residuals_[i]);
     const LinearFit fit = solve(sums);
     return fit.ok ? Found{at, fit.rest, fit.x} : Found{at};
   }
 
  private:
-  std::array<double, 6> row_of(std::size_t i, std::size_t slips_at) const {
-    std::array<double, 6> row = rows_[i];
+  Row row_of(std::size_t i, std::size_t slips_at) const {
+    Row row = rows_[i];
     if (i < slips_at) row[5] = 0;
     return row;
   }
 
   std::vector<double> residuals_;
-  std::vector<std::array<double, 6>> rows_;
+  std::vector<Row> rows_;
+  int terms_ = most_terms - 1;
 };
 
 // The first sample after the slip: where the motion before it and the one after it, fitted to the times
@@ -222,33 +229,44 @@ std::optional<TimeSlip> find_slip(const Record& record, const LawFit& fit, std::
   if (other != others.end())
     if (auto found = candidate_of(record, *other); found && (!candidate || found->rest() < candidate->rest()))
       candidate = std::move(found);
-  if (!candidate) return std::nullopt;
-  const SlipSearch::Found& found = candidate->found;
-  const double steps = std::abs(found.slip()) / median_step(record.t),
-               angle = std::abs(found.slip()) * straight.motion.angular_frequency();
   constexpr double fewest = 0.5, most = 10, farthest = 0.7;  // between samples; [rad] where a slip is linear
-  if (steps < fewest || steps > most || angle > farthest) return std::nullopt;
-
-  const double rest = std::sqrt(found.rest / static_cast<double>(n));
-  // Noise that wanders is part slip by chance: as many samples count as are independent.
-  const std::vector<double> left = candidate->search.left_by(found);
-  const double correlation = std::clamp(autocorrelations(left, find_grid(record.t), 1)[1], 0.0, 0.999);
-  const double independent = static_cast<double>(n) * (1 - correlation) / (1 + correlation);
-  // Twice the logarithm of how much likelier a slip is than another law.
-  const auto evidence = [&](double rms) { return independent * 2 * std::log(rms / rest); };
-  constexpr double by_chance = 30, likelier = 10;  // over all places; than one other law
-  if (!(evidence(candidate->rms) >= by_chance)) return std::nullopt;
+  constexpr double by_chance = 30, likelier = 10;            // over all places; than one other law
   constexpr double clearly = 0.9;  // of the rms residual, where a wrong law may leave it
-  const auto is_clear = [&](const LawFit& other) {
-    return is_noise ? evidence(other.residual.rms) >= likelier : rest <= clearly * other.residual.rms;
+  const auto rms = [&](const SlipCandidate& each) { return std::sqrt(each.rest() / static_cast<double>(n)); };
+  // Twice the logarithm of how much likelier a slip is than another law. Noise that wanders is part slip by
+  // chance: as many samples count as are independent.
+  const auto evidence = [&](const SlipCandidate& each, double other) {
+    const std::vector<double> left = each.search.left_by(each.found);
+    const double correlation = std::clamp(autocorrelations(left, find_grid(record.t), 1)[1], 0.0, 0.999);
+    return static_cast<double>(n) * (1 - correlation) / (1 + correlation) * 2 * std::log(other / rms(each));
   };
-  if (bent && !turns ? rest > fit.residual.rms : !is_clear(fit)) return std::nullopt;
+  const auto is_likely = [&](const std::optional<SlipCandidate>& each) {
+    if (!each) return false;
+    const double steps = std::abs(each->found.slip()) / median_step(record.t),
+                 angle = std::abs(each->found.slip()) * straight.motion.angular_frequency();
+    return steps >= fewest && steps <= most && angle <= farthest && evidence(*each, each->rms) >= by_chance;
+  };
+  const auto is_clear = [&](const SlipCandidate& each, const LawFit& other) {
+    return is_noise ? evidence(each, other.residual.rms) >= likelier
+                    : rms(each) <= clearly * other.residual.rms;
+  };
+  const auto slip_of = [&](const SlipCandidate& each) {
+    return slip_under(each.law, {record.t[each.found.at], each.found.slip()}, record, watch);
+  };
+  const bool may_be_straight = is_likely(candidate) && (bent && !turns ? rms(*candidate) <= fit.residual.rms
+                                                                       : is_clear(*candidate, fit));
+  if (may_be_straight && bent) return slip_of(*candidate);
+  if (!may_be_straight && (is_noise || turns)) return std::nullopt;
+  const LawFit softening = fit_law(record, {.law = law_of("viscous+cubic")}, watch);
+  if (!softening.is_usable() || watch.interrupted()) return std::nullopt;
   // A phase that bends, as a nonlinear spring makes it, is half explained by one that jumps.
-  if (!bent) {
-    const LawFit softening = fit_law(record, {.law = law_of("viscous+cubic")}, watch);
-    if (!softening.is_usable() || !is_clear(softening)) return std::nullopt;
-  }
-  return slip_under(candidate->law, {record.t[found.at], found.slip()}, record, watch);
+  if (may_be_straight && is_clear(*candidate, softening)) return slip_of(*candidate);
+  if (is_noise || turns) return std::nullopt;
+  // Both: a phase that bends, and jumps.
+  candidate = candidate_of(record, softening);
+  if (!is_likely(candidate) || !is_clear(*candidate, fit) || !is_clear(*candidate, softening))
+    return std::nullopt;
+  return slip_of(*candidate);
 }
 
 }  // namespace cromer::core

@@ -26,13 +26,14 @@ bool is_as_the_rest(const LawFit& swing, const Record& record, double from, doub
 // A part of the record that one viscous law describes.
 struct Part {
   std::size_t first = 0, end = 0;  // one past the last sample
+  int from = 0, out = 0;           // the same in parts of the record, from its beginning and from its end
   double rms = 0;                  // of its residuals
 
   std::size_t samples() const { return end - first; }
 };
 
-std::optional<Part> described_part(const Record& record, std::size_t first, std::size_t end,
-                                   const Watch& watch) {
+std::optional<Part> described_part(const Record& record, std::size_t first, std::size_t end, int from_part,
+                                   int parts_out, const Watch& watch) {
   constexpr double nearly_all = 0.95;  // of the motion's squares
   constexpr double fewest = 4;         // periods
   const Record part = record.part(first, end - first);
@@ -44,14 +45,14 @@ std::optional<Part> described_part(const Record& record, std::size_t first, std:
   if (to - from < fewest * period || !is_as_the_rest(swing, part, from, from + period) ||
       !is_as_the_rest(swing, part, to - period, HUGE_VAL))
     return std::nullopt;
-  return Part{first, end, swing.residual.rms};
+  return Part{first, end, from_part, parts_out, swing.residual.rms};
 }
 
 }  // namespace
 
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch) {
-  constexpr int parts = 20, latest = 8, most_out = 4;  // of the record; at its beginning and its end
-  constexpr double alike = 1.3;                        // times the least rms residual
+  constexpr int finer = 4, parts = 20 * finer, latest = 8 * finer, most_out = 8 * finer;
+  constexpr double alike = 1.15;  // times the least rms residual
   const std::size_t n = record.t.size();
   if (n < 64) return std::nullopt;
   const auto place = [&](int part) {
@@ -60,20 +61,29 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
                                     record.t.begin());
   };
   std::vector<Part> found;
-  double least = HUGE_VAL;
-  for (int out = 0; out <= most_out; ++out)
-    for (int part = 1; part <= latest && !watch.interrupted(); ++part)
-      if (const auto described =
-              described_part(record, place(part), out == 0 ? n : place(parts - out), watch)) {
-        found.push_back(*described);
-        least = std::min(least, described->rms);
-      }
-  std::erase_if(found, [&](const Part& part) { return part.rms > alike * least; });
-  const auto longest = std::max_element(
-      found.begin(), found.end(), [](const Part& a, const Part& b) { return a.samples() < b.samples(); });
-  if (longest == found.end()) return std::nullopt;
-  return FreeSwing{record.t[longest->first],
-                   longest->end < n ? std::optional(record.t[longest->end - 1]) : std::nullopt};
+  const auto look_at = [&](int from, int out) {
+    if (from < 1 || from > latest || out < 0 || out > most_out || watch.interrupted()) return;
+    if (const auto described =
+            described_part(record, place(from), out == 0 ? n : place(parts - out), from, out, watch))
+      found.push_back(*described);
+  };
+  const auto longest = [&]() -> std::optional<Part> {
+    double least = HUGE_VAL;
+    for (const Part& part : found) least = std::min(least, part.rms);
+    std::optional<Part> best;
+    for (const Part& part : found)
+      if (part.rms <= alike * least && (!best || part.samples() > best->samples())) best = part;
+    return best;
+  };
+  for (int out = 0; out <= most_out; out += finer)
+    for (int from = finer; from <= latest; from += finer) look_at(from, out);
+  const std::optional<Part> rough = longest();
+  if (!rough) return std::nullopt;
+  for (int out = 1 - finer; out < finer; ++out)
+    for (int from = 1 - finer; from < finer; ++from)
+      if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
+  const Part best = *longest();
+  return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt};
 }
 
 }  // namespace cromer::core

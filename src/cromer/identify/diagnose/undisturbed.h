@@ -13,10 +13,11 @@ struct FreeSwing {
   std::optional<double> to{};  ///< [s] empty: to the record's end
 };
 
-/// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as a fifth
-/// before, of which a viscous law accounts for 95 % over four periods or more and is no worse in the first
-/// and the last one: the rms residual there is less than twice the part's, and that no larger than 1.3 times
-/// the least of all parts. Empty where there is none.
+/// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as two
+/// fifths before, of which a viscous law accounts for 95 % over four periods or more and is no worse in the
+/// first and the last one: the rms residual there is less than twice the part's, and that no larger than 1.15
+/// times the least of all parts. Then likewise of parts that begin and end up to a twentieth beside it. Empty
+/// where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core

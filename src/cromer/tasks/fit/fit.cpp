@@ -350,6 +350,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.parameters = law_parameters(result.fit, unit, record.derivative);
   add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, unit, record.derivative);
+  result.law_doubts = law_doubts(result, choice->candidates);
+  add_doubts(result.parameters, result.law_doubts);
+  add_doubts(result.derived, result.law_doubts);
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const DecaySegments segments = fit_segments(kept, two_pi / result.fit.swing_frequency().value,
@@ -392,9 +395,13 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
                                        const FitOptions& options, const Watch& watch) {
   if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
     return whole;
-  const auto [t, y] = without_outliers(whole.series);
+  // Also in what was cut off as after a stop: while a hand moves it, it seems to stop early.
+  Result<Series> used = samples_in_use(series, options);
+  if (!used) return whole;
+  const Series uncut = row_to_fit(series, *std::move(used), file, options).series;
+  const auto [t, y] = without_outliers(uncut);
   const std::optional<FreeSwing> swing = find_free_swing(
-      {t, y, whole.series.resolution, std::max(0, derivative_order(whole.series.quantity))}, watch);
+      {t, y, uncut.resolution, std::max(0, derivative_order(uncut.quantity))}, watch);
   if (!swing) return whole;
   FitOptions later = options;
   later.from = swing->from;

@@ -15,6 +15,7 @@
 #include "cromer/result.h"
 #include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
+#include "cromer/tasks/fit/law_doubt.h"
 #include "cromer/tasks/fit/plan_recording.h"
 #include "cromer/tasks/fit/stiffness_budget.h"
 #include "cromer/tasks/option/option.h"
@@ -100,8 +101,9 @@ struct FittedRecording {
   LawFit fit;
   std::vector<Parameter> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
   std::vector<Parameter> derived;
-  std::vector<Parameter> headline;    ///< what is looked for first, as far as it is known: headline_of()
-  std::vector<TypedOption> simulate;  ///< options of simulate for this law
+  std::vector<LawDoubt> law_doubts{};  ///< those that are in parameters, derived and headline
+  std::vector<Parameter> headline;     ///< what is looked for first, as far as it is known: headline_of()
+  std::vector<TypedOption> simulate;   ///< options of simulate for this law
   std::vector<Candidate> candidates;
   std::vector<DecaySegment> segments;
   std::optional<Estimate> decay_rate_mean;

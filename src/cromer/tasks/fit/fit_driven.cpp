@@ -75,12 +75,11 @@ void describe_driven_fit(FittedRecording& result, LawChoice&& choice, const Reco
   result.parameters = law_parameters(fit, unit, derivative, force_unit);
   add_force_parameters(result, body);
   result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
+  result.law_doubts = law_doubts(result, choice.candidates, force_unit);
+  add_doubts(result.parameters, result.law_doubts);
+  add_doubts(result.derived, result.law_doubts);
   result.headline = headline_of(result);
-  if (result.find("stiffness")) {
-    result.stiffness_budget = stiffness_budget(fit, body);
-    if (options.monte_carlo)
-      result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed, watch);
-  }
+  if (result.find("stiffness")) add_stiffness_budget(result, body, watch);
   for (Notice& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
                                      law_is_chosen(options), unit))
     result.notices.push_back(std::move(doubt));

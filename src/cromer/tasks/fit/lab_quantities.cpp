@@ -93,7 +93,7 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted) {
   const std::vector<double>& t = fitted.series.t;
   if (fitted.fit.is_usable() && t.size() > 1)
     for (Parameter& end : decay_rate_ends(fitted.fit, t.back() - t.front()))
-      headline.push_back(std::move(end));
+      headline.push_back(with_doubt(std::move(end), fitted.law_doubts));
   if (fitted.reynolds_max) headline.push_back({"reynolds_max", *fitted.reynolds_max, "1"});
   return headline;
 }
@@ -107,6 +107,15 @@ void add_force_parameters(FittedRecording& result, const Body& body) {
   }
 }
 
+void add_stiffness_budget(FittedRecording& result, const Body& body, const Watch& watch) {
+  const Estimate& w = *result.find("angular_frequency");
+  const FitOptions& options = result.options;
+  result.stiffness_budget = stiffness_budget(w, body);
+  if (!options.monte_carlo) return;
+  const double degrees = result.fit.independent_samples - static_cast<double>(result.fit.fitted);
+  result.monte_carlo = stiffness_monte_carlo(w, degrees, body, *options.monte_carlo, options.seed, watch);
+}
+
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch) {
   const FitOptions& options = result.options;
@@ -114,9 +123,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   result.headline = headline_of(result);
   result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
-  if (has_forces) result.stiffness_budget = stiffness_budget(result.fit, body);
-  if (has_forces && options.monte_carlo)
-    result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed, watch);
+  if (has_forces) add_stiffness_budget(result, body, watch);
   if (options.textbook) add_textbook(result, record);
   if (options.goal.empty()) return {};
   const Result<Goal> goal = parse_goal(options.goal);

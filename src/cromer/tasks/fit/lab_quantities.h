@@ -29,6 +29,9 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted);
 /// gives no stiffness.
 void add_force_parameters(FittedRecording& result, const Body& body);
 
+/// Fills stiffness_budget and, if asked for, monte_carlo of a result with a stiffness.
+void add_stiffness_budget(FittedRecording& result, const Body& body, const Watch& watch);
+
 /// Fills headline, decay_by_amplitude, keulegan_carpenter (with a disc), stiffness_budget and monte_carlo
 /// (with a mass), plan and textbook (if asked for). `record` holds the samples that were fitted. A goal for
 /// what this fit does not have is an Error.

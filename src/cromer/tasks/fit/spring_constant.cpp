@@ -109,8 +109,39 @@ double middle_value(const std::vector<double>& y, std::size_t first, std::size_t
   return upper_median(part);
 }
 
+/// How far the plateau's second half lies from its first.
+double rise_within(const std::vector<double>& y, const Plateau& plateau) {
+  const std::size_t middle = (plateau.first + plateau.last) / 2;
+  return std::abs(middle_value(y, middle, plateau.last) - middle_value(y, plateau.first, middle));
+}
+
+/// Without the blocks at its ends that lie away from the others by four times what those scatter: it was
+/// still on its way there.
+Plateau without_the_way(const std::vector<double>& y, Plateau plateau, std::size_t block, double resolution) {
+  constexpr double away = 4;
+  std::vector<double> levels;
+  for (std::size_t first = plateau.first; first + block <= plateau.last; first += block)
+    levels.push_back(middle_value(y, first, first + block));
+  constexpr std::size_t fewest = 5;
+  if (levels.size() < fewest) return plateau;
+  std::vector<double> sorted = levels;
+  const double middle = upper_median(sorted);
+  for (double& each : sorted) each = std::abs(each - middle);
+  constexpr double of_normal = 1.4826;  // standard deviation over the median of the distances
+  const double limit = std::max(away * of_normal * upper_median(sorted), resolution);
+  const auto is_off = [&](double level) { return std::abs(level - middle) > limit; };
+  std::size_t first = 0, last = levels.size();
+  while (first + fewest < last && is_off(levels[first])) ++first;
+  while (first + fewest < last && is_off(levels[last - 1])) --last;
+  plateau.last = last < levels.size() ? plateau.first + last * block : plateau.last;
+  plateau.first += first * block;
+  return plateau;
+}
+
 /// Stretches that stay at a level. The record is cut into blocks, fifty for each mass. A quiet block spans
-/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks.
+/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks. Of more
+/// plateaus than masses those between two others that go furthest from their first half to their second are
+/// none: a mass is moved there.
 std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   const std::size_t n = series.y.size(), block = std::max<std::size_t>(5, n / (50 * masses));
   const auto [low, high] = extent_of(series.y);
@@ -148,6 +179,18 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
     else
       joined.push_back(each);
   }
+  while (joined.size() > masses) {
+    auto way = joined.end();
+    double furthest = 0.25 * same;
+    for (auto each = joined.begin() + 1; each + 1 != joined.end(); ++each) {
+      const bool between = (each->level - (each - 1)->level) * ((each + 1)->level - each->level) > 0;
+      if (const double rise = rise_within(series.y, *each); between && rise >= furthest)
+        way = each, furthest = rise;
+    }
+    if (way == joined.end()) break;
+    joined.erase(way);
+  }
+  for (Plateau& each : joined) each = without_the_way(series.y, each, block, series.resolution);
   return joined;
 }
 

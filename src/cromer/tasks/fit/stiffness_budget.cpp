@@ -35,8 +35,8 @@ class ChiSquared {
 
 }  // namespace
 
-std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body) {
-  const double w = fit.angular_frequency().value, m = body.effective_mass().value;
+std::vector<Contribution> stiffness_budget(const Estimate& angular_frequency, const Body& body) {
+  const double w = angular_frequency.value, m = body.effective_mass().value;
   std::vector<Contribution> all;
   const auto add = [&](const char* quantity, double value, double uncertainty, const char* unit,
                        double sensitivity) {
@@ -45,7 +45,7 @@ std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body) 
   add("mass", body.mass->value, body.mass->uncertainty, "kg", w * w);
   if (body.spring_mass)
     add("spring_mass", body.spring_mass->value, body.spring_mass->uncertainty, "kg", w * w / 3);
-  add("angular_frequency", w, fit.angular_frequency().standard_error, "rad/s", 2 * m * w);
+  add("angular_frequency", w, angular_frequency.standard_error, "rad/s", 2 * m * w);
   double variance = 0;
   for (const Contribution& each : all) variance += each.contribution * each.contribution;
   for (Contribution& each : all)
@@ -53,13 +53,11 @@ std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body) 
   return all;
 }
 
-std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
-                                                std::uint64_t seed, const Watch& watch) {
+std::optional<MonteCarlo> stiffness_monte_carlo(const Estimate& w, double degrees, const Body& body,
+                                                long long trials, std::uint64_t seed, const Watch& watch) {
   MonteCarlo result{trials, seed, 0, 0, 0, 0};
   const Quantity mass = *body.mass, spring = body.spring_mass.value_or(Quantity{});
-  const Estimate w = fit.angular_frequency();
   NormalDeviates normal(seed);
-  const double degrees = fit.independent_samples - static_cast<double>(fit.fitted);
   ChiSquared chi_squared(degrees, seed + 1);
   std::vector<double> k(static_cast<std::size_t>(trials));
   constexpr long long between_looks = 1 << 14;

@@ -23,10 +23,10 @@ struct Contribution {
 };
 
 /// The parts of mass, spring mass (if any) and frequency. `body` must have a mass.
-std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body);
+std::vector<Contribution> stiffness_budget(const Estimate& angular_frequency, const Body& body);
 
 /// The same propagated as distributions (JCGM 101:2008): masses are normal; the frequency follows Student's t
-/// with the fit's degrees of freedom, scaled to its standard error (6.4.9.2).
+/// with its degrees of freedom, scaled to its standard error (6.4.9.2).
 struct MonteCarlo {
   long long trials = 0;
   std::uint64_t seed = 1;
@@ -35,7 +35,8 @@ struct MonteCarlo {
 };
 
 /// `trials` from 1000 to 1e7. The same seed gives the same numbers on every machine. Empty if interrupted.
-std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
-                                                std::uint64_t seed, const Watch& watch = {});
+std::optional<MonteCarlo> stiffness_monte_carlo(const Estimate& angular_frequency, double degrees,
+                                                const Body& body, long long trials, std::uint64_t seed,
+                                                const Watch& watch = {});
 
 }  // namespace cromer::core

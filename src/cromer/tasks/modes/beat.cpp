@@ -20,11 +20,13 @@ Estimate of_both(const Estimate& slow, const Estimate& fast, double value, doubl
 std::optional<Beat> beat_of(const ModesResult& result) {
   if (result.modes.size() != 2) return std::nullopt;
   const Estimate &slow = result.modes[0].frequency, &fast = result.modes[1].frequency;
-  const double s = slow.value, f = fast.value, beat = f - s, sum = f * f + s * s;
-  if (!(beat > 0)) return std::nullopt;
-  return Beat{
-      of_both(slow, fast, beat, -1, 1), of_both(slow, fast, 1 / beat, 1 / (beat * beat), -1 / (beat * beat)),
-      of_both(slow, fast, beat * (f + s) / sum, -4 * s * f * f / (sum * sum), 4 * f * s * s / (sum * sum))};
+  const double s = slow.value, f = fast.value, sum = f * f + s * s;
+  const Estimate beat = of_both(slow, fast, f - s, -1, 1);
+  if (!(beat.low > 0)) return std::nullopt;
+  return Beat{beat,
+              {1 / beat.value, beat.standard_error / (beat.value * beat.value), 1 / beat.high, 1 / beat.low},
+              of_both(slow, fast, beat.value * (f + s) / sum, -4 * s * f * f / (sum * sum),
+                      4 * f * s * s / (sum * sum))};
 }
 
 }  // namespace cromer::core

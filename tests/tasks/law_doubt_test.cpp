@@ -1,0 +1,68 @@
+#include "cromer/tasks/fit/law_doubt.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "cromer/base/number.h"
+#include "cromer/read/recording.h"
+#include "cromer/tasks/fit/fit.h"
+
+namespace cromer::core {
+namespace {
+
+// Five swings at 1 Hz whose amplitude falls from 1 by 0.06 each: by friction, though noise hides it.
+FittedRecording of_friction(unsigned seed, const std::string& law) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> noise(0, 0.04);
+  std::string bytes = "Time (s),Position (m)\n";
+  for (int i = 0; i < 250; ++i) {
+    const double t = 0.02 * i;
+    bytes += shortest(t) + "," + shortest((1 - 0.06 * t) * std::cos(6.2831853 * t) + noise(engine)) + "\n";
+  }
+  FitOptions options;
+  options.law = law;
+  const auto recording = read_recording(bytes, "lab.csv", options.read);
+  return fit(*recording, options)->front();
+}
+
+TEST(LawDoubt, IsInWhatAllLawsHaveAndNotInTheirTerms) {
+  constexpr double at_end = 0.06 / (1 - 0.06 * 5);
+  int open = 0, held = 0, held_if_right = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const FittedRecording chosen = of_friction(seed, "auto");
+    if (!chosen.says("rival_laws")) continue;
+    ++open;
+    ASSERT_FALSE(chosen.law_doubts.empty());
+    const FittedRecording named_one = of_friction(seed, to_text(chosen.fit.law));
+    EXPECT_TRUE(named_one.law_doubts.empty());
+    const Parameter *wide = named(chosen.headline, "decay_rate_end"),
+                    *narrow = named(named_one.headline, "decay_rate_end");
+    ASSERT_TRUE(wide && narrow);
+    EXPECT_GT(wide->estimate.standard_error, narrow->estimate.standard_error);
+    if (const Estimate* term = chosen.find("friction")) {
+      EXPECT_NEAR(term->standard_error / named_one.find("friction")->standard_error, 1, 0.01);
+    }
+    held += wide->estimate.low <= at_end && at_end <= wide->estimate.high;
+    held_if_right += narrow->estimate.low <= at_end && at_end <= narrow->estimate.high;
+  }
+  EXPECT_GT(open, 25);
+  EXPECT_GT(held, 0.9 * open);
+  EXPECT_GE(held, held_if_right + 5);
+}
+
+TEST(LawDoubt, WidensAnIntervalAsItIs) {
+  const std::vector<LawDoubt> doubts{{"frequency", 0.4}};
+  const Parameter wide = with_doubt({"frequency", {2, 0.3, 1.4, 2.9}, "Hz"}, doubts);
+  EXPECT_DOUBLE_EQ(wide.estimate.value, 2);
+  EXPECT_DOUBLE_EQ(wide.estimate.standard_error, 0.5);
+  EXPECT_DOUBLE_EQ(wide.estimate.low, 1);
+  EXPECT_DOUBLE_EQ(wide.estimate.high, 3.5);
+  EXPECT_EQ(with_doubt({"frequency", {2, 0.3, 0, 2.9}, "Hz"}, doubts).estimate.low, 0);
+  EXPECT_DOUBLE_EQ(with_doubt({"drag", {2, 0.3, 1.4, 2.9}, ""}, doubts).estimate.high, 2.9);
+}
+
+}  // namespace
+}  // namespace cromer::core
