@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/for_page.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
@@ -18,6 +19,9 @@
 
 namespace cromer::core {
 namespace {
+
+// Monte Carlo, the textbook methods and a goal: the page has no such options.
+constexpr bool can_be_asked = !for_page;
 
 // KC = 2 pi A/D. The error of the amplitude follows from those of displacement and velocity at the first
 // sample.
@@ -44,6 +48,25 @@ void add_textbook(FittedRecording& result, const Record& record) {
   for (double& each : y) each -= result.fit.equilibrium().value;
   result.textbook = TextbookDamping{peak_decrement(record.t, y, two_pi / w, result.fit.residual.rms),
                                     half_power_bandwidth(record.t, y, w)};
+}
+
+Result<void> add_plan(FittedRecording& result, const Record& record, const Body& body) {
+  const Result<Goal> goal = parse_goal(result.options.goal);
+  if (!goal) return goal.error();
+  const std::string unit = unit_of(result.series);
+  const auto quantities_of = [&](const LawFit& fit) {
+    std::vector<Parameter> all = law_parameters(fit, unit, record.derivative);
+    const auto add = [&](const std::vector<Parameter>& more) {
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    if (result.find("stiffness")) add(force_parameters(fit, body, motion_units(result).displacement));
+    add(derived_quantities(fit, unit, record.derivative));
+    return all;
+  };
+  const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
+  if (!plan) return plan.error();
+  result.plan = *plan;
+  return {};
 }
 
 // Twelve significant digits: a logger's times do not carry more.
@@ -111,9 +134,11 @@ void add_stiffness_budget(FittedRecording& result, const Body& body, const Watch
   const Estimate& w = *result.find("angular_frequency");
   const FitOptions& options = result.options;
   result.stiffness_budget = stiffness_budget(w, body);
-  if (!options.monte_carlo) return;
-  const double degrees = result.fit.independent_samples - static_cast<double>(result.fit.fitted);
-  result.monte_carlo = stiffness_monte_carlo(w, degrees, body, *options.monte_carlo, options.seed, watch);
+  if constexpr (can_be_asked)
+    if (options.monte_carlo) {
+      const double degrees = result.fit.independent_samples - static_cast<double>(result.fit.fitted);
+      result.monte_carlo = stiffness_monte_carlo(w, degrees, body, *options.monte_carlo, options.seed, watch);
+    }
 }
 
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
@@ -124,23 +149,10 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
   if (has_forces) add_stiffness_budget(result, body, watch);
-  if (options.textbook) add_textbook(result, record);
-  if (options.goal.empty()) return {};
-  const Result<Goal> goal = parse_goal(options.goal);
-  if (!goal) return goal.error();
-  const std::string unit = unit_of(result.series);
-  const auto quantities_of = [&](const LawFit& fit) {
-    std::vector<Parameter> all = law_parameters(fit, unit, record.derivative);
-    const auto add = [&](const std::vector<Parameter>& more) {
-      all.insert(all.end(), more.begin(), more.end());
-    };
-    if (has_forces) add(force_parameters(fit, body, motion_units(result).displacement));
-    add(derived_quantities(fit, unit, record.derivative));
-    return all;
-  };
-  const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
-  if (!plan) return plan.error();
-  result.plan = *plan;
+  if constexpr (can_be_asked) {
+    if (options.textbook) add_textbook(result, record);
+    if (!options.goal.empty()) return add_plan(result, record, body);
+  }
   return {};
 }
 
