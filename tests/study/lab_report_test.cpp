@@ -344,6 +344,19 @@ TEST(LabReport, OfAMotionThatNoLawDescribesHasNoHeadline) {
   EXPECT_EQ(lab.study.key_figures.size(), 0u);
 }
 
+TEST(LabReport, WithoutALawPrintsNoUncertaintyThatIsTheLaws) {
+  const std::string path = data("spring-disc-pasco/molla_durissima_discopieno_14.91945_0.2016_1.csv");
+  SKIP_WITHOUT(path);
+  const Made lab =
+      report({{"hard.csv", bytes_of(path)}}, {{"mass", "201.6 ± 0.1 g"}, {"disc-diameter", "12 cm"}});
+  ASSERT_THAT(lab.text(), HasSubstr("No law tried describes this recording"));
+  EXPECT_THAT(lab.text(), HasSubstr("the rest position by the law"));
+  EXPECT_THAT(lab.text(), HasSubstr("the rest position by the law, 41.68\u00a0cm"));
+  EXPECT_THAT(lab.text(), HasSubstr("is 4780 at its largest"));
+  EXPECT_THAT(lab.text(), HasSubstr("the frequency of 1.34\u00a0Hz is that of swings"));
+  EXPECT_THAT(lab.text(), Not(HasSubstr("is not in the uncertainty")));
+}
+
 TEST(LabReport, SaysWhatRoundingLeavesAndWhichSwingsAFrequencyIsOf) {
   const std::string path = data("spring-disc-pasco/molla_dura_discopieno_0.1223kg.csv");
   SKIP_WITHOUT(path);

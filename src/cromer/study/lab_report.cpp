@@ -94,16 +94,14 @@ class Part : public LabTold {
          {"amplitude", has_only_parts() ? amplitude_of("first_stretch") : at_amplitude()}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant",
-          {{"stiffness", in_braces(lacks_a_law() ? "stiffness, 3" : "stiffness")},
+          {{"stiffness", as_far_as_known("stiffness")},
            {"mass", in_braces("mass, g")},
            {"alone", fitted_.options.spring_mass ? "" : words("report_without_the_springs_own")},
            {"swings", has_bent_spring() ? words("report_for_small_swings") : ""}});
     for (const Notice& notice : fitted_.notices)
       if (qualifies(notice.code)) lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
     if (const std::string ends = decay_ends(); !ends.empty()) lines.push_back(ends);
-    if (fitted_.reynolds_max)
-      add("report_largest_reynolds",
-          {{"largest", in_braces(lacks_a_law() ? "reynolds.max, 2" : "reynolds.max")}});
+    if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", as_far_as_known("reynolds.max")}});
     if (const Notice doubt = first_doubt(); !doubt.empty())
       lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
     return lines;
@@ -486,14 +484,14 @@ class Part : public LabTold {
     const Estimate& k = *fitted_.find("stiffness");
     std::string text =
         words(fitted_.options.spring_mass ? "report_stiffness_with_spring" : "report_stiffness_is",
-              {{"stiffness", in_braces(lacks_a_law() ? "stiffness, 3" : "stiffness")},
-               {"w", in_braces(lacks_a_law() ? "angular_frequency, 3" : "angular_frequency")},
+              {{"stiffness", as_far_as_known("stiffness")},
+               {"w", as_far_as_known("angular_frequency")},
                {"mass", in_braces("mass, g")},
                {"interval", lacks_a_law() ? words("report_not_known") : interval("stiffness", k)}});
     if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
     if (depends_on_amplitude() && has_bent_spring())
       text += " " + words("report_small_swings_stiffness",
-                          {{"frequency", in_braces("frequency")}, {"amplitude", at_amplitude()}});
+                          {{"frequency", as_far_as_known("frequency")}, {"amplitude", at_amplitude()}});
     if (const auto other = other_stiffness(fitted_))
       text += " " + words("report_other_stiffness", {{"law", to_text(other->law)},
                                                      {"rms", rms("other_stiffness.rms", other->rms)},
@@ -538,7 +536,7 @@ class Part : public LabTold {
 
   void reynolds() {
     heading("report_flow");
-    std::string text = words("report_reynolds", {{"largest", in_braces("reynolds.max")},
+    std::string text = words("report_reynolds", {{"largest", as_far_as_known("reynolds.max")},
                                                  {"t", in_braces("reynolds.t, 3")},
                                                  {"last", in_braces("reynolds_last, 3")}});
     if (!fitted_.reynolds.empty() && fitted_.reynolds.back().value > 10)
@@ -549,7 +547,7 @@ class Part : public LabTold {
                          {"viscosity", in_braces("air_viscosity, 3")}});
     if (fitted_.find("drag_coefficient"))
       text += " " + words("report_drag_coefficient", {{"density", in_braces("air_density, 3")}});
-    if (fitted_.options.disc_diameter && !(fitted_.options.disc_diameter->uncertainty > 0))
+    if (fitted_.options.disc_diameter && !lacks_a_law() && !(fitted_.options.disc_diameter->uncertainty > 0))
       text += " " + words("report_without_error", {{"quantity", name_of("disc_diameter")}});
     paragraph(text);
     const std::string id = figure_id("reynolds");

@@ -111,6 +111,11 @@ class LabTold {
     return code == "no_law_describes" || code == "law_does_not_describe";
   }
 
+  /// In braces; where no law describes the recording without its uncertainty, to so many digits.
+  std::string as_far_as_known(std::string_view inside, int digits = 3) const {
+    return in_braces(lacks_a_law() ? fmt::format("{}, {}", inside, digits) : std::string(inside));
+  }
+
   /// Whether more is known of the recording's parts than of the whole.
   bool has_only_parts() const { return lacks_a_law() && fitted_.decay_by_amplitude.size() > 1; }
 
@@ -196,7 +201,8 @@ class LabTold {
   /// Of a velocity or an acceleration the level is the sensor's own zero, no position.
   bool is_zero() const { return !of_position(); }
   std::string level(std::string_view unit) const {
-    return in_braces(unit.empty() ? std::string("equilibrium") : fmt::format("equilibrium, {}", unit));
+    return as_far_as_known(unit.empty() ? std::string("equilibrium") : fmt::format("equilibrium, {}", unit),
+                           4);
   }
 
   std::string rms() const { return rms("rms", fitted_.fit.residual.rms); }
@@ -306,7 +312,7 @@ class LabTold {
                                                            : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
-                       toml_text(in_braces(lacks_a_law() ? place + ", 3" : place)), toml_text(ends),
+                       toml_text(as_far_as_known(place)), toml_text(ends),
                        toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 
