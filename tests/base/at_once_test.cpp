@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -20,6 +21,17 @@ TEST(AtOnce, DoesEachPieceOnceAndTheFirstOnThisThread) {
     for (const std::atomic<int>& each : done) EXPECT_EQ(each, 1);
     EXPECT_EQ(first, count > 0 ? std::this_thread::get_id() : std::thread::id());
   }
+}
+
+TEST(AtOnce, DoesTwoPiecesSideBySide) {
+  std::atomic<int> begun = 0;
+  std::atomic<bool> met = false;
+  at_once(2, [&](std::size_t) {
+    ++begun;
+    for (int i = 0; i < 5000 && begun < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    met = begun == 2;
+  });
+  EXPECT_TRUE(met);
 }
 
 }  // namespace

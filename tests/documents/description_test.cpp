@@ -159,7 +159,7 @@ class DocsTable {
   const std::string& text() const { return text_; }
 
  private:
-  /// An entry that may be left out may be another one in the place of its namesake.
+  /// Two entries may share a name if each may be left out.
   void row(const std::string& path, std::string_view unit, std::string_view meaning, bool left_out = false) {
     EXPECT_FALSE(meaning.empty()) << path;
     const auto [known, is_new] = known_.emplace(path, left_out);

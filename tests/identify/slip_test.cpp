@@ -11,13 +11,15 @@ namespace cromer::core {
 namespace {
 
 // Of times 0.02 s apart, `lost` samples after number `at` of which are missing while the times go on.
-SyntheticRecord with_samples_lost(const FreeSwing& truth, std::size_t at, int lost, unsigned seed) {
+SyntheticRecord with_samples_lost(const FreeSwing& truth, std::size_t at, int lost, unsigned seed,
+                                  int derivative = 0) {
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   std::vector<double> when = record.t;
   for (std::size_t i = at; i < when.size(); ++i) when[i] += 0.02 * lost;
   std::mt19937_64 engine(seed);
-  std::normal_distribution<double> normal(0, 2e-3);
-  for (const double x : free_motion(truth, when, 0.005).x) record.y.push_back(x + normal(engine));
+  std::normal_distribution<double> normal(0, 2e-3 * std::pow(6, derivative));
+  const Trajectory motion = free_motion(truth, when, 0.005);
+  for (const double each : derivative == 0 ? motion.x : motion.v) record.y.push_back(each + normal(engine));
   return record;
 }
 
@@ -49,16 +51,19 @@ TEST(SlippedTimes, ABentSpringIsNoSlip) {
 
 TEST(SlippedTimes, AreFoundBesideABentSpring) {
   FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.04, .position = 0.3};
-  for (unsigned seed = 1; seed <= 10; ++seed) {
-    bent.cubic = (seed % 2 ? 0.3 : -0.3) * 36 / 0.09;
-    const int lost = 2 + static_cast<int>(seed % 4);
-    const auto record = with_samples_lost(bent, 500 + 100 * seed, lost, seed);
-    const LawChoice choice = choose_law(record.record(), {});
-    const auto slip = find_slip(record.record(), choice.chosen, choice.candidates);
-    ASSERT_TRUE(slip) << seed << " " << to_text(choice.chosen.law);
-    EXPECT_NEAR(slip->at, 10 + 2 * seed, 1) << seed;
-    EXPECT_NEAR(slip->by, -0.02 * lost, 0.003) << seed;
-  }
+  for (const int derivative : {0, 1})
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      bent.cubic = (seed % 2 ? 0.3 : -0.3) * 36 / 0.09;
+      const int lost = 2 + static_cast<int>(seed % 4);
+      const auto record = with_samples_lost(bent, 500 + 100 * seed, lost, seed, derivative);
+      Record seen = record.record();
+      seen.derivative = derivative;
+      const LawChoice choice = choose_law(seen, {});
+      const auto slip = find_slip(seen, choice.chosen, choice.candidates);
+      ASSERT_TRUE(slip) << derivative << " " << seed << " " << to_text(choice.chosen.law);
+      EXPECT_NEAR(slip->at, 10 + 2 * seed, 1) << seed;
+      EXPECT_NEAR(slip->by, -0.02 * lost, 0.003) << seed;
+    }
 }
 
 TEST(SlippedTimes, NoiseThatWandersIsNoSlip) {

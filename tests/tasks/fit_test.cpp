@@ -414,7 +414,7 @@ TEST(FitTask, FourSwingsBetweenTwoHandsAreEnough) {
     const FittedRecording& fitted = result->front();
     EXPECT_GE(fitted.series.t.front(), 2.5);
     EXPECT_LE(fitted.series.t.back(), stop);
-    expect_within(fitted.find("decay_rate"), 0.03, 0.05);
+    expect_within(fitted.find("decay_rate"), 0.03, 0.1);  // friction would do as well
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -53,6 +54,33 @@ TEST(LawDoubt, IsInWhatAllLawsHaveAndNotInTheirTerms) {
   EXPECT_GE(held, held_if_right + 5);
 }
 
+// As that of terms that are not sure, or that feed the swing.
+TEST(LawDoubt, OfALawThatIsFarLikelierIsItsDifference) {
+  FittedRecording result;
+  result.series.quantity = "position";
+  result.series.t = {0, 10};
+  LawFit& fit = result.fit;
+  fit.status = FitStatus::converged;
+  fit.law = law_of("viscous");
+  fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
+  fit.estimates = {make_estimate(6, 0.01, 2), make_estimate(0.1, 0.01, 2), {}, make_estimate(1, 0.1, 2), {}};
+  fit.covariance.assign(25, 0);
+  fit.fitted = 5;
+  fit.motion.law = fit.law;
+  fit.motion.set_angular_frequency(6);
+  LawFit other = fit;
+  other.law = law_of("friction");
+  other.bic = -5000;
+  other.motion.set_angular_frequency(6.2);
+  other.estimates[0].value = 6.2;
+  const std::vector<LawDoubt> doubts = law_doubts(result, {fit, other});
+  const auto of_frequency = std::find_if(
+      doubts.begin(), doubts.end(), [](const LawDoubt& each) { return each.name == "angular_frequency"; });
+  ASSERT_TRUE(of_frequency != doubts.end());
+  EXPECT_NEAR(of_frequency->by, 0.2 / std::sqrt(2), 1e-12);
+  EXPECT_TRUE(law_doubts(result, {fit}).empty());
+}
+
 TEST(LawDoubt, WidensAnIntervalAsItIs) {
   const std::vector<LawDoubt> doubts{{"frequency", 0.4}};
   const Parameter wide = with_doubt({"frequency", {2, 0.3, 1.4, 2.9}, "Hz"}, doubts);
@@ -61,6 +89,7 @@ TEST(LawDoubt, WidensAnIntervalAsItIs) {
   EXPECT_DOUBLE_EQ(wide.estimate.low, 1);
   EXPECT_DOUBLE_EQ(wide.estimate.high, 3.5);
   EXPECT_EQ(with_doubt({"frequency", {2, 0.3, 0, 2.9}, "Hz"}, doubts).estimate.low, 0);
+  EXPECT_EQ(with_doubt({"frequency", {2, 0.3, 0.9, 2.9}, "Hz"}, {{"frequency", 1}}).estimate.low, 0);
   EXPECT_DOUBLE_EQ(with_doubt({"drag", {2, 0.3, 1.4, 2.9}, ""}, doubts).estimate.high, 2.9);
 }
 

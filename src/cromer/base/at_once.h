@@ -13,8 +13,8 @@
 
 namespace cromer::core {
 
-/// Calls work(i) once for each i below `count`, on as many threads as the machine has, the first on this one.
-/// None may throw, nor write what another reads.
+/// Calls work(i) once for each i below `count`, on up to as many threads as the machine has (at least two),
+/// the first on the calling one. No call may throw, nor write what another reads.
 template <class Work>
 void at_once(std::size_t count, const Work& work) {
   if (count == 0) return;
@@ -25,6 +25,7 @@ void at_once(std::size_t count, const Work& work) {
 #ifndef CROMER_PAGE
   const std::size_t threads = std::min<std::size_t>(count, std::max(2U, std::thread::hardware_concurrency()));
   std::vector<std::thread> beside;
+  beside.reserve(threads - 1);
   try {
     while (beside.size() + 1 < threads) beside.emplace_back(take);
   } catch (const std::system_error&) {  // the threads there are do it

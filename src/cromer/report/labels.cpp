@@ -104,13 +104,13 @@ void Occupancy::add_box(const Box& box) {
 }
 
 int Occupancy::taken(const Box& box) const {
-  // First and last square, of `all`, that places from here on lie in, each a square further.
-  const auto squares = [](double from, double length, int all) {
+  // First and last cell of `all` that a length from here covers.
+  const auto cells_along = [](double from, double length, int all) {
     const int first = static_cast<int>(std::floor(from / raster));
     return std::pair(std::max(first, 0), std::min(first + static_cast<int>(length / raster), all - 1));
   };
-  const auto [left, right] = squares(box.x - frame_.x, box.width, columns_);
-  const auto [top, bottom] = squares(box.y - frame_.y, box.height, rows_);
+  const auto [left, right] = cells_along(box.x - frame_.x, box.width, columns_);
+  const auto [top, bottom] = cells_along(box.y - frame_.y, box.height, rows_);
   int count = 0;
   for (int row = top; row <= bottom; ++row)
     for (int column = left; column <= right; ++column)
@@ -172,10 +172,10 @@ void walk(const std::vector<Spot>& spots, const See& see) {
     const Spot a = spots[i];
     if (!std::isfinite(a.x) || !std::isfinite(a.y)) continue;
     const Spot b = i + 1 < spots.size() ? spots[i + 1] : a;
-    const double length = squared_distance(a, b);
+    const double length = std::sqrt(squared_distance(a, b));
     see(a);
-    if (length < 9 || !std::isfinite(length)) continue;
-    const int steps = std::min(2000, static_cast<int>(std::sqrt(length) / 3));
+    if (length < 3 || !std::isfinite(length)) continue;
+    const int steps = std::min(2000, static_cast<int>(length / 3));
     for (int k = 1; k <= steps; ++k) {
       const double s = static_cast<double>(k) / (steps + 1);
       see({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});

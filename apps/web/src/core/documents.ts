@@ -937,7 +937,7 @@ export interface Modes {
   names: string[]
   /** by rising frequency */
   modes: NaturalMode[]
-  /** of two modes how they beat and are coupled; null of another number, or where their frequencies may be the same */
+  /** how two modes beat and are coupled; null unless there are two whose frequencies surely differ */
   beat: Beat | null
   /** what the modes were found in; null of a network */
   recording: ModalSource | null

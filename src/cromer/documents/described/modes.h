@@ -159,8 +159,7 @@ struct Described<ModesResult> {
             "the masses or channels, in the order of the components of shapes"),
       field("modes", &ModesResult::modes, "", "by rising frequency"),
       field("beat", &beat_of, "",
-            "of two modes how they beat and are coupled; null of another number, or where their frequencies "
-            "may be the same"),
+            "how two modes beat and are coupled; null unless there are two whose frequencies surely differ"),
       field("recording", &ModesResult::recording, "", "what the modes were found in; null of a network"),
       field(
           "message", [](const ModesResult& r) { return r.ok() ? std::nullopt : std::optional(r.message); },

@@ -467,6 +467,11 @@ constexpr Entry entries[] = {
      "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}, {with_law}."},
     {"one_rate_is_enough", clause, "One decay rate is enough: {one_rate}, and {end}.{method}",
      "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
+    {"one_rate_fits", clause,
+     "One decay rate fits: {one_rate}, and {end}. So do laws whose rate changes: this recording cannot tell "
+     "them apart.{method}",
+     "Eine Abklingrate passt: {one_rate}, und {end}. Gesetze, deren Rate sich ändert, passen auch: diese "
+     "Aufnahme kann sie nicht trennen.{method}"},
     {"viscous_is_enough", clause,
      "Viscous damping alone is enough: {one_rate}, and {end}. The amplitude's own rate goes from {first:n} "
      "to {last:n}\u00a01/s, as the restoring force is not proportional to the displacement.{method}",

@@ -197,17 +197,17 @@ constexpr Entry entries[] = {
      "die Gesetze wurden an den ersten {compared} von {samples} Messwerten verglichen; das gewählte ist an "
      "alle angepasst"},
     {"rival_laws", worth_knowing,
-     "this record cannot tell {law} from {rivals:or}: the uncertainties of its terms hold only if it is "
-     "right; those of frequency, stiffness and decay at start and end include how far these laws differ. "
+     "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
+     "is right; those of frequency, spring constant and decay rate also cover how far these laws differ. "
      "Known whichever law is right: {known}",
-     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten seiner Terme gelten nur, "
-     "wenn es stimmt; die von Frequenz, Steifigkeit und Abklingen zu Beginn und Ende enthalten, wie weit "
+     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
+     "nur, wenn {law} stimmt; die von Frequenz, Federkonstante und Abklingrate enthalten auch, wie weit "
      "diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
-     "this record cannot tell {law} from {rivals:or}: the uncertainties of its terms hold only if it is "
-     "right; those of frequency, stiffness and decay at start and end include how far these laws differ",
-     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten seiner Terme gelten nur, "
-     "wenn es stimmt; die von Frequenz, Steifigkeit und Abklingen zu Beginn und Ende enthalten, wie weit "
+     "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
+     "is right; those of frequency, spring constant and decay rate also cover how far these laws differ",
+     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
+     "nur, wenn {law} stimmt; die von Frequenz, Federkonstante und Abklingrate enthalten auch, wie weit "
      "diese Gesetze auseinanderliegen"},
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},

@@ -275,10 +275,8 @@ constexpr Entry entries[] = {
      "von Schwingungen von {amplitude} und ergibt nicht dasselbe *k*."},
     {"report_not_known", clause, "not known", "nicht bekannt"},
     {"report_other_stiffness", clause,
-     "The interval holds only if this law is right. Another law, {law}, leaves {rms} (rms) instead of {own} "
-     "and gives {stiffness}.",
-     "Das Intervall gilt nur, falls dieses Gesetz stimmt. Ein anderes, {law}, lässt {rms} statt {own} "
-     "(Effektivwert) übrig und ergibt {stiffness}."},
+     "Another law, {law}, which leaves {rms} (rms) instead of {own}, gives {stiffness}.",
+     "Ein anderes Gesetz, {law}, das {rms} statt {own} (Effektivwert) übrig lässt, ergibt {stiffness}."},
     {"report_without_error", clause, "Your {quantity} has no ±, so its part is not in the uncertainty.",
      "{quantity}: ohne ± angegeben; dieser Teil fehlt in der Unsicherheit."},
     {"report_most_from", clause, "{share} % of its variance comes from the {quantity}.",

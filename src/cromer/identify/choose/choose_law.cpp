@@ -205,7 +205,7 @@ class LawSearch {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
-  // A few at a time, also where there is one thread: what those before leave to beat is the same everywhere.
+  // Always four at a time, also on one thread: each is compared with the same earlier fits on every machine.
   // The progress goes from one share to another.
   template <class Start>
   void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {

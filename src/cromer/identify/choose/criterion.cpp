@@ -153,15 +153,22 @@ bool fits_as_well(const LawFit& rival, const LawFit& chosen) {
          (rival.fitted == chosen.fitted || rival.fitted == chosen.fitted + 1);
 }
 
-std::vector<const LawFit*> rivals_of(const Law& chosen, const std::vector<LawFit>& candidates) {
-  const auto best = std::find_if(candidates.begin(), candidates.end(),
-                                 [&](const LawFit& each) { return each.law == chosen; });
+const LawFit* among(const std::vector<LawFit>& candidates, const LawFit& fit) {
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& each) {
+    return each.law == fit.law && each.drive.force.between == fit.drive.force.between;
+  });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+std::vector<const LawFit*> rivals_of(const LawFit& chosen, const std::vector<LawFit>& candidates) {
   std::vector<const LawFit*> rivals;
-  if (best == candidates.end() || best->status != FitStatus::converged || !chosen.shares(springs))
-    return rivals;
+  if (chosen.status != FitStatus::converged || !chosen.law.shares(springs)) return rivals;
   for (const LawFit& rival : candidates) {
-    if (&rival == &*best || !fits_as_well(rival, *best)) continue;
-    if (moves_the_numbers(*best, rival) || (rival.fitted == best->fitted && has_other_damping(*best, rival)))
+    if (rival.law == chosen.law || rival.drive.force.between != chosen.drive.force.between ||
+        !fits_as_well(rival, chosen))
+      continue;
+    if (moves_the_numbers(chosen, rival) ||
+        (rival.fitted == chosen.fitted && has_other_damping(chosen, rival)))
       rivals.push_back(&rival);
   }
   std::sort(rivals.begin(), rivals.end(),
@@ -171,7 +178,7 @@ std::vector<const LawFit*> rivals_of(const Law& chosen, const std::vector<LawFit
 
 Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
   const LawFit& best = candidates[chosen];
-  const std::vector<const LawFit*> rivals = rivals_of(best.law, candidates);
+  const std::vector<const LawFit*> rivals = rivals_of(best, candidates);
   if (rivals.empty()) return {};
   const std::optional<MeanDecay> decay = mean_decay(best, record);
   if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be

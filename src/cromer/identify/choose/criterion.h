@@ -59,11 +59,14 @@ std::vector<Law> without_unsure_terms(const LawFit& fit);
 /// and it has as many parameters or one more.
 bool fits_as_well(const LawFit& rival, const LawFit& chosen);
 
-/// The laws that fit as well as the chosen one and would change its numbers, by rising BIC; empty where it is
-/// not among the candidates, did not converge, or has no spring. A rival either puts a coefficient that both
-/// share, or the frequency, further off than three of the standard errors that the chosen one claims; or,
-/// with as many parameters, it has another damping in the place of the chosen one's.
-std::vector<const LawFit*> rivals_of(const Law& chosen, const std::vector<LawFit>& candidates);
+/// The candidate with the law of a fit and its reading of a recorded force; nullptr if there is none.
+const LawFit* among(const std::vector<LawFit>& candidates, const LawFit& fit);
+
+/// The laws that fit as well as the chosen one, under the same reading of a recorded force, and would change
+/// its numbers, by rising BIC; empty where it did not converge, or has no spring. A rival either puts a
+/// coefficient that both share, or the frequency, further off than three of the standard errors that the
+/// chosen one claims; or, with as many parameters, it has another damping in the place of the chosen one's.
+std::vector<const LawFit*> rivals_of(const LawFit& chosen, const std::vector<LawFit>& candidates);
 
 /// Names at most three of the rivals_of() the chosen law; empty where there are none, or where the record
 /// shows no damping.

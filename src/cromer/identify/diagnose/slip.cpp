@@ -19,7 +19,7 @@ namespace {
 // little more of the motion and of its velocity, and of both times the time, as of a frequency and a decay;
 // of a bent spring also of a frequency that follows the square of the amplitude.
 class SlipSearch {
-  static constexpr int most_terms = 7;
+  static constexpr int most_terms = 7, of_slip = 5;
   using Row = std::array<double, most_terms>;
 
  public:
@@ -27,24 +27,25 @@ class SlipSearch {
       : residuals_(std::move(residuals)) {
     const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
     const Trajectory motion = motion_of(fit, record.t);
+    // The amplitude must change.
+    bends_ = has_bent_spring(fit.law) && g * (record.t.back() - record.t.front()) > 1e-3;
     for (std::size_t i = 0; i < record.t.size(); ++i) {
       const double s = record.t[i] - record.t.front(), x = motion.x[i], v = motion.v[i];
       // Later times show what was due a slip before: minus the derivative of what is seen.
       const double earlier = record.derivative == 0   ? -v
                              : record.derivative == 1 ? w0 * w0 * x + 2 * g * v
                                                       : w0 * w0 * v - 2 * g * (w0 * w0 * x + 2 * g * v);
-      const double bends = has_bent_spring(fit.law) ? -std::expm1(-2 * g * s) * v / w0 : 0;
+      const double bends = bends_ ? -std::expm1(-2 * g * s) * earlier / w0 : 0;
       rows_.push_back({1, x, v / w0, s * x, s * v / w0, earlier, bends});
     }
-    if (has_bent_spring(fit.law)) terms_ = most_terms;
   }
 
   struct Found {
     std::size_t at = 0;
     double rest = HUGE_VAL;
-    Parameters x{};  // one for each entry of row_of(); the sixth is the slip [s]
+    Parameters x{};  // one for each entry of row_of()
 
-    double slip() const { return x[5]; }
+    double slip() const { return x[of_slip]; }
   };
 
   // What a slip leaves.
@@ -52,7 +53,7 @@ class SlipSearch {
     std::vector<double> left = residuals_;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const Row row = row_of(i, found.at);
-      for (int j = 0; j < terms_; ++j) left[i] -= found.x[j] * row[j];
+      for (int j = 0; j < terms(); ++j) left[i] -= found.x[j] * row[j];
     }
     return left;
   }
@@ -68,22 +69,24 @@ class SlipSearch {
 
   // Of a slip before this sample.
   Found before(std::size_t at) const {
-    NormalEquations sums{.size = terms_};
+    NormalEquations sums{.size = terms()};
     for (std::size_t i = 0; i < rows_.size(); ++i) sums.add_row(row_of(i, at), residuals_[i]);
     const LinearFit fit = solve(sums);
     return fit.ok ? Found{at, fit.rest, fit.x} : Found{at};
   }
 
  private:
+  int terms() const { return bends_ ? most_terms : most_terms - 1; }
+
   Row row_of(std::size_t i, std::size_t slips_at) const {
     Row row = rows_[i];
-    if (i < slips_at) row[5] = 0;
+    if (i < slips_at) row[of_slip] = 0;
     return row;
   }
 
   std::vector<double> residuals_;
   std::vector<Row> rows_;
-  int terms_ = most_terms - 1;
+  bool bends_ = false;
 };
 
 // The first sample after the slip: where the motion before it and the one after it, fitted to the times
@@ -184,8 +187,9 @@ TimeSlip slip_under(const Law& law, TimeSlip slip, const Record& record, const W
     const LawFit fit = fit_law(without, {.law = law}, watch);
     std::vector<double> residuals = residuals_of(fit, without);
     if (!fit.is_usable() || residuals.size() != t.size()) break;
-    const double rest = SlipSearch(without, fit, std::move(residuals)).before(first).slip();
-    if (!std::isfinite(rest)) break;
+    const SlipSearch::Found found = SlipSearch(without, fit, std::move(residuals)).before(first);
+    const double rest = found.slip();
+    if (!std::isfinite(rest) || !std::isfinite(found.rest)) break;
     slip.by += rest;
     constexpr double small = 0.01;  // of the time between samples
     if (std::abs(rest) > small * median_step(record.t)) continue;

@@ -30,8 +30,9 @@ inline bool is_of_slips(const Notice& notice) { return notice.code == "times_sli
 
 /// A law with a straight spring, the viscous one or that of `fit` without its nonlinear spring where it is
 /// among `others`, whose times slip once: it leaves no more than `fit` with its nonlinear spring, or clearly
-/// less than `fit` of a pendulum, or without either, and than a cubic spring. Else viscous damping and a
-/// cubic spring, whose times slip once, which leave clearly less than `fit` and the same without a slip.
+/// less than `fit` of a pendulum, or without either, and than a cubic spring. Else,
+/// where the residuals are no noise and the law is no pendulum, viscous damping and a cubic spring with one
+/// slip, which leave clearly less than both `fit` and the same without a slip.
 /// Slips from half a step between samples to ten are found, of less than a ninth of a period, not in the
 /// first or the last twentieth of the record. A phase that jumps once looks like a frequency that changes as
 /// the swing dies down. Empty where nothing slips, and of more than 20,000 samples.

@@ -26,7 +26,7 @@ bool is_as_the_rest(const LawFit& swing, const Record& record, double from, doub
 // A part of the record that one viscous law describes.
 struct Part {
   std::size_t first = 0, end = 0;  // one past the last sample
-  int from = 0, out = 0;           // the same in parts of the record, from its beginning and from its end
+  int from = 0, out = 0;           // what is left out before and after it, in eightieths of the record
   double rms = 0;                  // of its residuals
 
   std::size_t samples() const { return end - first; }

@@ -16,8 +16,8 @@ struct FreeSwing {
 /// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as two
 /// fifths before, of which a viscous law accounts for 95 % over four periods or more and is no worse in the
 /// first and the last one: the rms residual there is less than twice the part's, and that no larger than 1.15
-/// times the least of all parts. Then likewise of parts that begin and end up to a twentieth beside it. Empty
-/// where there is none.
+/// times the least of all parts. In steps of a twentieth of the record, then of an eightieth about the
+/// longest. Empty where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core

@@ -72,6 +72,16 @@ std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& 
   return std::pair{least, largest};
 }
 
+/// Whether laws that fit as well have rates at the ends that differ by more than a tenth.
+bool other_rates_fit(const FittedRecording& recording) {
+  constexpr double otherwise = 0.1;
+  return std::any_of(recording.law_doubts.begin(), recording.law_doubts.end(), [&](const LawDoubt& doubt) {
+    const Parameter* rate = named(recording.headline, doubt.name);
+    return rate && doubt.name.starts_with("decay_rate_") &&
+           doubt.by > otherwise * std::abs(rate->estimate.value);
+  });
+}
+
 /// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
   if (curve.diverged)
@@ -133,9 +143,10 @@ Notice explanation(const CompareResult& comparison) {
                    {"end", end},
                    {"method", method}}};
   if (viscous)
-    return Notice{!comparison.others_tried ? "no_other_law_tried"
-                  : only_best              ? "one_rate_is_best"
-                                           : "one_rate_is_enough",
+    return Notice{!comparison.others_tried                ? "no_other_law_tried"
+                  : only_best                             ? "one_rate_is_best"
+                  : other_rates_fit(comparison.recording) ? "one_rate_fits"
+                                                          : "one_rate_is_enough",
                   {{"one_rate", left}, {"end", end}, {"method", method}}};
   const bool bent = has_bent_spring(law.law);
   if (rates.size() < 2 || alike)

@@ -350,7 +350,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.parameters = law_parameters(result.fit, unit, record.derivative);
   add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, unit, record.derivative);
-  result.law_doubts = law_doubts(result, choice->candidates);
+  if (!choice->rivals.empty()) result.law_doubts = law_doubts(result, choice->candidates);
   add_doubts(result.parameters, result.law_doubts);
   add_doubts(result.derived, result.law_doubts);
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
@@ -400,8 +400,8 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
   if (!used) return whole;
   const Series uncut = row_to_fit(series, *std::move(used), file, options).series;
   const auto [t, y] = without_outliers(uncut);
-  const std::optional<FreeSwing> swing = find_free_swing(
-      {t, y, uncut.resolution, std::max(0, derivative_order(uncut.quantity))}, watch);
+  const std::optional<FreeSwing> swing =
+      find_free_swing({t, y, uncut.resolution, std::max(0, derivative_order(uncut.quantity))}, watch);
   if (!swing) return whole;
   FitOptions later = options;
   later.from = swing->from;

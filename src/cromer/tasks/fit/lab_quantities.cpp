@@ -20,8 +20,8 @@
 namespace cromer::core {
 namespace {
 
-// Monte Carlo, the textbook methods and a goal: the page has no such options.
-constexpr bool can_be_asked = !for_page;
+// Monte Carlo, the textbook methods and a goal.
+constexpr bool has_lab_options = !for_page;
 
 // KC = 2 pi A/D. The error of the amplitude follows from those of displacement and velocity at the first
 // sample.
@@ -61,6 +61,7 @@ Result<void> add_plan(FittedRecording& result, const Record& record, const Body&
     };
     if (result.find("stiffness")) add(force_parameters(fit, body, motion_units(result).displacement));
     add(derived_quantities(fit, unit, record.derivative));
+    add_doubts(all, result.law_doubts);  // a longer recording may still not tell the laws apart
     return all;
   };
   const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
@@ -134,7 +135,7 @@ void add_stiffness_budget(FittedRecording& result, const Body& body, const Watch
   const Estimate& w = *result.find("angular_frequency");
   const FitOptions& options = result.options;
   result.stiffness_budget = stiffness_budget(w, body);
-  if constexpr (can_be_asked)
+  if constexpr (has_lab_options)
     if (options.monte_carlo) {
       const double degrees = result.fit.independent_samples - static_cast<double>(result.fit.fitted);
       result.monte_carlo = stiffness_monte_carlo(w, degrees, body, *options.monte_carlo, options.seed, watch);
@@ -149,7 +150,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
   if (has_forces) add_stiffness_budget(result, body, watch);
-  if constexpr (can_be_asked) {
+  if constexpr (has_lab_options) {
     if (options.textbook) add_textbook(result, record);
     if (!options.goal.empty()) return add_plan(result, record, body);
   }

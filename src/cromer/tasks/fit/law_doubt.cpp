@@ -22,39 +22,62 @@ std::vector<Parameter> common_numbers(const LawFit& fit, const FittedRecording& 
       derived_quantities(fit, unit_of(result.series), derivative,
                          result.driven ? result.driven->states.x : std::vector<double>{}, force_unit);
   for (Parameter& end : decay_rate_ends(fit, t.back() - t.front())) all.push_back(std::move(end));
-  const double w = fit.motion.angular_frequency();
-  all.push_back({"angular_frequency", {.value = w}, "rad/s"});
-  if (const Body body = body_of(result.options); body.mass)
-    all.push_back({"stiffness", {.value = body.effective_mass().value * w * w}, "N/m"});
+  const Estimate& w = fit.angular_frequency();
+  all.push_back({"angular_frequency", w, "rad/s"});
+  if (const Body body = body_of(result.options); body.mass) {
+    const double k_over_w = body.effective_mass().value * w.value;
+    all.push_back({"stiffness", {k_over_w * w.value, 2 * k_over_w * w.standard_error}, "N/m"});
+  }
   return all;
+}
+
+// By Akaike's criterion, which holds no term for unlikely before it is seen; at most as likely as the chosen
+// law, which is preferred to likelier ones with a reason.
+double odds_of(const LawFit& rival, const LawFit& chosen) {
+  const double more = rival.fitted - chosen.fitted, n = std::max(3.0, chosen.independent_samples);
+  return std::exp(0.5 * std::min(0.0, chosen.bic - rival.bic + more * (std::log(n) - 2)));
+}
+
+// A law with one decay rate has it at start and end: in as much doubt as the larger of both.
+void add_one_rate(std::vector<LawDoubt>& doubts, const LawFit& fit) {
+  if (fit.law != Law{fit.law.terms & springs.terms}.with(law_with<Viscous>) || !is_linear(fit.law)) return;
+  double most = 0;
+  const auto is_rate = [](const LawDoubt& each) { return each.name.starts_with("decay_rate_"); };
+  for (const LawDoubt& each : doubts)
+    if (is_rate(each)) most = std::max(most, each.by);
+  for (LawDoubt& each : doubts)
+    if (is_rate(each)) each.by = most;
+  if (most > 0) doubts.push_back({"decay_rate", most});
 }
 
 }  // namespace
 
 std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vector<LawFit>& candidates,
                                  std::string_view force_unit) {
-  const std::vector<const LawFit*> rivals = rivals_of(result.fit.law, candidates);
-  if (rivals.empty()) return {};
-  const auto chosen = std::find_if(candidates.begin(), candidates.end(),
-                                   [&](const LawFit& each) { return each.law == result.fit.law; });
+  const LawFit* chosen = among(candidates, result.fit);
+  if (!chosen) return {};
   std::vector<std::vector<Parameter>> others;
-  std::vector<double> odds;  // against the chosen law
-  for (const LawFit* rival : rivals) {
+  std::vector<double> odds;
+  for (const LawFit* rival : rivals_of(*chosen, candidates)) {
     others.push_back(common_numbers(*rival, result, force_unit));
-    odds.push_back(std::exp(0.5 * (chosen->bic - rival->bic)));
+    odds.push_back(odds_of(*rival, *chosen));
   }
+  if (others.empty()) return {};
   std::vector<LawDoubt> doubts;
-  for (const Parameter& number : common_numbers(result.fit, result, force_unit)) {
+  for (const Parameter& number : common_numbers(*chosen, result, force_unit)) {
+    const double own = number.estimate.standard_error;
     double squares = 0, all = 1;
     for (std::size_t i = 0; i < others.size(); ++i) {
       const Parameter* same = named(others[i], number.name);
-      const double off = same ? same->estimate.value - number.estimate.value : HUGE_VAL;
-      if (!std::isfinite(off)) continue;
-      squares += odds[i] * off * off;
+      const double off = same ? same->estimate.value - number.estimate.value : HUGE_VAL,
+                   error = same ? same->estimate.standard_error : HUGE_VAL;
+      if (!std::isfinite(off) || !std::isfinite(error)) continue;
+      squares += odds[i] * (off * off + std::max(0.0, error * error - own * own));
       all += odds[i];
     }
     if (squares > 0) doubts.push_back({number.name, std::sqrt(squares / all)});
   }
+  add_one_rate(doubts, *chosen);
   return doubts;
 }
 
@@ -62,12 +85,13 @@ Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {
   const auto doubt = std::find_if(doubts.begin(), doubts.end(),
                                   [&](const LawDoubt& each) { return each.name == number.name; });
   Estimate& known = number.estimate;
-  if (doubt == doubts.end() || !(known.standard_error > 0)) return number;
+  if (doubt == doubts.end() || !(known.standard_error > 0) || !std::isfinite(known.standard_error))
+    return number;
   const double error = std::hypot(known.standard_error, doubt->by), wider = error / known.standard_error;
-  const bool cut = known.low == 0 && known.value > 0;
+  const bool is_not_negative = known.low >= 0;
   known = {known.value, error, known.value - wider * (known.value - known.low),
            known.value + wider * (known.high - known.value)};
-  if (cut) known.low = 0;
+  if (is_not_negative) known.low = std::max(known.low, 0.0);
   return number;
 }
 

@@ -117,7 +117,8 @@ double rise_within(const std::vector<double>& y, const Plateau& plateau) {
 
 /// Without the blocks at its ends that lie away from the others by four times what those scatter: it was
 /// still on its way there.
-Plateau without_the_way(const std::vector<double>& y, Plateau plateau, std::size_t block, double resolution) {
+Plateau without_transitions(const std::vector<double>& y, Plateau plateau, std::size_t block,
+                            double resolution) {
   constexpr double away = 4;
   std::vector<double> levels;
   for (std::size_t first = plateau.first; first + block <= plateau.last; first += block)
@@ -133,15 +134,15 @@ Plateau without_the_way(const std::vector<double>& y, Plateau plateau, std::size
   std::size_t first = 0, last = levels.size();
   while (first + fewest < last && is_off(levels[first])) ++first;
   while (first + fewest < last && is_off(levels[last - 1])) --last;
-  plateau.last = last < levels.size() ? plateau.first + last * block : plateau.last;
+  if (last < levels.size()) plateau.last = plateau.first + last * block;
   plateau.first += first * block;
   return plateau;
 }
 
 /// Stretches that stay at a level. The record is cut into blocks, fifty for each mass. A quiet block spans
-/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks. Of more
-/// plateaus than masses those between two others that go furthest from their first half to their second are
-/// none: a mass is moved there.
+/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks. Where
+/// there are more plateaus than masses, those that rise most between two others are dropped: a mass is moved
+/// there.
 std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   const std::size_t n = series.y.size(), block = std::max<std::size_t>(5, n / (50 * masses));
   const auto [low, high] = extent_of(series.y);
@@ -179,7 +180,7 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
     else
       joined.push_back(each);
   }
-  while (joined.size() > masses) {
+  while (joined.size() > std::max<std::size_t>(masses, 2)) {
     auto way = joined.end();
     double furthest = 0.25 * same;
     for (auto each = joined.begin() + 1; each + 1 != joined.end(); ++each) {
@@ -190,7 +191,7 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
     if (way == joined.end()) break;
     joined.erase(way);
   }
-  for (Plateau& each : joined) each = without_the_way(series.y, each, block, series.resolution);
+  for (Plateau& each : joined) each = without_transitions(series.y, each, block, series.resolution);
   return joined;
 }
 
@@ -362,7 +363,7 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
                  {{"file", fitted.file}, {"run", fitted.series.run}, {"why", fitted.fit.message}}});
       continue;
     }
-    const Estimate w = fitted.fit.angular_frequency();
+    const Estimate& w = *fitted.find("angular_frequency");
     const double T2 = two_pi * two_pi / (w.value * w.value);
     const Estimate square = make_estimate(T2, 2 * T2 * w.standard_error / w.value, fitted.fit.student);
     result.points.push_back({fitted.file, fitted.series.run, masses[i], square});

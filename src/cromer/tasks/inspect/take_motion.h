@@ -8,9 +8,9 @@
 
 namespace cromer::core {
 
-/// take_series(), which see. Where no column is named and the axes of a sensor are alike, as in the files of a
-/// phone, the one that swings most clearly is taken; of x and y that lie on an arc, as of a pendulum on film,
-/// the angle about its centre. A notice says so.
+/// take_series(), which see. Where no column is named and the axes of a sensor are alike, as in the files of
+/// a phone, the one that swings most clearly is taken; of x and y that lie on an arc, as of a pendulum on
+/// film, the angle about its centre. A notice says so.
 Result<Series> take_motion(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options);
 

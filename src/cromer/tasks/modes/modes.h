@@ -96,7 +96,7 @@ struct Beat {
   Estimate coupling;   ///< the difference of their squared frequencies over the sum
 };
 
-/// Of a result with two modes whose frequencies surely differ; else empty.
+/// Of a result with two modes, the difference of whose frequencies has a 95 % interval above 0; else empty.
 std::optional<Beat> beat_of(const ModesResult& result);
 
 /// The modes of small motions about rest. An Error names option, value and constraint, or says that there are
