@@ -122,6 +122,11 @@ std::vector<Parameter> headline_of(const FittedRecording& fitted) {
   return headline;
 }
 
+Estimate angular_frequency_of(const FittedRecording& fitted) {
+  const Estimate* found = fitted.find("angular_frequency");
+  return found ? *found : fitted.fit.angular_frequency();
+}
+
 void add_force_parameters(FittedRecording& result, const Body& body) {
   if (is_linear_quantity(result.series.quantity)) {
     const auto forces = force_parameters(result.fit, body, motion_units(result).displacement);
@@ -132,7 +137,7 @@ void add_force_parameters(FittedRecording& result, const Body& body) {
 }
 
 void add_stiffness_budget(FittedRecording& result, const Body& body, const Watch& watch) {
-  const Estimate& w = *result.find("angular_frequency");
+  const Estimate w = angular_frequency_of(result);
   const FitOptions& options = result.options;
   result.stiffness_budget = stiffness_budget(w, body);
   if constexpr (has_lab_options)

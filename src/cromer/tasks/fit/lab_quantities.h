@@ -25,6 +25,9 @@ std::optional<OtherStiffness> other_stiffness(const FittedRecording& fitted);
 /// reynolds_max.
 std::vector<Parameter> headline_of(const FittedRecording& fitted);
 
+/// [rad/s] As among the result's parameters, with its doubts; of a result without any as its law has it.
+Estimate angular_frequency_of(const FittedRecording& fitted);
+
 /// Adds force_parameters() to the fit of a length; to any other, if a mass was given, the notice that it
 /// gives no stiffness.
 void add_force_parameters(FittedRecording& result, const Body& body);

@@ -13,6 +13,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/inspect/take_motion.h"
 
@@ -363,7 +364,7 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
                  {{"file", fitted.file}, {"run", fitted.series.run}, {"why", fitted.fit.message}}});
       continue;
     }
-    const Estimate& w = *fitted.find("angular_frequency");
+    const Estimate w = angular_frequency_of(fitted);
     const double T2 = two_pi * two_pi / (w.value * w.value);
     const Estimate square = make_estimate(T2, 2 * T2 * w.standard_error / w.value, fitted.fit.student);
     result.points.push_back({fitted.file, fitted.series.run, masses[i], square});
