@@ -72,7 +72,8 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
       const double off = same ? same->estimate.value - number.estimate.value : HUGE_VAL,
                    error = same ? same->estimate.standard_error : HUGE_VAL;
       if (!std::isfinite(off) || !std::isfinite(error)) continue;
-      squares += odds[i] * (off * off + std::max(0.0, error * error - own * own));
+      // The larger error of a law with one more term is what lets it differ: it counts once.
+      squares += odds[i] * std::max(off * off, error * error - own * own);
       all += odds[i];
     }
     if (squares > 0) doubts.push_back({number.name, std::sqrt(squares / all)});

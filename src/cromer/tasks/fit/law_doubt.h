@@ -12,9 +12,9 @@ namespace cromer::core {
 
 struct FittedRecording;
 
-/// What a standard error lacks, in quadrature, because other laws fit as well: their numbers' differences
-/// from the chosen law's, and their own larger errors, each law with a weight of exp(-AIC/2) (K. P. Burnham,
-/// D. R. Anderson, Sociol. Methods Res. 33, 261 (2004)), of at most the chosen one's.
+/// What a standard error lacks, in quadrature, because other laws fit as well: how far their numbers are from
+/// the chosen law's, or how much less they know them if that is more, each law with a weight of exp(-AIC/2)
+/// (K. P. Burnham, D. R. Anderson, Sociol. Methods Res. 33, 261 (2004)), of at most the chosen one's.
 struct LawDoubt {
   std::string name;
   double by = 0;
