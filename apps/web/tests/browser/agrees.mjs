@@ -19,7 +19,9 @@ const factors = { m: 1, cm: 1e-2, mm: 1e-3, µm: 1e-6, nm: 1e-9 }
 function shown(text) {
   const [, digits, power] = plain(text).match(/([-+]?\d[\d.]*)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?/)
   const scale = power ? 10 ** Number([...power].map((c) => (c === '⁻' ? '-' : '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(c))).join('')) : 1
-  const places = digits.split('.')[1]?.length ?? 0
+  // Zeros at the end of a whole number may be rounded ones: 910 of 912 ± 110.
+  const rounded = digits.includes('.') || Number(digits) === 0 ? 0 : digits.match(/0*$/)[0].length
+  const places = digits.split('.')[1]?.length ?? -rounded
   return { value: Number(digits) * scale, half: 0.5 * 10 ** -places * scale }
 }
 /** `share`: what the two may differ by before they are rounded. */
