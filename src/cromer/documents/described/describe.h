@@ -293,4 +293,16 @@ struct Described<Parameter> {
               field("unit", &Parameter::unit, "", "SI unit of all of these; 1 for a plain number"));
 };
 
+/// A member that is an Estimate, as an object of its value, standard error, interval and unit.
+template <class Result>
+constexpr auto quantity(std::string_view name, Estimate Result::*member, std::string_view unit,
+                        std::string_view meaning) {
+  return field(
+      name,
+      [name, member, unit](const Result& result) {
+        return Parameter{std::string(name), result.*member, std::string(unit)};
+      },
+      "", meaning);
+}
+
 }  // namespace cromer::core

@@ -38,18 +38,10 @@ template <>
 struct Described<NaturalMode> {
   static constexpr std::string_view name = "NaturalMode";
   static constexpr auto entries =
-      members(field(
-                  "frequency",
-                  [](const NaturalMode& m) {
-                    return Parameter{"frequency", m.frequency, "Hz"};
-                  },
-                  "", "|eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest"),
-              field(
-                  "damping_ratio",
-                  [](const NaturalMode& m) {
-                    return Parameter{"damping_ratio", m.damping_ratio, "1"};
-                  },
-                  "", "minus the eigenvalue's real part over its size; null without a frequency"),
+      members(quantity("frequency", &NaturalMode::frequency, "Hz",
+                       "|eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest"),
+              quantity("damping_ratio", &NaturalMode::damping_ratio, "1",
+                       "minus the eigenvalue's real part over its size; null without a frequency"),
               field(
                   "shape",
                   [](const NaturalMode& m) {
@@ -130,24 +122,10 @@ struct Described<ModalSource> {
 template <>
 struct Described<Beat> {
   static constexpr std::string_view name = "Beat";
-  static constexpr auto entries = members(field(
-                                              "frequency",
-                                              [](const Beat& b) {
-                                                return Parameter{"frequency", b.frequency, "Hz"};
-                                              },
-                                              "", "difference of the two frequencies"),
-                                          field(
-                                              "period",
-                                              [](const Beat& b) {
-                                                return Parameter{"period", b.period, "s"};
-                                              },
-                                              "", "time from one beat to the next"),
-                                          field(
-                                              "coupling",
-                                              [](const Beat& b) {
-                                                return Parameter{"coupling", b.coupling, "1"};
-                                              },
-                                              "", "difference of the squared frequencies over their sum"));
+  static constexpr auto entries = members(
+      quantity("frequency", &Beat::frequency, "Hz", "difference of the two frequencies"),
+      quantity("period", &Beat::period, "s", "time from one beat to the next"),
+      quantity("coupling", &Beat::coupling, "1", "difference of the squared frequencies over their sum"));
 };
 
 template <>

@@ -116,44 +116,27 @@ template <>
 struct Described<MassLinePoint> {
   using Point = MassLinePoint;
   static constexpr std::string_view name = "MassLinePoint";
-  static constexpr auto entries = members(field("file", &Point::file, "", "name of the file"),
-                                          field("run", &Point::run, "", "number of the run, from 1"),
-                                          field(
-                                              "mass",
-                                              [](const Point& p) {
-                                                return QuantityIn{p.mass, "kg"};
-                                              },
-                                              "", "mass that swung"),
-                                          field(
-                                              "period_squared",
-                                              [](const Point& p) {
-                                                return Parameter{"", p.period_square, "s²"};
-                                              },
-                                              "", "squared period of the fit"));
+  static constexpr auto entries =
+      members(field("file", &Point::file, "", "name of the file"),
+              field("run", &Point::run, "", "number of the run, from 1"),
+              field(
+                  "mass",
+                  [](const Point& p) {
+                    return QuantityIn{p.mass, "kg"};
+                  },
+                  "", "mass that swung"),
+              quantity("period_squared", &Point::period_square, "s²", "squared period of the fit"));
 };
 
 template <>
 struct Described<MassLine> {
   static constexpr std::string_view name = "MassLine";
   static constexpr auto entries =
-      members(field(
-                  "stiffness",
-                  [](const MassLine& l) {
-                    return Parameter{"", l.stiffness, "N/m"};
-                  },
-                  "", "spring constant: 4 pi² over the slope"),
-              field(
-                  "effective_mass",
-                  [](const MassLine& l) {
-                    return Parameter{"", l.effective_mass, "kg"};
-                  },
-                  "", "effective mass of the spring, which swings with the mass"),
-              field(
-                  "spring_mass",
-                  [](const MassLine& l) {
-                    return Parameter{"", l.spring_mass, "kg"};
-                  },
-                  "", "mass of the spring: three times its effective mass"),
+      members(quantity("stiffness", &MassLine::stiffness, "N/m", "spring constant: 4 pi² over the slope"),
+              quantity("effective_mass", &MassLine::effective_mass, "kg",
+                       "effective mass of the spring, which swings with the mass"),
+              quantity("spring_mass", &MassLine::spring_mass, "kg",
+                       "mass of the spring: three times its effective mass"),
               field(
                   "line",
                   [](const MassLine& l) {
