@@ -34,5 +34,23 @@ TEST(AtOnce, DoesTwoPiecesSideBySide) {
   EXPECT_TRUE(met);
 }
 
+TEST(AtOnce, BeginsNoPieceBeforeThoseFarEnoughBeforeItHaveEnded) {
+  constexpr std::size_t count = 200;
+  for (const std::size_t ahead : {1U, 2U, 4U}) {
+    std::vector<std::atomic<bool>> ended(count);
+    std::atomic<int> early = 0;
+    at_once(
+        count,
+        [&](std::size_t i) {
+          for (std::size_t k = 0; k + ahead <= i; ++k) early += !ended[k];
+          if (i % 3 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+          ended[i] = true;
+        },
+        ahead);
+    EXPECT_EQ(early, 0) << ahead;
+    for (const std::atomic<bool>& each : ended) EXPECT_TRUE(each);
+  }
+}
+
 }  // namespace
 }  // namespace cromer::core

@@ -204,6 +204,27 @@ TEST(Noise, CovarianceIsThatOfTheModel) {
                   1e-6 * std::sqrt(estimate.covariance[a][a] * estimate.covariance[b][b]));
 }
 
+// Of many coefficients by a transform where no degrees of freedom are asked for; with them sample by sample.
+TEST(Noise, VariancesOfALongMemoryAreThoseOfTheFilter) {
+  const Model m = model(3000, half);
+  Noise noise;
+  noise.grid = find_grid(m.t);
+  noise.samples = m.t.size();
+  noise.sum_of_squares = 2;
+  noise.correlation.coefficients.assign(90, 0.0);
+  noise.correlation.coefficients[0] = 0.6;
+  noise.correlation.coefficients[89] = 0.2;
+  noise.correlation.innovation = 0.5;
+  for (const bool even : {true, false}) {
+    for (std::size_t i = 0; i < noise.samples && !even; ++i)
+      noise.scale.push_back(0.5 + static_cast<double>(i) / static_cast<double>(noise.samples));
+    const SumNoise once = noise_of_sums(m.jacobian, size, noise, false),
+                   filtered = noise_of_sums(m.jacobian, size, noise, true);
+    for (int a = 0; a < size; ++a)
+      EXPECT_NEAR(once.variance[a] / filtered.variance[a], 1, 1e-7) << a << ' ' << even;
+  }
+}
+
 TEST(Noise, DegreesSayHowWellAVarianceIsKnown) {
   // Of an equilibrium and of a line's phases: the variance of a variance's logarithm is two over its degrees.
   for (const double angle : {0.0, 0.125}) {

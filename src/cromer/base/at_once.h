@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
+#include <limits>
 
 #ifndef CROMER_PAGE
+#include <condition_variable>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -13,16 +15,43 @@
 
 namespace cromer::core {
 
-/// Calls work(i) once for each i below `count`, on up to as many threads as the machine has (at least two),
-/// the first on the calling one. No call may throw, nor write what another reads.
+#ifdef CROMER_PAGE
+
 template <class Work>
-void at_once(std::size_t count, const Work& work) {
+void at_once(std::size_t count, const Work& work, std::size_t = 1) {
+  for (std::size_t i = 0; i < count; ++i) work(i);
+}
+
+#else
+
+/// Calls work(i) once for each i below `count`, in this order, on up to as many threads as the machine has
+/// (at least two), the first on the calling one. No call begins before all that are `ahead` > 0 or more
+/// before it have ended: it may read what they wrote. No call may throw, nor write what another reads.
+template <class Work>
+void at_once(std::size_t count, const Work& work,
+             std::size_t ahead = std::numeric_limits<std::size_t>::max()) {
   if (count == 0) return;
-  std::atomic<std::size_t> next = 1;
-  const auto take = [&] {
-    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
+  std::mutex mutex;
+  std::condition_variable ended;
+  std::size_t next = 1, all_before = 0;  // those below have ended
+  std::vector<char> done(count);
+  const auto end = [&](std::size_t i) {
+    const std::lock_guard lock(mutex);
+    done[i] = 1;
+    while (all_before < count && done[all_before]) ++all_before;
+    ended.notify_all();
   };
-#ifndef CROMER_PAGE
+  const auto take = [&] {
+    for (;;) {
+      std::unique_lock lock(mutex);
+      if (next >= count) return;
+      const std::size_t i = next++;
+      ended.wait(lock, [&] { return i < ahead || all_before > i - ahead; });
+      lock.unlock();
+      work(i);
+      end(i);
+    }
+  };
   const std::size_t threads = std::min<std::size_t>(count, std::max(2U, std::thread::hardware_concurrency()));
   std::vector<std::thread> beside;
   beside.reserve(threads - 1);
@@ -30,12 +59,12 @@ void at_once(std::size_t count, const Work& work) {
     while (beside.size() + 1 < threads) beside.emplace_back(take);
   } catch (const std::system_error&) {  // the threads there are do it
   }
-#endif
   work(0);
+  end(0);
   take();
-#ifndef CROMER_PAGE
   for (std::thread& each : beside) each.join();
-#endif
 }
+
+#endif
 
 }  // namespace cromer::core

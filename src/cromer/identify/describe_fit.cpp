@@ -16,9 +16,8 @@
 namespace cromer::core {
 namespace {
 
-// Beyond so many samples correlation is known without their Jacobian, and beyond such an order it is a wrong
-// law that correlates.
-constexpr std::size_t most_filtered = 1'000'000, highest_order = 64;
+// Beyond so many samples correlation is known without their Jacobian.
+constexpr std::size_t most_filtered = 1'000'000;
 
 // The inverse of the normal matrix where the record determines it, and which parameters it does not.
 struct Inverse {
@@ -125,8 +124,7 @@ bool is_followed(const DescribedMinimum& minimum, const Inverse& inverse, const 
 
 // Whether the noise makes a difference to the estimates as well.
 bool is_filtered(const DescribedMinimum& minimum, const Inverse& inverse, const Noise& noise) {
-  return is_followed(minimum, inverse, noise) && !noise.is_plain() &&
-         noise.correlation.coefficients.size() <= highest_order;
+  return is_followed(minimum, inverse, noise) && !noise.is_plain() && noise.correlation.may_be_noise();
 }
 
 EstimateNoise known_of(LawFit& fit, const Record& record, const DescribedMinimum& minimum,

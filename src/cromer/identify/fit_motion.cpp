@@ -583,12 +583,13 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
                              .parameters = minimum.bounded.parameters,
                              .without_bounds = minimum.free.parameters,
                              .matrix = minimum.free.equations.matrix,
-                             .rounding_bias = rounding_bias_of(problem, found, residuals),
                              .residuals = residuals};
-  if (!roughly)
+  if (!roughly) {
+    described.rounding_bias = rounding_bias_of(problem, found, residuals);
     described.jacobian = [&] {
       return jacobian_of(fitted, minimum.bounded.parameters, options.drive, record, found.h);
     };
+  }
   describe_fit(fit, record, described);
   spread_over(fit, fitted, minima);
   set_status(fit, minimum.bounded.reason);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "cromer/base/at_once.h"
@@ -189,13 +190,15 @@ class LawSearch {
     return refuse_record(record_, one).has_value();
   }
 
-  // As finely as it takes to tell whether the law leaves less than the candidates.
-  LawFit rough_fit(const Law& law, const KnownMotion& known, const Watch& watch) const {
+  // As finely as it takes to tell whether the law leaves less than the candidates and these.
+  LawFit rough_fit(const Law& law, const KnownMotion& known, const Watch& watch,
+                   std::span<const LawFit> more = {}) const {
     LawFitOptions one = options_;
     one.law = law;
-    for (const LawFit& fit : candidates_)
-      if (fit.status == FitStatus::converged && fit.residual.rms > 0)
-        one.rms_to_beat = std::min(one.rms_to_beat, fit.residual.rms);
+    for (const std::span<const LawFit> list : {std::span<const LawFit>(candidates_), more})
+      for (const LawFit& fit : list)
+        if (fit.status == FitStatus::converged && fit.residual.rms > 0)
+          one.rms_to_beat = std::min(one.rms_to_beat, fit.residual.rms);
     return fit_motion(record_, one, nearest(law, known), watch, true);
   }
 
@@ -205,26 +208,36 @@ class LawSearch {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
-  // Always four at a time, also on one thread: each is compared with the same earlier fits on every machine.
-  // The progress goes from one share to another.
+  // Each is compared with those four and more before it, also on one thread: with the same ones on every
+  // machine. The progress goes from one share to another.
   template <class Start>
   void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {
     constexpr std::size_t few = 4;
+    const auto here = std::this_thread::get_id();
     std::vector<Law> laws;
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
-    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); i += few) {
-      std::vector<LawFit> fits(std::min(few, laws.size() - i));
-      at_once(fits.size(), [&](std::size_t k) {
-        const Law& law = laws[i + k];
-        fits[k] = rough_fit(law, start_of(law), k == 0 ? watch_ : quiet_);
-      });
-      if (watch_.interrupted()) return;
-      for (LawFit& fit : fits) add(std::move(fit), false);
-      const double done = std::min(1.0, static_cast<double>(i + few) / static_cast<double>(laws.size()));
-      if (watch_.progress && to > from) watch_.progress(from + (to - from) * done);
-    }
+    std::vector<LawFit> fits(laws.size());
+    std::vector<char> whole(laws.size());  // not interrupted
+    const auto show = [&](std::size_t done) {
+      if (watch_.progress && to > from)
+        watch_.progress(from + (to - from) * static_cast<double>(done) / static_cast<double>(laws.size()));
+    };
+    at_once(
+        laws.size(),
+        [&](std::size_t i) {
+          if (watch_.interrupted()) return;
+          const bool tells = std::this_thread::get_id() == here;
+          if (tells) show(i);
+          fits[i] = rough_fit(laws[i], start_of(laws[i]), tells ? watch_ : quiet_,
+                              std::span(fits).first(i < few ? 0 : i - few + 1));
+          whole[i] = !watch_.interrupted();
+        },
+        few);
+    for (std::size_t i = 0; i < fits.size(); ++i)
+      if (whole[i]) add(std::move(fits[i]), false);
+    if (!watch_.interrupted()) show(laws.size());
   }
 
   void try_rare_terms(const Beginning& beginning) {

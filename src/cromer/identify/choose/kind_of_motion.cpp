@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cromer/base/at_once.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/second_mode.h"
@@ -60,19 +61,21 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
   part.t = record.t.first(std::min(record.t.size(), most_judged));
   part.y = record.y.first(part.t.size());
   const double scale = centred_norm(part.y);
-  std::optional<LeastSquaresSummary> best;
-  for (const auto& start : starts) {
+  std::vector<std::optional<LeastSquaresSummary>> minima(starts.size());
+  at_once(starts.size(), [&](std::size_t i) {
     Parameters lines{};
     for (std::size_t mode = 0; mode < 2; ++mode) {
-      lines[two_lines::first_of[mode] + two_lines::frequency] = start[mode].angular_frequency;
-      lines[two_lines::first_of[mode] + two_lines::decay] = start[mode].decay_rate;
+      lines[two_lines::first_of[mode] + two_lines::frequency] = starts[i][mode].angular_frequency;
+      lines[two_lines::first_of[mode] + two_lines::decay] = starts[i][mode].decay_rate;
     }
-    const auto p = two_lines::with_amplitudes(part, lines);
-    if (!p) continue;
-    const LeastSquaresSummary minimum = two_lines::fit(part, *p, TwoModes::parameters, scale);
-    if (minimum.reason != LeastSquaresReason::converged) continue;
-    if (!best || minimum.equations.sum_of_squares < best->equations.sum_of_squares) best = minimum;
-  }
+    if (const auto p = two_lines::with_amplitudes(part, lines))
+      minima[i] = two_lines::fit(part, *p, TwoModes::parameters, scale);
+  });
+  const LeastSquaresSummary* best = nullptr;
+  for (const auto& minimum : minima)
+    if (minimum && minimum->reason == LeastSquaresReason::converged &&
+        (!best || minimum->equations.sum_of_squares < best->equations.sum_of_squares))
+      best = &*minimum;
   if (!best) return std::nullopt;
   return described(part, *best);
 }

@@ -18,6 +18,9 @@ struct Autoregression {
   std::vector<double> coefficients;  ///< a_1, a_2, ...; none: white
   double innovation = 1;             ///< variance of that white noise over the variance of r
 
+  /// Beyond such an order it is what a wrong law leaves that correlates.
+  bool may_be_noise() const { return coefficients.size() <= 64; }
+
   /// Spectral density at an angle [rad per sample], over that of white noise of r's variance.
   double density(double angle) const;
 

@@ -197,7 +197,7 @@ std::optional<SpringsAlong> springs_along(const EnvelopeTrack& track, const std:
     Real phase = 0, before = 0;
     for (std::size_t k = 0; k < track.t.size(); ++k) {
       const double A = track.amplitude[k];
-      const Real rate = swing.angular_frequency(Real(A + third_harmonic(now, A, track.frequency)));
+      const Real rate = swing.angular_frequency(Real(A + third_harmonic(now, A, track.frequency)), 24);
       if (!std::isfinite(rate.value)) return std::nullopt;
       if (k > 0) phase += 0.5 * (track.t[k] - track.t[k - 1]) * (rate + before);
       before = rate;
