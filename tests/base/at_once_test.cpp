@@ -39,6 +39,7 @@ TEST(AtOnce, BeginsNoPieceBeforeThoseFarEnoughBeforeItHaveEnded) {
   for (const std::size_t ahead : {1U, 2U, 4U}) {
     std::vector<std::atomic<bool>> ended(count);
     std::atomic<int> early = 0;
+    std::vector<std::size_t> told;  // in order, one at a time
     at_once(
         count,
         [&](std::size_t i) {
@@ -46,7 +47,9 @@ TEST(AtOnce, BeginsNoPieceBeforeThoseFarEnoughBeforeItHaveEnded) {
           if (i % 3 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
           ended[i] = true;
         },
-        ahead);
+        ahead, [&](std::size_t i) { told.push_back(i); });
+    ASSERT_EQ(told.size(), count);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(told[i], i);
     EXPECT_EQ(early, 0) << ahead;
     for (const std::atomic<bool>& each : ended) EXPECT_TRUE(each);
   }

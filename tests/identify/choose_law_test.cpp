@@ -169,12 +169,13 @@ TEST(ChooseLaw, APartThatIsInterruptedSaysWhatIsMissing) {
   std::atomic<bool> stop{false};
   const Watch watch{&stop, [&](double share) {
                       stop = true;
-                      EXPECT_DOUBLE_EQ(share, 0.5 * 4 / 20);  // four laws of twenty
+                      EXPECT_LE(share, 0.5 * 4 / 20);  // of twenty laws one, and those under way
                     }};
   const LawChoice choice = choose_law(record.record(), {}, watch);
   EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
   EXPECT_EQ(choice.chosen.message.code, "ended_before_these_laws");
-  EXPECT_EQ(choice.candidates.size(), 5u);
+  EXPECT_GE(choice.candidates.size(), 2u);
+  EXPECT_LE(choice.candidates.size(), 5u);
   EXPECT_GT(choice.chosen.independent_samples, 150'000);  // the viscous law on the whole record
   ASSERT_EQ(choice.chosen.notices.size(), 1u);
   EXPECT_EQ(choice.chosen.notices[0].code, "laws_compared_on_a_part");

@@ -134,6 +134,20 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
               ElementsAre("interrupted after 0 of the 4 segments"));
 }
 
+// One rate of a swing that falls to a quarter meanwhile would be that of its beginning.
+TEST(DecayByAmplitude, NoStretchIsMuchLongerThanTheSwingTakesToHalve) {
+  NormalDeviates noise(2);
+  std::vector<double> t, y;
+  for (int i = 0; i < 3000; ++i) {
+    t.push_back(0.02 * i);
+    y.push_back(std::exp(-0.15 * t.back()) * std::cos(6 * t.back()) + 1e-3 * noise.next());
+  }
+  const Record record{t, y, 0};
+  const auto stretches = decay_by_amplitude(record, fit_law(record, {}));
+  ASSERT_GT(stretches.size(), 4u);
+  for (const AmplitudeRate& each : stretches) EXPECT_LT((each.to - each.from) * 0.15, 1.6 * std::log(2));
+}
+
 // Noise that is slower than a stretch moves its rate, and does not show within it.
 TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
   double squares = 0, by_themselves = 0, count = 0;

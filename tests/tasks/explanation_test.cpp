@@ -47,6 +47,35 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "0.10\u00a0% too small"));
 }
 
+// The amplitude is one of the displacement, also where a velocity was recorded.
+TEST(Explanation, OfAVelocityTheAmplitudeIsALength) {
+  CompareResult both = compared();
+  both.recording.series.quantity = "velocity";
+  EXPECT_THAT(in_words(explanation(both)),
+              testing::HasSubstr("as the swing dies down from 50.0\u00a0cm to 25.0\u00a0cm; with one rate "
+                                 "0.0200\u00a0m/s (rms)"));
+}
+
+TEST(Explanation, PartsWithOtherRatesSpeakWhereNoLawDescribesTheWhole) {
+  CompareResult both = compared();
+  both.doubts = {Notice{"no_law_describes", {{"times", 7.0}}}};
+  const auto rates = [&](double first, double last, double error) {
+    both.recording.decay_by_amplitude = {{0, 1, 0.5, make_estimate(first, error, 2), 0.4},
+                                         {1, 2, 0.25, make_estimate(last, error, 2), 0.2}};
+    return in_words(explanation(both));
+  };
+  const std::string parts =
+      ". One decay rate is not enough, whatever the law: parts of the recording, each fitted by itself, "
+      "have ";
+  EXPECT_THAT(rates(0.4, 0.2, 0.03),
+              testing::HasSubstr(parts + "0.40\u00a0±\u00a00.03\u00a01/s at an amplitude of 50.0\u00a0cm and "
+                                         "0.20\u00a0±\u00a00.03\u00a01/s at "
+                                         "25.0\u00a0cm; with one rate 2.00\u00a0cm (rms) are left, with "
+                                         "viscous+drag 1.00\u00a0cm."));
+  EXPECT_THAT(rates(0.2, 0.4, 0.03), testing::HasSubstr(parts));
+  EXPECT_THAT(rates(0.4, 0.2, 0.05), testing::HasSubstr("No verdict on the damping"));
+}
+
 // Of a pendulum the rate of the amplitude changes under viscous damping alone: few stretches do not show it.
 TEST(Explanation, OfOneRateNothingIsSaidBesideTwo) {
   CompareResult both = compared();

@@ -85,13 +85,16 @@ class Part : public LabTold {
     add(!is_known("frequency") ? fitted_.driven ? "report_driven_motion" : "report_free_motion"
         : harmonic             ? "report_driven_by"
         : fitted_.driven       ? "report_driven_at"
-        : has_only_parts()     ? "report_swings_at_first"
-        : has_amplitude()      ? "report_swings_at_amplitude"
-                               : "report_swings_at",
+        : has_only_parts()
+            ? has_another_frequency_at_last() ? "report_swings_from_to" : "report_swings_at_first"
+        : has_amplitude() ? "report_swings_at_amplitude"
+                          : "report_swings_at",
         {{"file", verbatim(title())},
          {"frequency", in_braces(has_only_parts() ? "first_stretch.frequency, 3" : "frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
-         {"amplitude", has_only_parts() ? amplitude_of("first_stretch") : at_amplitude()}});
+         {"amplitude", has_only_parts() ? amplitude_of("first_stretch") : at_amplitude()},
+         {"last", has_only_parts() ? in_braces("last_stretch.frequency, 3") : ""},
+         {"last_amplitude", has_only_parts() ? amplitude_of("last_stretch") : ""}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant",
           {{"stiffness", as_far_as_known("stiffness")},

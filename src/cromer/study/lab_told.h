@@ -140,13 +140,18 @@ class LabTold {
   }
 
   /// Whether the first and the last stretch, by themselves, show it.
-  bool stretches_fall() const { return stretches_differ(1); }
-  bool stretches_rise() const { return stretches_differ(-1); }
-  bool stretches_differ(double sign) const {
-    const auto& all = fitted_.decay_by_amplitude;
-    if (all.size() < 2) return false;
-    const Estimate &first = all.front().rate, &last = all.back().rate;
-    return sign * (first.value - last.value) > 3 * std::hypot(first.standard_error, last.standard_error);
+  bool stretches_fall() const { return stretches_differ(fitted_.decay_by_amplitude, 1); }
+  bool stretches_rise() const { return stretches_differ(fitted_.decay_by_amplitude, -1); }
+
+  /// Whether the frequency of the last stretch is another than the first's: each is known about as well as
+  /// its decay rate.
+  bool has_another_frequency_at_last() const {
+    const AmplitudeRate &first = fitted_.decay_by_amplitude.front(),
+                        &last = fitted_.decay_by_amplitude.back();
+    const double off = std::abs(first.angular_frequency - last.angular_frequency);
+    constexpr double worth_telling = 0.01;
+    return off > worth_telling * first.angular_frequency &&
+           off > 3 * std::hypot(first.rate.standard_error, last.rate.standard_error);
   }
 
   /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.

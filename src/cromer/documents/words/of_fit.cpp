@@ -465,6 +465,14 @@ constexpr Entry entries[] = {
      "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}."},
     {"no_verdict_with_law", clause, "{doubt:A}. No verdict on the damping: {one_rate}, {with_law}.",
      "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}, {with_law}."},
+    {"parts_have_other_rates", clause,
+     "{doubt:A}. One decay rate is not enough, whatever the law: {parts}; {one_rate}, {with_law}.",
+     "{doubt:A}. Eine Abklingrate genügt nicht, welches Gesetz auch gilt: {parts}; {one_rate}, {with_law}."},
+    {"rates_of_parts", clause,
+     "parts of the recording, each fitted by itself, have {first:n} at an amplitude of {from:n} and {last:n} "
+     "at {to:n}",
+     "Teile der Aufnahme, jeder für sich angepasst, haben {first:n} bei einer Amplitude von {from:n} und "
+     "{last:n} bei {to:n}"},
     {"one_rate_is_enough", clause, "One decay rate is enough: {one_rate}, and {end}.{method}",
      "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
     {"one_rate_fits", clause,

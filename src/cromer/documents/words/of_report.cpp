@@ -32,6 +32,11 @@ constexpr Entry entries[] = {
     {"report_swings_at_first", clause,
      "{file}: a free swing, at first at {frequency} with an amplitude of {amplitude}.",
      "{file}: eine freie Schwingung, zuerst mit {frequency} bei einer Amplitude von {amplitude}."},
+    {"report_swings_from_to", clause,
+     "{file}: a free swing, at first at {frequency} with an amplitude of {amplitude}, at last at {last} with "
+     "{last_amplitude}.",
+     "{file}: eine freie Schwingung, zuerst mit {frequency} bei einer Amplitude von {amplitude}, zuletzt mit "
+     "{last} bei {last_amplitude}."},
     {"report_free_motion", clause, "{file}: a free motion.", "{file}: eine freie Bewegung."},
     {"report_driven_motion", clause, "{file}: a driven motion.", "{file}: eine angetriebene Bewegung."},
     {"report_swings_at_amplitude", clause,

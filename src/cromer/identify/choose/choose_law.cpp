@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "cromer/base/at_once.h"
@@ -125,7 +124,7 @@ class LawSearch {
       : record_(record),
         options_(options),
         watch_(watch),
-        quiet_{watch.interrupt, {}, {}, watch.steps_left},
+        quiet_{watch.interrupt, {}, watch.pulse, watch.steps_left},
         before_(before),
         expected_(options.on_arc ? law_with<Pendulum> : Law{}) {}
 
@@ -213,31 +212,27 @@ class LawSearch {
   template <class Start>
   void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {
     constexpr std::size_t few = 4;
-    const auto here = std::this_thread::get_id();
     std::vector<Law> laws;
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
     std::vector<LawFit> fits(laws.size());
     std::vector<char> whole(laws.size());  // not interrupted
-    const auto show = [&](std::size_t done) {
-      if (watch_.progress && to > from)
-        watch_.progress(from + (to - from) * static_cast<double>(done) / static_cast<double>(laws.size()));
-    };
     at_once(
         laws.size(),
         [&](std::size_t i) {
-          if (watch_.interrupted()) return;
-          const bool tells = std::this_thread::get_id() == here;
-          if (tells) show(i);
-          fits[i] = rough_fit(laws[i], start_of(laws[i]), tells ? watch_ : quiet_,
-                              std::span(fits).first(i < few ? 0 : i - few + 1));
-          whole[i] = !watch_.interrupted();
+          if (quiet_.interrupted()) return;
+          fits[i] =
+              rough_fit(laws[i], start_of(laws[i]), quiet_, std::span(fits).first(i < few ? 0 : i - few + 1));
+          whole[i] = !quiet_.interrupted();
         },
-        few);
+        few,
+        [&](std::size_t i) {
+          const double done = static_cast<double>(i + 1) / static_cast<double>(laws.size());
+          if (whole[i] && watch_.progress && to > from) watch_.progress(from + (to - from) * done);
+        });
     for (std::size_t i = 0; i < fits.size(); ++i)
       if (whole[i]) add(std::move(fits[i]), false);
-    if (!watch_.interrupted()) show(laws.size());
   }
 
   void try_rare_terms(const Beginning& beginning) {
@@ -445,12 +440,25 @@ class LawSearch {
     return std::nullopt;
   }
 
+  // Their numbers count beside the chosen law's.
+  void refine_rivals() {
+    for (std::size_t before = candidates_.size(); best_ != before && !watch_.interrupted();) {
+      before = best_;
+      std::vector<std::size_t> rivals;
+      for (const LawFit* rival : rivals_of(candidates_[best_], candidates_))
+        rivals.push_back(static_cast<std::size_t>(rival - candidates_.data()));
+      refine(std::move(rivals));
+      settle();
+    }
+  }
+
   LawChoice alone() {
     LawChoice choice{candidates_.front(), candidates_};
     if (watch_.interrupted()) mark_interrupted(choice, {}, watch_);
     return choice;
   }
   LawChoice chosen(const std::vector<Law>& laws) {
+    refine_rivals();
     LawChoice choice{candidates_[best_], candidates_};
     if (watch_.interrupted()) mark_interrupted(choice, laws, watch_);
     choice.rivals = rival_laws(record_, candidates_, best_);
@@ -486,7 +494,7 @@ class LawSearch {
   const Record& record_;
   const LawFitOptions& options_;
   const Watch& watch_;
-  const Watch quiet_;  ///< the same for a thread that tells nothing
+  const Watch quiet_;  ///< the same for a thread that tells no share
   std::span<const LawFit> before_;
   Law expected_;
   std::vector<LawFit> candidates_;

@@ -8,6 +8,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/decay_rates.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 
 namespace cromer::core {
 namespace {
@@ -82,6 +83,22 @@ bool other_rates_fit(const FittedRecording& recording) {
   });
 }
 
+/// Where no law describes the recording: that parts of it have other rates, whatever the law; else empty.
+Notice rates_of_parts(const CompareResult& comparison, std::string_view displacement) {
+  const auto& rates = comparison.recording.decay_by_amplitude;
+  if (comparison.doubts.empty() || comparison.doubts.front().code != "no_law_describes" ||
+      !(stretches_differ(rates, 1) || stretches_differ(rates, -1)))
+    return {};
+  const auto rate = [](const AmplitudeRate& each) {
+    return format_quantity({each.rate.value, each.rate.standard_error}, "1/s");
+  };
+  return Notice{"rates_of_parts",
+                {{"first", rate(rates.front())},
+                 {"last", rate(rates.back())},
+                 {"from", with_unit(rates.front().amplitude, displacement)},
+                 {"to", with_unit(rates.back().amplitude, displacement)}}};
+}
+
 /// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
   if (curve.diverged)
@@ -107,11 +124,16 @@ Notice explanation(const CompareResult& comparison) {
   if (curves.size() < 2) return {};
   const ComparedCurve& one = curves[0];
   const ComparedCurve& law = curves[1];
-  const std::string unit = unit_of(comparison.recording.series);
+  const std::string unit = unit_of(comparison.recording.series),
+                    displacement = motion_units(comparison.recording).displacement;
   const bool viscous = law.law == one.law;
   const Notice left{has_mean_rate(comparison.recording) ? "mean_rate_leaves" : "one_rate_leaves",
                     {{"left", with_unit(one.rms, unit)}}};
   const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.rms, unit)}}};
+  if (const Notice parts = rates_of_parts(comparison, displacement); !parts.empty())
+    return Notice{
+        "parts_have_other_rates",
+        {{"doubt", comparison.doubts.front()}, {"parts", parts}, {"one_rate", left}, {"with_law", with_law}}};
   if (!comparison.doubts.empty())
     return Notice{viscous ? "no_verdict" : "no_verdict_with_law",
                   {{"doubt", comparison.doubts.front()}, {"one_rate", left}, {"with_law", with_law}}};
@@ -159,8 +181,8 @@ Notice explanation(const CompareResult& comparison) {
                  {"first", rounded(first, 3)},
                  {"last", rounded(last, 3)},
                  {"swing", Notice{grows ? "swing_grows" : "swing_dies_down"}},
-                 {"from", with_unit(rates.front().amplitude, unit)},
-                 {"to", with_unit(rates.back().amplitude, unit)},
+                 {"from", with_unit(rates.front().amplitude, displacement)},
+                 {"to", with_unit(rates.back().amplitude, displacement)},
                  {"one_rate", left},
                  {"end", end},
                  {"with_law", with_law},

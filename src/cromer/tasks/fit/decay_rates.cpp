@@ -37,7 +37,10 @@ class StretchLength {
     length_ = std::clamp(duration / 20, shortest_, longest_);
   }
 
-  double length() const { return length_; }
+  /// Where the swing dies down at this rate [1/s]: one rate is told of no more than the halving of a swing.
+  double length(double rate) const {
+    return rate > 0 ? std::clamp(length_, shortest_, std::max(shortest_, std::log(2.0) / rate)) : length_;
+  }
   double shortest() const { return shortest_; }
 
   /// After a stretch whose rate had this error over the wanted one; NaN if it had none.
@@ -236,8 +239,8 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   const auto t = record.t;
   for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
     // A rest that is too short for a stretch of its own belongs to this one.
-    const double end = t[first] + stretch.length();
-    const bool last = t.back() - end < 0.5 * stretch.length();
+    const double length = stretch.length(decay.rate(at)), end = t[first] + length;
+    const bool last = t.back() - end < 0.5 * length;
     const auto next =
         last ? t.size() : static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), end) - t.begin());
     const std::size_t n = next - first;
@@ -258,6 +261,12 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   }
   widen_by_neighbours(result);
   return result;
+}
+
+bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign) {
+  if (stretches.size() < 2) return false;
+  const Estimate &first = stretches.front().rate, &last = stretches.back().rate;
+  return sign * (first.value - last.value) > 3 * std::hypot(first.standard_error, last.standard_error);
 }
 
 }  // namespace cromer::core
