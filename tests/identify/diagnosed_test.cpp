@@ -264,7 +264,8 @@ TEST(Diagnosed, WhatSpeaksAgainstAFit) {
     said << static_cast<int>(seed) << fit.message;
     if (fit.is_usable()) {
       said << doubts(record, fit, seed % 2 == 0) << something_is_left(record, fit)
-           << widening(fit, record.t.size()) << second_modes(record, fit, "m");
+           << widening(fit, record.t.size())
+           << second_modes(residual_lines(record, fit), fit, record.derivative, "m");
       const std::vector<double> residuals = residuals_of(fit, record);
       said << wandering_share(record, residuals) << wandering_zero(record, residuals, "m")
            << leaves_a_line(record.t, residuals, fit.decay_rate().value, fit.swing_frequency().value, 6);

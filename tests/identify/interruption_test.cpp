@@ -53,7 +53,7 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
   for (int after = 1; after <= 2; ++after) {
     std::atomic<bool> stop{false};
     int done = 0;
-    const Watch watch{&stop, [&](double) { stop = ++done == after; }};
+    const Watch watch{&stop, [&](double) { stop = ++done >= after; }};
     const LawChoice choice = choose_law(record.record(), {}, watch);
     EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit) << after;
     EXPECT_THAT(in_words(choice.chosen.message), testing::StartsWith("interrupted"));

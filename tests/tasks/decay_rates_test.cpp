@@ -148,6 +148,30 @@ TEST(DecayByAmplitude, NoStretchIsMuchLongerThanTheSwingTakesToHalve) {
   for (const AmplitudeRate& each : stretches) EXPECT_LT((each.to - each.from) * 0.15, 1.6 * std::log(2));
 }
 
+// What swings along moves the rate of a stretch that holds less than a few beats by far more than its error.
+TEST(DecayByAmplitude, AStretchHoldsSomeBeats) {
+  NormalDeviates noise(4);
+  std::vector<double> t, y;
+  for (int i = 0; i < 4500; ++i) {
+    t.push_back(0.02 * i);
+    y.push_back(std::exp(-0.03 * t.back()) * (std::cos(6 * t.back()) + 0.005 * std::cos(8 * t.back())) +
+                3e-4 * noise.next());
+  }
+  const Record record{t, y, 0};
+  const LawFit fit = fit_law(record, {});
+  const double beat = 2 * M_PI / 2;
+  const auto farthest = [&](const std::vector<AmplitudeRate>& stretches) {
+    double most = 0;
+    for (const AmplitudeRate& each : stretches) most = std::max(most, std::abs(each.rate.value / 0.03 - 1));
+    return most;
+  };
+  const auto short_ones = decay_by_amplitude(record, fit), long_ones = decay_by_amplitude(record, fit, beat);
+  ASSERT_GT(long_ones.size(), 5u);
+  for (const AmplitudeRate& each : long_ones) EXPECT_GT(each.to - each.from, 0.99 * 3 * beat);
+  EXPECT_GT(farthest(short_ones), 0.2);
+  EXPECT_LT(farthest(long_ones), 0.06);
+}
+
 // Noise that is slower than a stretch moves its rate, and does not show within it.
 TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
   double squares = 0, by_themselves = 0, count = 0;

@@ -402,7 +402,7 @@ TEST(FitTask, WhatAHandStopsAtLastIsLeftOutToo) {
     const FittedRecording& fitted = result->front();
     EXPECT_LE(fitted.series.t.back(), stop);
     EXPECT_GE(fitted.series.t.back(), stop - 1.8);
-    expect_within(fitted.find("decay_rate"), 0.03, 0.004);
+    expect_within(fitted.find("decay_rate"), 0.03, 0.007);  // laws of one term more count a little
     EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("while a hand moves or stops it")));
   }
 }

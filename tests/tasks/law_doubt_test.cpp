@@ -54,6 +54,12 @@ TEST(LawDoubt, IsInWhatAllLawsHaveAndNotInTheirTerms) {
   EXPECT_GE(held, held_if_right + 5);
 }
 
+double of_frequency(const std::vector<LawDoubt>& doubts) {
+  const auto found = std::find_if(doubts.begin(), doubts.end(),
+                                  [](const LawDoubt& each) { return each.name == "angular_frequency"; });
+  return found == doubts.end() ? 0 : found->by;
+}
+
 // As that of terms that are not sure, or that feed the swing.
 TEST(LawDoubt, OfALawThatIsFarLikelierIsItsDifference) {
   FittedRecording result;
@@ -74,11 +80,45 @@ TEST(LawDoubt, OfALawThatIsFarLikelierIsItsDifference) {
   other.motion.set_angular_frequency(6.2);
   other.estimates[0].value = 6.2;
   const std::vector<LawDoubt> doubts = law_doubts(result, {fit, other});
-  const auto of_frequency = std::find_if(
-      doubts.begin(), doubts.end(), [](const LawDoubt& each) { return each.name == "angular_frequency"; });
-  ASSERT_TRUE(of_frequency != doubts.end());
-  EXPECT_NEAR(of_frequency->by, 0.2 / std::sqrt(2), 1e-12);
+  EXPECT_NEAR(of_frequency(doubts), 0.2, 1e-4);
   EXPECT_TRUE(law_doubts(result, {fit}).empty());
+  // It fades as the evidence against it grows.
+  const auto at = [&](double against) {
+    other.bic = fit.bic + against;
+    return of_frequency(law_doubts(result, {fit, other}));
+  };
+  EXPECT_NEAR(at(0), 0.2 / std::sqrt(2), 1e-12);
+  EXPECT_NEAR(at(6.01) / at(5.99), 1, 0.02);
+  EXPECT_GT(at(7.9), 0);
+  EXPECT_EQ(at(8), 0);
+}
+
+// Bends of a spring are the first terms of a series: the last one shows how far the rest may go.
+TEST(LawDoubt, OfASpringOfThreeBendsIsWhatTheLastOneChanged) {
+  FittedRecording result;
+  result.series.quantity = "position";
+  result.series.t = {0, 10};
+  const auto with = [](const std::string& law, double w, double bic) {
+    LawFit fit;
+    fit.status = FitStatus::converged;
+    fit.law = law_of(law);
+    fit.names = {"angular_frequency", "decay_rate"};
+    fit.estimates = {make_estimate(w, 0.01, 2), make_estimate(0.1, 0.01, 2)};
+    fit.covariance.assign(4, 0);
+    fit.fitted = 3 + fit.law.size();
+    fit.bic = bic;
+    fit.motion.law = fit.law;
+    fit.motion.set_angular_frequency(w);
+    return fit;
+  };
+  const LawFit chosen = with("viscous+cubic+quadratic+odd-quadratic", 6, 0),
+               closest = with("viscous+cubic+odd-quadratic", 6.03, 40),
+               farther = with("viscous+cubic+quadratic", 6.5, 90), two = with("viscous+cubic", 6.9, 400);
+  result.fit = chosen;
+  EXPECT_NEAR(of_frequency(law_doubts(result, {two, farther, closest, chosen})), 0.03, 1e-9);
+  EXPECT_TRUE(law_doubts(result, {two, chosen}).empty());
+  result.fit = closest;
+  EXPECT_TRUE(law_doubts(result, {two, closest}).empty());
 }
 
 TEST(LawDoubt, WidensAnIntervalAsItIs) {

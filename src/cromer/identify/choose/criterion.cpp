@@ -153,6 +153,17 @@ bool fits_as_well(const LawFit& rival, const LawFit& chosen) {
          (rival.fitted == chosen.fitted || rival.fitted == chosen.fitted + 1);
 }
 
+std::vector<const LawFit*> alternatives_to(const LawFit& chosen, const std::vector<LawFit>& candidates) {
+  std::vector<const LawFit*> others;
+  if (chosen.status != FitStatus::converged || !chosen.law.shares(springs)) return others;
+  for (const LawFit& other : candidates)
+    if (other.status == FitStatus::converged && other.law != chosen.law &&
+        other.drive.force.between == chosen.drive.force.between &&
+        (other.fitted == chosen.fitted || other.fitted == chosen.fitted + 1))
+      others.push_back(&other);
+  return others;
+}
+
 const LawFit* among(const std::vector<LawFit>& candidates, const LawFit& fit) {
   const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& each) {
     return each.law == fit.law && each.drive.force.between == fit.drive.force.between;
@@ -161,16 +172,12 @@ const LawFit* among(const std::vector<LawFit>& candidates, const LawFit& fit) {
 }
 
 std::vector<const LawFit*> rivals_of(const LawFit& chosen, const std::vector<LawFit>& candidates) {
-  std::vector<const LawFit*> rivals;
-  if (chosen.status != FitStatus::converged || !chosen.law.shares(springs)) return rivals;
-  for (const LawFit& rival : candidates) {
-    if (rival.law == chosen.law || rival.drive.force.between != chosen.drive.force.between ||
-        !fits_as_well(rival, chosen))
-      continue;
-    if (moves_the_numbers(chosen, rival) ||
-        (rival.fitted == chosen.fitted && has_other_damping(chosen, rival)))
-      rivals.push_back(&rival);
-  }
+  std::vector<const LawFit*> rivals = alternatives_to(chosen, candidates);
+  std::erase_if(rivals, [&](const LawFit* rival) {
+    return !fits_as_well(*rival, chosen) ||
+           !(moves_the_numbers(chosen, *rival) ||
+             (rival->fitted == chosen.fitted && has_other_damping(chosen, *rival)));
+  });
   std::sort(rivals.begin(), rivals.end(),
             [](const LawFit* one, const LawFit* other) { return one->bic < other->bic; });
   return rivals;

@@ -62,7 +62,11 @@ bool fits_as_well(const LawFit& rival, const LawFit& chosen);
 /// The candidate with the law of a fit and its reading of a recorded force; nullptr if there is none.
 const LawFit* among(const std::vector<LawFit>& candidates, const LawFit& fit);
 
-/// The laws that fit as well as the chosen one, under the same reading of a recorded force, and would change
+/// The other laws that converged under the same reading of a recorded force, with as many parameters as the
+/// chosen one or one more; none where it did not converge, or has no spring.
+std::vector<const LawFit*> alternatives_to(const LawFit& chosen, const std::vector<LawFit>& candidates);
+
+/// Those that fit as well as the chosen one, under the same reading of a recorded force, and would change
 /// its numbers, by rising BIC; empty where it did not converge, or has no spring. A rival either puts a
 /// coefficient that both share, or the frequency, further off than three of the standard errors that the
 /// chosen one claims; or, with as many parameters, it has another damping in the place of the chosen one's.

@@ -168,7 +168,7 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   }
   constexpr double as_large = 0.8;
   const bool top_is_line = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& line) {
-    return std::abs(line.angular_frequency - found.top) < 4 * two_pi / duration;
+    return std::abs(line.angular_frequency - found.top) < 2 * two_pi / duration;
   });
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
@@ -224,13 +224,21 @@ std::vector<Notice> second_drives(const Record& residuals, double drive, std::st
   return found;
 }
 
-std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::string_view unit) {
+double slowest_beat(const std::vector<ResidualLine>& lines, const LawFit& fit) {
+  double beat = 0;
+  for (const ResidualLine& line : lines)
+    beat = std::max(beat, two_pi / std::abs(line.angular_frequency - fit.swing_frequency().value));
+  return beat;
+}
+
+std::vector<Notice> second_modes(const std::vector<ResidualLine>& lines, const LawFit& fit, int derivative,
+                                 std::string_view unit) {
   std::vector<Notice> found;
   const Motion& p = fit.motion;
   const double w0 = p.angular_frequency();
-  const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, record.derivative);
+  const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, derivative);
   const FrequencyBand own = own_band(fit);
-  for (const ResidualLine& line : residual_lines(record, fit)) {
+  for (const ResidualLine& line : lines) {
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"amplitude", line.amplitude},

@@ -39,8 +39,12 @@ struct ResidualLine {
 /// lies closer to that than four over the record's length (in cycles) is not told from it.
 std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit);
 
-/// The same as notices; `unit` is the record's.
-std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
+/// The period of the slowest beat of one of the lines with the fitted swing [s]; 0 of none.
+double slowest_beat(const std::vector<ResidualLine>& lines, const LawFit& fit);
+
+/// The lines of a fit as notices; `unit` is that of its record, of this derivative of the displacement.
+std::vector<Notice> second_modes(const std::vector<ResidualLine>& lines, const LawFit& fit, int derivative,
+                                 std::string_view unit);
 
 /// Of what a driven law leaves: lines beside the drive, at `drive` [rad/s] where it is one frequency (else
 /// 0), and what they may be. `residuals` with their times and the record's resolution; none in the band

@@ -15,6 +15,7 @@ namespace {
 constexpr double wanted_certainty = 0.05;  // of each rate
 constexpr std::size_t most_stretches = 60;
 constexpr std::size_t fewest_samples = 12;  // of a stretch
+constexpr double beats = 3;                 // in a stretch: what swings along then moves its rate little
 
 /// The amplitude after `duration`, by the averaged law in small steps.
 double carried_on(const AmplitudeDecay& decay, double amplitude, double duration) {
@@ -28,12 +29,13 @@ double carried_on(const AmplitudeDecay& decay, double amplitude, double duration
 /// sigma/A of a short one.
 class StretchLength {
  public:
-  StretchLength(const Record& record, double angular_frequency) {
+  StretchLength(const Record& record, double angular_frequency, double beat) {
     const double duration = record.t.back() - record.t.front();
     const double spacing = duration / static_cast<double>(record.t.size() - 1);
     shortest_ = std::max({2 * two_pi / angular_frequency, fewest_samples * spacing,
                           duration / static_cast<double>(most_stretches)});
     longest_ = std::max(duration / 6, shortest_);
+    shortest_ = std::max(shortest_, std::min(beats * beat, longest_));
     length_ = std::clamp(duration / 20, shortest_, longest_);
   }
 
@@ -224,7 +226,8 @@ double first_amplitude(const LawFit& fit) {
   return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
 }
 
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, const Watch& watch) {
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, double beat,
+                                              const Watch& watch) {
   std::vector<AmplitudeRate> result;
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
@@ -235,7 +238,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
                there = swing_of(fit).angular_frequency(amplitude);
   double w = there > lowest ? there : lowest;
   double at = amplitude;
-  StretchLength stretch(record, w);
+  StretchLength stretch(record, w, beat);
   const auto t = record.t;
   for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
     // A rest that is too short for a stretch of its own belongs to this one.

@@ -350,7 +350,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.parameters = law_parameters(result.fit, unit, record.derivative);
   add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, unit, record.derivative);
-  if (!choice->rivals.empty()) result.law_doubts = law_doubts(result, choice->candidates);
+  result.law_doubts = law_doubts(result, choice->candidates);
   add_doubts(result.parameters, result.law_doubts);
   add_doubts(result.derived, result.law_doubts);
   result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
@@ -361,14 +361,16 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.decay_rate_mean = segments.mean;
   result.notices.insert(result.notices.end(), segments.notices.begin(), segments.notices.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
+  const std::vector<ResidualLine> lines = residual_lines(record, result.fit);
+  result.decay_by_amplitude = decay_by_amplitude(kept, result.fit, slowest_beat(lines, result.fit), watch);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = Notice{"fit_interrupted"};
     return result;
   }
-  for (const auto& found :
-       {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
+  for (const auto& found : {doubts(record, result.fit, law_is_chosen(options), unit),
+                            second_modes(lines, result.fit, record.derivative, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);

@@ -75,7 +75,7 @@ void describe_driven_fit(FittedRecording& result, LawChoice&& choice, const Reco
   result.parameters = law_parameters(fit, unit, derivative, force_unit);
   add_force_parameters(result, body);
   result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
-  if (!choice.rivals.empty()) result.law_doubts = law_doubts(result, choice.candidates, force_unit);
+  result.law_doubts = law_doubts(result, choice.candidates, force_unit);
   add_doubts(result.parameters, result.law_doubts);
   add_doubts(result.derived, result.law_doubts);
   result.headline = headline_of(result);

@@ -152,7 +152,6 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   const FitOptions& options = result.options;
   const bool has_forces = result.find("stiffness") != nullptr;
   result.headline = headline_of(result);
-  result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
   if (has_forces) add_stiffness_budget(result, body, watch);
   if constexpr (has_lab_options) {

@@ -31,11 +31,31 @@ std::vector<Parameter> common_numbers(const LawFit& fit, const FittedRecording& 
   return all;
 }
 
-// By Akaike's criterion, which holds no term for unlikely before it is seen; at most as likely as the chosen
-// law, which is preferred to likelier ones with a reason.
-double odds_of(const LawFit& rival, const LawFit& chosen) {
-  const double more = rival.fitted - chosen.fitted, n = std::max(3.0, chosen.independent_samples);
-  return std::exp(0.5 * std::min(0.0, chosen.bic - rival.bic + more * (std::log(n) - 2)));
+// By Akaike's criterion, which holds no term for unlikely before it is seen. What BIC says against it makes
+// it fade from a little before strong evidence to a little beyond: there is no step.
+double odds_of(const LawFit& other, const LawFit& chosen) {
+  const double more = other.fitted - chosen.fitted, n = std::max(3.0, chosen.independent_samples),
+               against = other.bic - chosen.bic;
+  constexpr double whole = strong_evidence * 2 / 3, none = strong_evidence * 4 / 3, surely = 20;
+  return std::exp(0.5 * std::min(surely, more * (std::log(n) - 2) - against)) *
+         std::clamp((none - against) / (none - whole), 0.0, 1.0);
+}
+
+// Bends of a spring are the first terms of a series: where there are several, what the last one changed shows
+// how well all of them together tell the rest. The closest law without one of them; null of fewer.
+const LawFit* shorter_series(const LawFit& chosen, const std::vector<LawFit>& candidates) {
+  constexpr Law bends = law_with<Quadratic, Cubic, OddQuadratic, Quintic>;
+  constexpr int several = 3;
+  const LawFit* closest = nullptr;
+  if (Law{chosen.law.terms & bends.terms}.size() < several) return closest;
+  for (const LawFit& other : candidates) {
+    const Law without = chosen.law.without(other.law);
+    if (other.status == FitStatus::converged && chosen.law.contains(other.law) && without.size() == 1 &&
+        bends.contains(without) && other.drive.force.between == chosen.drive.force.between &&
+        (!closest || other.bic < closest->bic))
+      closest = &other;
+  }
+  return closest;
 }
 
 // A law with one decay rate has it at start and end: in as much doubt as the larger of both.
@@ -58,11 +78,16 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
   if (!chosen) return {};
   std::vector<std::vector<Parameter>> others;
   std::vector<double> odds;
-  for (const LawFit* rival : rivals_of(*chosen, candidates)) {
-    others.push_back(common_numbers(*rival, result, force_unit));
-    odds.push_back(odds_of(*rival, *chosen));
+  for (const LawFit* other : alternatives_to(*chosen, candidates)) {
+    const double of_other = odds_of(*other, *chosen);
+    if (!(of_other > 0)) continue;
+    others.push_back(common_numbers(*other, result, force_unit));
+    odds.push_back(of_other);
   }
-  if (others.empty()) return {};
+  std::vector<Parameter> of_shorter;
+  if (const LawFit* shorter = shorter_series(*chosen, candidates))
+    of_shorter = common_numbers(*shorter, result, force_unit);
+  if (others.empty() && of_shorter.empty()) return {};
   std::vector<LawDoubt> doubts;
   for (const Parameter& number : common_numbers(*chosen, result, force_unit)) {
     const double own = number.estimate.standard_error;
@@ -76,7 +101,10 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
       squares += odds[i] * std::max(off * off, error * error - own * own);
       all += odds[i];
     }
-    if (squares > 0) doubts.push_back({number.name, std::sqrt(squares / all)});
+    const Parameter* shorter = named(of_shorter, number.name);
+    const double last = shorter ? shorter->estimate.value - number.estimate.value : 0;
+    const double by = std::hypot(std::sqrt(squares / all), std::isfinite(last) ? last : 0);
+    if (by > 0) doubts.push_back({number.name, by});
   }
   add_one_rate(doubts, *chosen);
   return doubts;

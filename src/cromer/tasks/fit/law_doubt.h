@@ -14,15 +14,17 @@ struct FittedRecording;
 
 /// What a standard error lacks, in quadrature, because other laws fit as well: how far their numbers are from
 /// the chosen law's, or how much less they know them if that is more, each law with a weight of exp(-AIC/2)
-/// (K. P. Burnham, D. R. Anderson, Sociol. Methods Res. 33, 261 (2004)), of at most the chosen one's.
+/// (K. P. Burnham, D. R. Anderson, Sociol. Methods Res. 33, 261 (2004)) that fades where BIC is between 4 and
+/// 8 higher than the chosen law's. Of a law whose spring has three bends or more also what the last one
+/// changed.
 struct LawDoubt {
   std::string name;
   double by = 0;
 };
 
 /// Of angular_frequency, stiffness (with a mass), derived_quantities(), decay_rate_ends() and, of the viscous
-/// law, decay_rate, by the rivals_of() the chosen law. The result has its law, its samples and, if driven,
-/// its motion. `force_unit` as in derived_quantities().
+/// law, decay_rate, by the alternatives_to() the chosen law. The result has its law, its samples and, if
+/// driven, its motion. `force_unit` as in derived_quantities().
 std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vector<LawFit>& candidates,
                                  std::string_view force_unit = {});
 
