@@ -65,8 +65,8 @@ TEST(FitLab, SaysFirstWhatIsLookedForFirst) {
   }
   const std::string said = spaced(end.out);
   EXPECT_THAT(said, HasSubstr("0.01451 ± 0.00003 1/s at the start → 0.006116 ± 0.000016 1/s at the end\n"));
-  EXPECT_THAT(said, HasSubstr("  viscous part of the decay rate     0.00179 ± 0.00004 1/s      c x'\n"));
-  EXPECT_THAT(said, HasSubstr("  drag                               0.0941 ± 0.0005 1/m        d x'|x'|\n"));
+  EXPECT_THAT(said, HasSubstr("  viscous part of the decay rate     0.00179 ± 0.00004 1/s     c x'\n"));
+  EXPECT_THAT(said, HasSubstr("  drag                               0.0941 ± 0.0005 1/m       d x'|x'|\n"));
   EXPECT_THAT(said, HasSubstr("your mass has no ±, so its part is not in the uncertainty"));
   const Finished viscous = Folder().run({"fit", disc, "--law", "viscous", "--quiet"});
   EXPECT_THAT(spaced(viscous.out), HasSubstr("\n  decay rate  0.0093 ± 0.0005 1/s\n"));
