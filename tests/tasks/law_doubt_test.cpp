@@ -43,6 +43,14 @@ TEST(LawDoubt, IsInWhatAllLawsHaveAndNotInTheirTerms) {
                     *narrow = named(named_one.headline, "decay_rate_end");
     ASSERT_TRUE(wide && narrow);
     EXPECT_GT(wide->estimate.standard_error, narrow->estimate.standard_error);
+    const std::vector<double> covariance = covariance_with_doubts(chosen);
+    const std::size_t n = chosen.fit.names.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double error = chosen.find(chosen.fit.names[i])->standard_error;
+      if (covariance[i * n + i] > 0) {
+        EXPECT_NEAR(std::sqrt(covariance[i * n + i]) / error, 1, 1e-9);
+      }
+    }
     if (const Estimate* term = chosen.find("friction")) {
       EXPECT_NEAR(term->standard_error / named_one.find("friction")->standard_error, 1, 0.01);
     }

@@ -39,7 +39,7 @@ LawFit fit_of(core::FittedRecording fitted, bool of_arrays) {
   fit.derived = fitted.derived;
   if (!fitted.parameters.empty()) {
     fit.fitted = fitted.fit.names;
-    fit.covariance = fitted.fit.covariance;
+    fit.covariance = core::covariance_with_doubts(fitted);
   }
   fit.residual = residual_of(fitted.fit.residual);
   fit.samples = fitted.samples;

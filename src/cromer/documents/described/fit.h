@@ -5,6 +5,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/lab_quantities.h"
+#include "cromer/tasks/fit/law_doubt.h"
 
 namespace cromer::core {
 
@@ -287,10 +288,11 @@ inline std::optional<DrawnStiffness> drawn_stiffness(const FittedRecording& fitt
 }
 
 /// The covariance matrix, row by row.
-inline std::vector<std::vector<double>> covariance_rows(const LawFit& fit) {
+inline std::vector<std::vector<double>> covariance_rows(const FittedRecording& fitted) {
   std::vector<std::vector<double>> rows;
-  const auto n = static_cast<std::ptrdiff_t>(fit.names.size());
-  for (auto row = fit.covariance.begin(); static_cast<std::ptrdiff_t>(rows.size()) < n; row += n)
+  const std::vector<double> covariance = covariance_with_doubts(fitted);
+  const auto n = static_cast<std::ptrdiff_t>(fitted.fit.names.size());
+  for (auto row = covariance.begin(); static_cast<std::ptrdiff_t>(rows.size()) < n; row += n)
     rows.emplace_back(row, row + n);
   return rows;
 }
@@ -336,7 +338,7 @@ struct Described<FittedRecording> {
           members(field(
                       "parameters", [](const Fitted& f) { return f.fit.names; }, "", "their names"),
                   field(
-                      "matrix", [](const Fitted& f) { return covariance_rows(f.fit); }, "",
+                      "matrix", [](const Fitted& f) { return covariance_rows(f); }, "",
                       "the covariance matrix, row by row")
                       .not_in_study())),
       field("derived", &Fitted::derived, "", "quantities that follow from the law, by name"),

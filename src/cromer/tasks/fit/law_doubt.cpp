@@ -128,4 +128,19 @@ void add_doubts(std::vector<Parameter>& numbers, const std::vector<LawDoubt>& do
   for (Parameter& each : numbers) each = with_doubt(std::move(each), doubts);
 }
 
+std::vector<double> covariance_with_doubts(const FittedRecording& result) {
+  std::vector<double> covariance = result.fit.covariance;
+  const std::vector<std::string>& names = result.fit.names;
+  const std::size_t n = names.size();
+  if (covariance.size() != n * n) return covariance;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Parameter* known = named(result.parameters, names[i]);
+    const double own = result.fit.estimates[i].standard_error;
+    if (!known || !(own > 0) || !std::isfinite(own)) continue;
+    const double wider = known->estimate.standard_error / own;
+    for (std::size_t j = 0; j < n; ++j) covariance[i * n + j] *= wider, covariance[j * n + i] *= wider;
+  }
+  return covariance;
+}
+
 }  // namespace cromer::core

@@ -34,4 +34,8 @@ Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts);
 /// with_doubt() for each number.
 void add_doubts(std::vector<Parameter>& numbers, const std::vector<LawDoubt>& doubts);
 
+/// The covariance of the fitted parameters, row by row: correlated as by the chosen law, with the standard
+/// errors of `result`, in which the doubts are.
+std::vector<double> covariance_with_doubts(const FittedRecording& result);
+
 }  // namespace cromer::core
