@@ -74,6 +74,12 @@ TEST(Explanation, PartsWithOtherRatesSpeakWhereNoLawDescribesTheWhole) {
                                          "viscous+drag 1.00\u00a0cm."));
   EXPECT_THAT(rates(0.2, 0.4, 0.03), testing::HasSubstr(parts));
   EXPECT_THAT(rates(0.4, 0.2, 0.05), testing::HasSubstr("No verdict on the damping"));
+  // Two swings that beat have parts with other rates, too.
+  both.recording.modes.resize(2);
+  EXPECT_THAT(rates(0.4, 0.2, 0.03), testing::HasSubstr("No verdict on the damping"));
+  both.recording.modes.clear();
+  both.doubts.push_back(Notice{"modes_beside_the_law"});
+  EXPECT_THAT(rates(0.4, 0.2, 0.03), testing::HasSubstr("No verdict on the damping"));
 }
 
 // Of a pendulum the rate of the amplitude changes under viscous damping alone: few stretches do not show it.

@@ -86,7 +86,10 @@ bool other_rates_fit(const FittedRecording& recording) {
 /// Where no law describes the recording: that parts of it have other rates, whatever the law; else empty.
 Notice rates_of_parts(const CompareResult& comparison, std::string_view displacement) {
   const auto& rates = comparison.recording.decay_by_amplitude;
-  if (comparison.doubts.empty() || comparison.doubts.front().code != "no_law_describes" ||
+  // Of two swings at once the rate of a part is that of their beat.
+  const auto is_of_no_law = [](const Notice& doubt) { return doubt.code == "no_law_describes"; };
+  if (comparison.doubts.empty() || !comparison.recording.modes.empty() ||
+      !std::all_of(comparison.doubts.begin(), comparison.doubts.end(), is_of_no_law) ||
       !(stretches_differ(rates, 1) || stretches_differ(rates, -1)))
     return {};
   const auto rate = [](const AmplitudeRate& each) {

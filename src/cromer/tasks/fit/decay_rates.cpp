@@ -98,6 +98,21 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
 }
 
+/// Adds to its error what the line, r times as large, moves the rate by: at most r D, D how far apart their
+/// frequencies are, and by the weights of a slope over T at most 12 r/(T^2 D); the rms of all phases. The
+/// amplitude is in the unit of the record. Times since `begin`.
+void widen_beside(const ResidualLine& line, double begin, AmplitudeRate& stretch) {
+  const double middle = 0.5 * (stretch.from + stretch.to) - begin, length = stretch.to - stretch.from;
+  const double ratio = line.amplitude * std::exp(-line.decay_rate * middle) / stretch.amplitude,
+               apart = std::abs(line.angular_frequency - stretch.angular_frequency);
+  const double moved = ratio * std::min(apart, 12 / (length * length * apart)) / std::sqrt(2.0);
+  Estimate& rate = stretch.rate;
+  const double wider = std::hypot(rate.standard_error, moved) / rate.standard_error;
+  if (!std::isfinite(wider)) return;
+  rate = {rate.value, wider * rate.standard_error, rate.value - wider * (rate.value - rate.low),
+          rate.value + wider * (rate.high - rate.value)};
+}
+
 /// Multiplies all errors by the rms of the second differences of (rate - law_rate), in units of their errors
 /// and without the largest, where that exceeds 1 by more than chance.
 void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
@@ -226,8 +241,8 @@ double first_amplitude(const LawFit& fit) {
   return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
 }
 
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, double beat,
-                                              const Watch& watch) {
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
+                                              const std::vector<ResidualLine>& lines, const Watch& watch) {
   std::vector<AmplitudeRate> result;
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
@@ -238,7 +253,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
                there = swing_of(fit).angular_frequency(amplitude);
   double w = there > lowest ? there : lowest;
   double at = amplitude;
-  StretchLength stretch(record, w, beat);
+  StretchLength stretch(record, w, slowest_beat(lines, fit));
   const auto t = record.t;
   for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
     // A rest that is too short for a stretch of its own belongs to this one.
@@ -253,6 +268,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
       at = carried_on(decay, at, part.t.back() - part.t.front());
       stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
       if (found) {
+        for (const ResidualLine& line : lines) widen_beside(line, t.front(), *found);
         found->amplitude /= std::pow(w, record.derivative);
         found->law_rate = decay.rate(found->amplitude);
         if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))

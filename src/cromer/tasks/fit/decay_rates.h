@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cromer/analysis/swing.h"
+#include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/law_fit.h"
 
 namespace cromer::core {
@@ -61,14 +62,15 @@ Swing<double> swing_of(const LawFit& fit);
 double first_amplitude(const LawFit& fit);
 
 /// The decay rate of stretches of the record against their amplitude. A stretch holds at least two periods
-/// and twelve samples; beside something else that swings, with a beat of so many seconds, three beats. It is
+/// and twelve samples; beside something else that swings, one of these `lines`, three beats. It is
 /// as long as its rate takes to be known to 5 %, but at most a sixth of the record, or the time in which the
 /// swing halves; there are at most 60. A stretch whose error exceeds its rate is left out. Empty if
 /// first_amplitude is NaN. `fit` must have values. Errors are widened for the correlation of the stretch's
-/// own residuals, and, of eight stretches or more, multiplied by the rms of the second differences of rate
-/// less law_rate, in units of their errors and without the largest, where that exceeds 1 by more than chance:
-/// noise that is slower than a stretch does not show within it.
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, double beat = 0,
+/// own residuals and for the lines, and, of eight stretches or more, multiplied by the rms of the second
+/// differences of rate less law_rate, in units of their errors and without the largest, where that exceeds 1
+/// by more than chance: noise that is slower than a stretch does not show within it.
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
+                                              const std::vector<ResidualLine>& lines = {},
                                               const Watch& watch = {});
 
 /// Whether the first and the last stretch, each by itself, show that the rate falls (sign 1) or rises (-1).
