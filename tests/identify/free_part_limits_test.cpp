@@ -340,6 +340,9 @@ TEST(FreePartLimits, ALevelThatRoseOrHardlyFell) {
   EXPECT_TRUE(after_a_drive(40, 70, 0.03, 20, 0.002));
   EXPECT_TRUE(after_a_drive(40, 70, 0.03, 20, -0.002));
   EXPECT_FALSE(after_a_drive(40, 70, 0.03, 20, -0.007));
+  // Nor is it level where a brake comes on late.
+  EXPECT_TRUE(after_a_drive(40, 70, 0.08, 20, -0.003));
+  EXPECT_FALSE(after_a_drive(40, 70, 0.08, 20, -0.008));
 }
 
 }  // namespace

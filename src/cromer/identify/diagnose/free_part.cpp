@@ -170,7 +170,8 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
     if (window.amplitude > lowest + 0.3 * least_fall * top) return std::nullopt;
     lowest = std::min(lowest, window.amplitude);
   }
-  if (driven - lowest < least_fall * top) return std::nullopt;
+  constexpr double level = 0.85;  // of the top
+  if (driven < level * top || driven - lowest < least_fall * top) return std::nullopt;
   const double from = kink->t + period;
   return FreePart{from, Notice{"level_until", {{"time", kink->t}}}};
 }
