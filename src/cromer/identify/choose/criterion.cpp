@@ -146,20 +146,23 @@ Notice named_rival(const LawFit& fit) {
   return Notice{"law_with_coefficients", {{"law", to_text(fit.law)}, {"coefficients", coefficients}}};
 }
 
+bool is_about_as_simple(const LawFit& other, const LawFit& chosen) {
+  return other.status == FitStatus::converged &&
+         (other.fitted == chosen.fitted || other.fitted == chosen.fitted + 1);
+}
+
 }  // namespace
 
 bool fits_as_well(const LawFit& rival, const LawFit& chosen) {
-  return rival.status == FitStatus::converged && rival.bic <= chosen.bic + strong_evidence &&
-         (rival.fitted == chosen.fitted || rival.fitted == chosen.fitted + 1);
+  return is_about_as_simple(rival, chosen) && rival.bic <= chosen.bic + strong_evidence;
 }
 
 std::vector<const LawFit*> alternatives_to(const LawFit& chosen, const std::vector<LawFit>& candidates) {
   std::vector<const LawFit*> others;
   if (chosen.status != FitStatus::converged || !chosen.law.shares(springs)) return others;
   for (const LawFit& other : candidates)
-    if (other.status == FitStatus::converged && other.law != chosen.law &&
-        other.drive.force.between == chosen.drive.force.between &&
-        (other.fitted == chosen.fitted || other.fitted == chosen.fitted + 1))
+    if (is_about_as_simple(other, chosen) && other.law != chosen.law &&
+        other.drive.force.between == chosen.drive.force.between)
       others.push_back(&other);
   return others;
 }

@@ -98,6 +98,11 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
 }
 
+Estimate widened(const Estimate& rate, double times) {
+  return {rate.value, times * rate.standard_error, rate.value - times * (rate.value - rate.low),
+          rate.value + times * (rate.high - rate.value)};
+}
+
 /// Adds to its error what the line, r times as large, moves the rate by: at most r D, D how far apart their
 /// frequencies are, and by the weights of a slope over T at most 12 r/(T^2 D); the rms of all phases. The
 /// amplitude is in the unit of the record. Times since `begin`.
@@ -106,11 +111,8 @@ void widen_beside(const ResidualLine& line, double begin, AmplitudeRate& stretch
   const double ratio = line.amplitude * std::exp(-line.decay_rate * middle) / stretch.amplitude,
                apart = std::abs(line.angular_frequency - stretch.angular_frequency);
   const double moved = ratio * std::min(apart, 12 / (length * length * apart)) / std::sqrt(2.0);
-  Estimate& rate = stretch.rate;
-  const double wider = std::hypot(rate.standard_error, moved) / rate.standard_error;
-  if (!std::isfinite(wider)) return;
-  rate = {rate.value, wider * rate.standard_error, rate.value - wider * (rate.value - rate.low),
-          rate.value + wider * (rate.high - rate.value)};
+  const double wider = std::hypot(stretch.rate.standard_error, moved) / stretch.rate.standard_error;
+  if (std::isfinite(wider)) stretch.rate = widened(stretch.rate, wider);
 }
 
 /// Multiplies all errors by the rms of the second differences of (rate - law_rate), in units of their errors
@@ -134,10 +136,8 @@ void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
   if (!(square > 1 + surely * std::sqrt(variance / count))) return;
   const double times = std::sqrt(square);
   for (AmplitudeRate& each : stretches) {
-    const Estimate& rate = each.rate;
     each.widened = times;
-    each.rate = {rate.value, times * rate.standard_error, rate.value - times * (rate.value - rate.low),
-                 rate.value + times * (rate.high - rate.value)};
+    each.rate = widened(each.rate, times);
   }
 }
 
