@@ -57,44 +57,54 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
   results.set_column(id + ".reynolds", std::move(value), "", "Reynolds number Re");
 }
 
-/// Decay rates against amplitude: measured, their error bars (with a NaN after each), and by the law.
+/// Decay rates and frequencies against amplitude: measured, their error bars (with a NaN after each), and by
+/// the law.
 void collect_decay(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (fitted.decay_by_amplitude.empty()) return;
   const std::string unit = motion_units(fitted).displacement;
-  std::vector<double> amplitude, rate, law, bar_at, bar;
+  std::vector<double> amplitude, rate, frequency, law, bar_at, rate_bar, frequency_bar;
+  const auto add = [](const Estimate& measured, double size, std::vector<double>& to,
+                      std::vector<double>& bar) {
+    const double value = measured.value / size, error = measured.standard_error / size;
+    to.push_back(value);
+    bar.insert(bar.end(), {value - error, value + error, none});
+  };
   for (const AmplitudeRate& each : fitted.decay_by_amplitude) {
     amplitude.push_back(each.amplitude);
-    rate.push_back(each.rate.value);
     law.push_back(each.law_rate);
     bar_at.insert(bar_at.end(), {each.amplitude, each.amplitude, each.amplitude});
-    bar.insert(bar.end(), {each.rate.value - each.rate.standard_error,
-                           each.rate.value + each.rate.standard_error, none});
+    add(each.rate, 1, rate, rate_bar);
+    add(each.angular_frequency, two_pi, frequency, frequency_bar);
   }
   const auto set_stretch = [&](const std::string& name, const AmplitudeRate& stretch) {
     results.set(id + name, Quantity{stretch.rate.value, stretch.rate.standard_error}, "1/s");
     results.set(id + name + ".amplitude", stretch.amplitude, unit);
-    results.set(id + name + ".frequency", stretch.angular_frequency / two_pi, "Hz");
+    results.set(id + name + ".frequency", stretch.angular_frequency.value / two_pi, "Hz");
   };
   set_stretch(".first_stretch", fitted.decay_by_amplitude.front());
   set_stretch(".last_stretch", fitted.decay_by_amplitude.back());
   const auto [least, most] = extent_of(amplitude);
   const AmplitudeDecay decay = amplitude_decay(fitted.fit);
   constexpr int points = 200;
-  std::vector<double> along, curve;
+  std::vector<double> along, rates, frequencies;
   for (int i = 0; i <= points; ++i) {
     along.push_back(least + (most - least) * i / points);
-    curve.push_back(decay.rate(along.back()));
+    rates.push_back(decay.rate(along.back()));
+    frequencies.push_back(law_angular_frequency(fitted.fit, along.back()) / two_pi);
   }
   results.set_column(id + ".law_amplitude", std::move(along), unit, "amplitude");
-  results.set_column(id + ".law_curve", std::move(curve), "1/s", "decay rate");
+  results.set_column(id + ".law_curve", std::move(rates), "1/s", "decay rate");
+  results.set_column(id + ".law_frequency", std::move(frequencies), "Hz", "frequency");
   results.set(id + ".first_rate", law.front(), "1/s");
   results.set(id + ".last_rate", law.back(), "1/s");
   results.set(id + ".stretches", static_cast<double>(rate.size()));
   results.set_column(id + ".amplitude", std::move(amplitude), unit, "amplitude");
   results.set_column(id + ".rate", std::move(rate), "1/s", "decay rate");
   results.set_column(id + ".law_rate", std::move(law), "1/s", "decay rate");
+  results.set_column(id + ".stretch_frequency", std::move(frequency), "Hz", "frequency");
   results.set_column(id + ".bar_amplitude", std::move(bar_at), unit, "amplitude");
-  results.set_column(id + ".bar_rate", std::move(bar), "1/s", "decay rate");
+  results.set_column(id + ".bar_rate", std::move(rate_bar), "1/s", "decay rate");
+  results.set_column(id + ".bar_frequency", std::move(frequency_bar), "Hz", "frequency");
 }
 
 /// The samples in use; those set aside are NaN.

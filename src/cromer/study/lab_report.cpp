@@ -411,7 +411,7 @@ class Part : public LabTold {
                     ? ends
                     : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
     if (!fitted_.segments.empty()) segments();
-    if (stretches.size() > 2) decay_figure();
+    if (stretches.size() > 2) stretches_figures();
     if (several) compare_figure();
   }
 
@@ -429,29 +429,49 @@ class Part : public LabTold {
     toml_.bare("rows", "[\n" + rows + "]");
   }
 
-  void decay_figure() {
-    const std::string id = figure_id("decay");
+  /// What is measured of the stretches against their amplitude, with the law's curve.
+  void stretches_figure(FigureLines figure, std::string_view law, std::string_view bar) {
+    const std::string id = figure_id(figure.id);
     double largest = 0;
     for (const AmplitudeRate& each : fitted_.decay_by_amplitude) largest = std::max(largest, each.amplitude);
-    const std::string unit = readable_unit(units_.displacement, largest);
-    FigureLines figure{
-        .id = id,
-        .title = words("report_decay_title"),
-        .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
-        .size = "wide",
-        .x = "amplitude",
-        .y = "rate",
-        .x_name = with_unit(words("report_amplitude"), unit.empty() ? units_.displacement : unit),
-        .y_name = words("report_rate_axis"),
-        .x_unit = unit};
-    figure.curves = {{.of = id_,
-                      .role = "fitted",
-                      .name = words("report_law_curve"),
-                      .x = "law_amplitude",
-                      .y = "law_curve"},
-                     {.of = id_, .role = "measured", .x = "bar_amplitude", .y = "bar_rate"},
-                     {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true}};
+    figure.id = id;
+    figure.x = "amplitude";
+    figure.x_unit = readable_unit(units_.displacement, largest);
+    figure.x_name =
+        with_unit(words("report_amplitude"), figure.x_unit.empty() ? units_.displacement : figure.x_unit);
+    figure.x_from_zero = true;
+    figure.curves = {
+        {.of = id_, .role = "fitted", .name = words("report_law_curve"), .x = "law_amplitude", .y = law},
+        {.of = id_, .role = "measured", .x = "bar_amplitude", .y = bar},
+        {.of = id_, .role = "measured", .name = words("report_is_measured"), .dots = true}};
     toml_.figure(figure);
+  }
+
+  void stretches_figures() {
+    const auto& all = fitted_.decay_by_amplitude;
+    const bool both = has_bent_spring() || has_another_frequency_at_last();
+    const std::string_view size = both ? "half" : "wide";
+    stretches_figure({.id = "decay",
+                      .title = words("report_decay_title"),
+                      .caption = words("report_decay_caption", {{"stretches", in_braces("stretches, bare")}}),
+                      .size = size,
+                      .y = "rate",
+                      .y_name = words("report_rate_axis"),
+                      .y_from_zero = std::all_of(all.begin(), all.end(),
+                                                 [](const AmplitudeRate& each) {
+                                                   return each.law_rate >= 0 &&
+                                                          each.rate.value >= each.rate.standard_error;
+                                                 })},
+                     "law_curve", "bar_rate");
+    if (both)
+      stretches_figure(
+          {.id = "frequencies",
+           .title = words("report_frequencies_title"),
+           .caption = words("report_frequencies_caption", {{"stretches", in_braces("stretches, bare")}}),
+           .size = size,
+           .y = "stretch_frequency",
+           .y_name = words("report_frequency_axis")},
+          "law_frequency", "bar_frequency");
   }
 
   void compare_figure() {

@@ -143,15 +143,15 @@ class LabTold {
   bool stretches_fall() const { return stretches_differ(fitted_.decay_by_amplitude, 1); }
   bool stretches_rise() const { return stretches_differ(fitted_.decay_by_amplitude, -1); }
 
-  /// Whether the frequency of the last stretch is another than the first's: each is known about as well as
-  /// its decay rate.
+  /// Whether the frequency of the last stretch is another than the first's.
   bool has_another_frequency_at_last() const {
-    const AmplitudeRate &first = fitted_.decay_by_amplitude.front(),
-                        &last = fitted_.decay_by_amplitude.back();
-    const double off = std::abs(first.angular_frequency - last.angular_frequency);
+    if (fitted_.decay_by_amplitude.empty()) return false;
+    const Estimate &first = fitted_.decay_by_amplitude.front().angular_frequency,
+                   &last = fitted_.decay_by_amplitude.back().angular_frequency;
+    const double off = std::abs(first.value - last.value);
     constexpr double worth_telling = 0.01;
-    return off > worth_telling * first.angular_frequency &&
-           off > 3 * std::hypot(first.rate.standard_error, last.rate.standard_error);
+    return off > worth_telling * first.value &&
+           off > 3 * std::hypot(first.standard_error, last.standard_error);
   }
 
   /// "0.047 1/s at the start and 0.014 1/s at the end"; "" where it is not known.
@@ -299,6 +299,7 @@ class LabTold {
            : name == "reynolds_max"               ? words("report_reynolds_max")
            : name == "at_amplitude"               ? words("report_at_amplitude")
            : name == "angular_frequency"          ? words("report_small_swings")
+           : name == "drive_frequency"            ? words("report_drive_angular_frequency")
            : name == "drag" ? words(turns() ? "report_drag_per_inertia" : "report_drag_per_mass")
            : name == "equilibrium" && is_zero() ? words("report_zero")
            : name == "damping"                  ? words("report_damping_constant")

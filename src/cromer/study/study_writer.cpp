@@ -89,6 +89,8 @@ void StudyWriter::figure(const FigureLines& figure) {
   text("y_name", figure.y_name);
   text("x_unit", figure.x_unit);
   text("y_unit", figure.y_unit);
+  if (figure.x_from_zero) bare("x_low", "0");
+  if (figure.y_from_zero) bare("y_low", "0");
   for (const CurveLines& curve : figure.curves) this->curve(curve);
   table("block");
   text("figure", figure.id);

@@ -147,6 +147,11 @@ struct Described<AmplitudeRate> {
                   .with_interval(),
               field("law_rate", &AmplitudeRate::law_rate, "1/s",
                     "rate at which the fitted law's amplitude falls there, averaged over a cycle"),
+              estimated("angular_frequency", &AmplitudeRate::angular_frequency, "rad/s",
+                        "angular frequency of that sinusoid")
+                  .with_interval(),
+              field("law_angular_frequency", &AmplitudeRate::law_angular_frequency, "rad/s",
+                    "angular frequency of the fitted law's swings of that amplitude"),
               field("from", &AmplitudeRate::from, "s", "where the stretch begins").known(),
               field("to", &AmplitudeRate::to, "s", "where it ends").known());
 };

@@ -86,7 +86,8 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   const SquareMatrix covariance = inverse(summary.equations.matrix, n);
   const Parameters& p = summary.parameters;
   const double rate = p[DampedPhasor::decay_rate];
-  const double error = std::sqrt(variance * covariance[DampedPhasor::decay_rate][DampedPhasor::decay_rate]);
+  const auto error_of = [&](int i) { return std::sqrt(variance * covariance[i][i]); };
+  const double error = error_of(DampedPhasor::decay_rate);
   const double from = part.t.front(), to = part.t.back();
   const double middle = std::exp(-rate * 0.5 * (to - from));
   const double amplitude = std::hypot(p[DampedPhasor::cosine], p[DampedPhasor::sine]) * middle;
@@ -95,33 +96,42 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   if (!std::isfinite(error) || !(amplitude > 4 * of_noise)) return std::nullopt;
   w = p[DampedPhasor::angular_frequency];
   const double t = student_95(std::max(1.0, degrees / widening));
-  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0, w};
+  return AmplitudeRate{.from = from,
+                       .to = to,
+                       .amplitude = amplitude,
+                       .rate = make_estimate(rate, error, t),
+                       .angular_frequency = make_estimate(w, error_of(DampedPhasor::angular_frequency), t),
+                       .law_rate = 0,
+                       .law_angular_frequency = 0};
 }
 
-Estimate widened(const Estimate& rate, double times) {
-  return {rate.value, times * rate.standard_error, rate.value - times * (rate.value - rate.low),
-          rate.value + times * (rate.high - rate.value)};
+Estimate widened(const Estimate& e, double times) {
+  return {e.value, times * e.standard_error, e.value - times * (e.value - e.low),
+          e.value + times * (e.high - e.value)};
 }
 
-/// Adds to its error what the line, r times as large, moves the rate by: at most r D, D how far apart their
-/// frequencies are, and by the weights of a slope over T at most 12 r/(T^2 D); the rms of all phases. The
-/// amplitude is in the unit of the record. Times since `begin`.
+/// Adds to the errors what the line, r times as large, moves rate and frequency by: at most r D, D how far
+/// apart their frequencies are, and by the weights of a slope over T at most 12 r/(T^2 D); the rms of all
+/// phases. The amplitude is in the unit of the record. Times since `begin`.
 void widen_beside(const ResidualLine& line, double begin, AmplitudeRate& stretch) {
   const double middle = 0.5 * (stretch.from + stretch.to) - begin, length = stretch.to - stretch.from;
   const double ratio = line.amplitude * std::exp(-line.decay_rate * middle) / stretch.amplitude,
-               apart = std::abs(line.angular_frequency - stretch.angular_frequency);
+               apart = std::abs(line.angular_frequency - stretch.angular_frequency.value);
   const double moved = ratio * std::min(apart, 12 / (length * length * apart)) / std::sqrt(2.0);
-  const double wider = std::hypot(stretch.rate.standard_error, moved) / stretch.rate.standard_error;
-  if (std::isfinite(wider)) stretch.rate = widened(stretch.rate, wider);
+  for (Estimate* each : {&stretch.rate, &stretch.angular_frequency}) {
+    const double wider = std::hypot(each->standard_error, moved) / each->standard_error;
+    if (std::isfinite(wider)) *each = widened(*each, wider);
+  }
 }
 
-/// Multiplies all errors by the rms of the second differences of (rate - law_rate), in units of their errors
-/// and without the largest, where that exceeds 1 by more than chance.
-void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
+/// Multiplies the errors of what is measured by the rms of the second differences of (measured - law), in
+/// units of their errors and without the largest, where that exceeds 1 by more than chance. Returns by what.
+double widen_by_neighbours(std::vector<AmplitudeRate>& stretches, Estimate AmplitudeRate::*measured,
+                           double AmplitudeRate::*law) {
   constexpr std::size_t fewest = 8;
-  if (stretches.size() < fewest) return;
-  const auto off = [&](std::size_t i) { return stretches[i].rate.value - stretches[i].law_rate; };
-  const auto error = [&](std::size_t i) { return stretches[i].rate.standard_error; };
+  if (stretches.size() < fewest) return 1;
+  const auto off = [&](std::size_t i) { return (stretches[i].*measured).value - stretches[i].*law; };
+  const auto error = [&](std::size_t i) { return (stretches[i].*measured).standard_error; };
   double sum = 0, largest = 0;
   for (std::size_t i = 1; i + 1 < stretches.size(); ++i) {
     const double each = std::pow(
@@ -133,12 +143,10 @@ void widen_by_neighbours(std::vector<AmplitudeRate>& stretches) {
   // The squares of those that share stretches are correlated, by (4/6)^2 and (1/6)^2 of normal noise: their
   // mean has a variance of 2 (1 + 2 (16 + 1)/36) over their number.
   constexpr double variance = 2 * (1 + 2 * 17.0 / 36), surely = 3;
-  if (!(square > 1 + surely * std::sqrt(variance / count))) return;
+  if (!(square > 1 + surely * std::sqrt(variance / count))) return 1;
   const double times = std::sqrt(square);
-  for (AmplitudeRate& each : stretches) {
-    each.widened = times;
-    each.rate = widened(each.rate, times);
-  }
+  for (AmplitudeRate& each : stretches) each.*measured = widened(each.*measured, times);
+  return times;
 }
 
 }  // namespace
@@ -234,6 +242,12 @@ AmplitudeDecay amplitude_decay(const LawFit& fit) {
   return {.angular_frequency = fit.motion.angular_frequency(), .per_mass = fit.motion.per_mass};
 }
 
+double law_angular_frequency(const LawFit& fit, double amplitude) {
+  const double undamped = swing_of(fit).angular_frequency(amplitude),
+               rate = amplitude_decay(fit).rate(amplitude);
+  return std::sqrt(std::max(0.0, undamped * undamped - rate * rate));
+}
+
 Swing<double> swing_of(const LawFit& fit) { return {fit.motion.per_mass}; }
 
 double first_amplitude(const LawFit& fit) {
@@ -271,6 +285,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
         for (const ResidualLine& line : lines) widen_beside(line, t.front(), *found);
         found->amplitude /= std::pow(w, record.derivative);
         found->law_rate = decay.rate(found->amplitude);
+        found->law_angular_frequency = law_angular_frequency(fit, found->amplitude);
         if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))
           result.push_back(*found);
       }
@@ -278,7 +293,9 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
     if (last) break;
     first = next;
   }
-  widen_by_neighbours(result);
+  const double times = widen_by_neighbours(result, &AmplitudeRate::rate, &AmplitudeRate::law_rate);
+  for (AmplitudeRate& each : result) each.widened = times;
+  widen_by_neighbours(result, &AmplitudeRate::angular_frequency, &AmplitudeRate::law_angular_frequency);
   return result;
 }
 

@@ -34,13 +34,18 @@ struct AmplitudeRate {
   double from, to;               // [s] the stretch
   double amplitude;              ///< in its middle, unit of the displacement
   Estimate rate;                 // [1/s] of one decaying sinusoid fitted to the stretch alone
+  Estimate angular_frequency;    // [rad/s] of that sinusoid
   double law_rate;               // [1/s] the law's at that amplitude, averaged over a cycle
-  double angular_frequency = 0;  // [rad/s] of that sinusoid
+  double law_angular_frequency;  // [rad/s] the law's there
   double widened = 1;            ///< the rate's error was multiplied by this: see decay_by_amplitude()
 };
 
 /// What the law's damping does to the amplitude.
 AmplitudeDecay amplitude_decay(const LawFit& fit);
+
+/// Angular frequency [rad/s] by the law of the swings between which the amplitude is `amplitude` > 0 [unit of
+/// the displacement], of viscous damping at the law's rate there.
+double law_angular_frequency(const LawFit& fit, double amplitude);
 
 /// Rates that differ by less, relative, are one for whoever reads them.
 inline constexpr double alike_rates = 0.02;
@@ -65,10 +70,11 @@ double first_amplitude(const LawFit& fit);
 /// and twelve samples; beside something else that swings, one of these `lines`, three beats. It is
 /// as long as its rate takes to be known to 5 %, but at most a sixth of the record, or the time in which the
 /// swing halves; there are at most 60. A stretch whose error exceeds its rate is left out. Empty if
-/// first_amplitude is NaN. `fit` must have values. Errors are widened for the correlation of the stretch's
-/// own residuals and for the lines, and, of eight stretches or more, multiplied by the rms of the second
-/// differences of rate less law_rate, in units of their errors and without the largest, where that exceeds 1
-/// by more than chance: noise that is slower than a stretch does not show within it.
+/// first_amplitude is NaN. `fit` must have values. Errors, of rate and frequency, are widened for the
+/// correlation of the stretch's own residuals and for the lines, and, of eight stretches or more, multiplied
+/// by the rms of the second differences of what is measured less the law's, in units of their errors and
+/// without the largest, where that exceeds 1 by more than chance: noise that is slower than a stretch does
+/// not show within it.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const std::vector<ResidualLine>& lines = {},
                                               const Watch& watch = {});
