@@ -285,6 +285,7 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   EXPECT_THAT(lab.text(), HasSubstr("a motion driven at 1.114084"));
   EXPECT_THAT(lab.text(), Not(HasSubstr("# How the swing dies down")));
   EXPECT_THAT(lab.page.summary, HasSubstr("The motion beats at first, every 6.28 s: "));
+  EXPECT_THAT(lab.text(), HasSubstr("angular frequency of the drive|"));
   EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"swings", "position", "resonance", "lag"}));
   EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
 }
@@ -304,7 +305,8 @@ TEST(LabReport, ShowsForwardEulerUntilItLeavesTheSpring) {
   };
   const Made lab = report({{"lab.csv", recorded(x, 25)}});
   EXPECT_THAT(lab.text(), HasSubstr("before forward Euler goes to where the spring gives way"));
-  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"position", "energy", "phase"}));
+  EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"decay", "frequencies", "position", "energy", "phase"}));
+  EXPECT_THAT(lab.text(), HasSubstr("The frequency of the same"));
 }
 
 TEST(LabReport, OfAnUnknownLengthNamesNoJoulesAndNoMetres) {

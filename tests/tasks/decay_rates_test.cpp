@@ -148,6 +148,41 @@ TEST(DecayByAmplitude, NoStretchIsMuchLongerThanTheSwingTakesToHalve) {
   for (const AmplitudeRate& each : stretches) EXPECT_LT((each.to - each.from) * 0.15, 1.6 * std::log(2));
 }
 
+// A pendulum's: w = w0/(1 + A^2/16 + 11 A^4/3072 + 173 A^6/737280 + ...).
+TEST(DecayByAmplitude, TellsTheFrequencyToo) {
+  double squares = 0, count = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    NormalDeviates noise(seed);
+    const double h = 1e-3, w0 = 6, g = 0.03;
+    std::vector<double> t, y;
+    double x = 1, v = 0;
+    for (int i = 0; i < 40'000; ++i) {
+      if (i % 20 == 0) {
+        t.push_back(i * h);
+        y.push_back(x + 3e-3 * noise.next());
+      }
+      v -= 0.5 * h * (w0 * w0 * std::sin(x) + 2 * g * v);
+      x += h * v;
+      v = (v - 0.5 * h * w0 * w0 * std::sin(x)) / (1 + g * h);
+    }
+    const Record record{t, y, 0};
+    LawFitOptions options;
+    options.law = law_of("viscous+pendulum");
+    const auto stretches = decay_by_amplitude(record, fit_law(record, options));
+    ASSERT_GT(stretches.size(), 4u);
+    EXPECT_GT(stretches.back().angular_frequency.value, 1.03 * stretches.front().angular_frequency.value);
+    for (const AmplitudeRate& each : stretches) {
+      const double A2 = each.amplitude * each.amplitude;
+      const double w = w0 / (1 + A2 * (1.0 / 16 + A2 * (11.0 / 3072 + A2 * 173 / 737280)));
+      EXPECT_NEAR(each.law_angular_frequency / w, 1, 3e-4);
+      squares += std::pow((each.angular_frequency.value - w) / each.angular_frequency.standard_error, 2);
+      ++count;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / count), 1.4);
+  EXPECT_GT(std::sqrt(squares / count), 0.6);
+}
+
 // What swings along moves the rate of a stretch that holds less than a few beats by far more than its error,
 // and that of others by as much as is in their errors.
 TEST(DecayByAmplitude, AStretchHoldsSomeBeats) {

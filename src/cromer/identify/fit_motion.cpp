@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cromer/analysis/swing.h"
+#include "cromer/base/at_once.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
@@ -404,10 +405,13 @@ KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& kno
   LeastSquaresOptions settings = problem.settings(part);
   settings.iteration_limit = 25;
   settings.error_tolerance = 0.1;
-  for (const Motion& start : starts) {
-    const StepLength steps(problem, {start, samples, 0});
-    const Parameters p = problem.fitted().pack(start);
-    const LeastSquaresSummary summary = minimise(problem.model(part, steps.coarse(p)), p, settings);
+  std::vector<LeastSquaresSummary> tried(starts.size());
+  at_once(starts.size(), [&](std::size_t i) {
+    const StepLength steps(problem, {starts[i], samples, 0});
+    const Parameters p = problem.fitted().pack(starts[i]);
+    tried[i] = minimise(problem.model(part, steps.coarse(p)), p, settings);
+  });
+  for (const LeastSquaresSummary& summary : tried) {
     if (!(summary.equations.sum_of_squares < least)) continue;
     least = summary.equations.sum_of_squares;
     best.motion = problem.fitted().unpack(summary.parameters);
@@ -476,9 +480,10 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
   linear.law = Law{options.law.terms & leading.terms}.with(law_with<Viscous>);
   if (recorded && options.law.shares(springs) && options.law.shares(odd) && !both)
     linear.law = linear.law.with(law_with<Cubic>);
-  const std::optional<Motion> start = options.drive.kind == DriveKind::harmonic
-                                          ? driven_start(record, options.drive_frequency)
-                                          : forced_start(record, options.drive.force, linear.law);
+  const std::optional<Motion> start = options.drive.kind != DriveKind::harmonic
+                                          ? forced_start(record, options.drive.force, linear.law)
+                                      : options.start ? std::optional(options.start->motion)
+                                                      : driven_start(record, options.drive_frequency);
   if (!start) {
     beginning.linear =
         refused({FitStatus::no_oscillation,

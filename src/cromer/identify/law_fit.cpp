@@ -64,6 +64,8 @@ LawFit fit_every_sample(const Record& record, const LawFitOptions& options, cons
     fit.law = options.law;
     return fit;
   }
+  if (options.drive.kind == DriveKind::harmonic && beginning.linear.law == options.law)
+    return beginning.linear;
   return fit_motion(record, options, beginning.known(options.law, record), watch);
 }
 

@@ -432,14 +432,16 @@ class Part : public LabTold {
   /// What is measured of the stretches against their amplitude, with the law's curve.
   void stretches_figure(FigureLines figure, std::string_view law, std::string_view bar) {
     const std::string id = figure_id(figure.id);
-    double largest = 0;
-    for (const AmplitudeRate& each : fitted_.decay_by_amplitude) largest = std::max(largest, each.amplitude);
+    const auto& all = fitted_.decay_by_amplitude;
+    const auto [smallest, largest] = std::minmax_element(
+        all.begin(), all.end(),
+        [](const AmplitudeRate& a, const AmplitudeRate& b) { return a.amplitude < b.amplitude; });
     figure.id = id;
     figure.x = "amplitude";
-    figure.x_unit = readable_unit(units_.displacement, largest);
+    figure.x_unit = readable_unit(units_.displacement, largest->amplitude);
     figure.x_name =
         with_unit(words("report_amplitude"), figure.x_unit.empty() ? units_.displacement : figure.x_unit);
-    figure.x_from_zero = true;
+    figure.x_from_zero = smallest->amplitude < 0.5 * largest->amplitude;
     figure.curves = {
         {.of = id_, .role = "fitted", .name = words("report_law_curve"), .x = "law_amplitude", .y = law},
         {.of = id_, .role = "measured", .x = "bar_amplitude", .y = bar},

@@ -38,6 +38,14 @@ class SlipSearch {
       const double bends = bends_ ? -std::expm1(-2 * g * s) * earlier / w0 : 0;
       rows_.push_back({1, x, v / w0, s * x, s * v / w0, earlier, bends});
     }
+    sums_.size = terms();
+    for (std::size_t i = 0; i < rows_.size(); ++i) sums_.add_row(rows_[i], residuals_[i]);
+    later_.resize(rows_.size() + 1);
+    for (std::size_t i = rows_.size(); i-- > 0;) {
+      const double slips = rows_[i][of_slip];
+      for (int j = 0; j < most_terms; ++j) later_[i].row[j] = later_[i + 1].row[j] + slips * rows_[i][j];
+      later_[i].right = later_[i + 1].right + slips * residuals_[i];
+    }
   }
 
   struct Found {
@@ -69,8 +77,10 @@ class SlipSearch {
 
   // Of a slip before this sample.
   Found before(std::size_t at) const {
-    NormalEquations sums{.size = terms()};
-    for (std::size_t i = 0; i < rows_.size(); ++i) sums.add_row(row_of(i, at), residuals_[i]);
+    NormalEquations sums = sums_;
+    for (int j = 0; j < most_terms; ++j)
+      sums.matrix[j][of_slip] = sums.matrix[of_slip][j] = later_[at].row[j];
+    sums.right[of_slip] = later_[at].right;
     const LinearFit fit = solve(sums);
     return fit.ok ? Found{at, fit.rest, fit.x} : Found{at};
   }
@@ -84,8 +94,16 @@ class SlipSearch {
     return row;
   }
 
+  // Products with the slip's entry, which is 0 before it: summed from a sample to the last one.
+  struct Later {
+    Row row{};
+    double right = 0;
+  };
+
   std::vector<double> residuals_;
   std::vector<Row> rows_;
+  std::vector<Later> later_;
+  NormalEquations sums_{};  // of a slip before the first sample
   bool bends_ = false;
 };
 

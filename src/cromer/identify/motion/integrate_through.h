@@ -16,42 +16,45 @@
 
 namespace cromer::core {
 
-// The laws that have code of their own: a measured choice. Every other law shares the code of the smallest
-// one here that has all of its terms, at the price of derivatives that nobody asks for.
+// The laws that have code of their own: a measured choice. Every other law shares the code with the fewest
+// columns that serves it, where each term is asked for.
 
 inline constexpr Law every_term_but_hysteresis = smooth_terms.with(law_with<Friction>);
 inline constexpr Law every_term = every_term_but_hysteresis.with(law_with<Hysteresis>);
 
 #ifdef CROMER_PAGE
-inline constexpr Law free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"),
-                                    every_term_but_hysteresis, every_term};
-inline constexpr Law driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"), every_term};
+inline constexpr LawCode free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"),
+                                        every_term_but_hysteresis, every_term};
+inline constexpr LawCode driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"),
+                                          every_term};
 #else
-inline constexpr Law free_laws[] = {law_of("viscous"),
-                                    law_of("viscous+drag"),
-                                    law_of("viscous+cubic"),
-                                    law_of("viscous+odd-quadratic"),
-                                    law_of("viscous+drag+cubic"),
-                                    law_of("viscous+drag+odd-quadratic"),
-                                    law_of("viscous+drag+pendulum"),
-                                    law_of("viscous+drag+friction"),
-                                    law_of("viscous+drag+friction+cubic"),
-                                    law_of("viscous+drag+friction+odd-quadratic"),
-                                    law_of("viscous+drag+friction+pendulum"),
-                                    law_of("viscous+hysteresis"),
-                                    smooth_terms,
-                                    every_term_but_hysteresis,
-                                    every_term};
-inline constexpr Law driven_laws[] = {law_of("viscous"),
-                                      law_of("viscous+drag"),
-                                      law_of("viscous+quadratic+cubic"),
-                                      law_of("viscous+drag+quadratic+cubic"),
-                                      law_of("viscous+friction+odd-quadratic"),
-                                      law_of("viscous+friction+quadratic+cubic"),
-                                      law_of("viscous+hysteresis"),
-                                      smooth_terms,
-                                      every_term_but_hysteresis,
-                                      every_term};
+inline constexpr LawCode free_laws[] = {law_of("viscous"),
+                                        law_of("viscous+drag"),
+                                        law_of("viscous+cubic"),
+                                        law_of("viscous+odd-quadratic"),
+                                        law_of("viscous+drag+cubic"),
+                                        law_of("viscous+drag+odd-quadratic"),
+                                        law_of("viscous+drag+pendulum"),
+                                        law_of("viscous+drag+friction"),
+                                        law_of("viscous+drag+friction+cubic"),
+                                        law_of("viscous+drag+friction+odd-quadratic"),
+                                        law_of("viscous+drag+friction+pendulum"),
+                                        law_of("viscous+hysteresis"),
+                                        {smooth_terms, 5},
+                                        {every_term_but_hysteresis, 6},
+                                        {every_term, 8},
+                                        every_term};
+inline constexpr LawCode driven_laws[] = {law_of("viscous"),
+                                          law_of("viscous+drag"),
+                                          law_of("viscous+quadratic+cubic"),
+                                          law_of("viscous+drag+quadratic+cubic"),
+                                          law_of("viscous+friction+odd-quadratic"),
+                                          law_of("viscous+friction+quadratic+cubic"),
+                                          law_of("viscous+hysteresis"),
+                                          {smooth_terms, 5},
+                                          {every_term_but_hysteresis, 6},
+                                          {every_term, 8},
+                                          every_term};
 #endif
 
 /// The functions of one unit; see motion_model.h.
@@ -166,21 +169,29 @@ void integrate_under_force(const Motion& motion, const ForceRecord& force, std::
   }
 }
 
-/// f.operator()<law>() with the smallest of `laws` that has all terms of the given one.
-template <const auto& laws, class F>
-void with_law_among(const Law& law, F&& f) {
-  const std::optional<Law> best = smallest_containing(laws, law);
+/// The place among `codes` of the one with the fewest columns that serves a law; the first of equals.
+constexpr std::size_t code_for(std::span<const LawCode> codes, Law law) {
+  std::size_t best = codes.size();
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    if (codes[i].serves(law) && (best == codes.size() || codes[i].room < codes[best].room)) best = i;
+  return best;
+}
+
+/// f.operator()<code>() with the code for a law.
+template <const auto& codes, class F>
+void with_code_among(const Law& law, F&& f) {
+  const std::size_t best = code_for(codes, law);
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (void)((best == laws[i] && (f.template operator()<laws[i]>(), true)) || ...);
+    (void)((best == i && (f.template operator()<codes[i]>(), true)) || ...);
   }
-  (std::make_index_sequence<std::size(laws)>{});
+  (std::make_index_sequence<std::size(codes)>{});
 }
 
 /// Calls visit(i, sample) with numbers, and in columns their derivatives.
-template <Law law, class DriveColumns, bool derivatives, class Visit>
+template <LawCode code, class DriveColumns, bool derivatives, class Visit>
 void integrate_through(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
                        Visit visit) {
-  using Code = MotionCode<law, DriveColumns, derivatives>;
+  using Code = MotionCode<code, DriveColumns, derivatives>;
   if constexpr (std::is_same_v<DriveColumns, RecordedColumns>)
     integrate_under_force<Code>(motion, drive.force, t, h, visit);
   else if constexpr (std::is_same_v<DriveColumns, HarmonicColumns>)
@@ -197,13 +208,14 @@ struct ColumnOf {
 };
 
 template <class Code>
-ColumnOf column_of(const FittedParameter& parameter, double value) {
+ColumnOf column_of(const FittedParameter& parameter, Law law, double value) {
   ColumnOf found{-1, parameter.coefficient ? parameter.slope(value) : 1};
+  const CoefficientColumns columns(Code::asks ? law : Code::law);
   for_each_term([&]<class T>() {
     if constexpr (Code::law.template has<T>())
       for (std::size_t i = 0; i < coefficients_of<T>; ++i)
         if (parameter.coefficient == T::template members<double>[i])
-          found.column = static_cast<int>(Code::template column_of<T> + i);
+          found.column = static_cast<int>(columns.of<T>() + i);
   });
   constexpr int drive = static_cast<int>(Code::drive_column);
   const std::pair<double Motion::*, int> others[] = {
@@ -229,8 +241,8 @@ struct MotionUnit {
 
   static void values(const Motion& motion, const Drive& drive, std::span<const double> t, bool acceleration,
                      double h, VisitValues visit) {
-    with_law_among<laws>(motion.law, [&]<Law law>() {
-      integrate_through<law, DriveColumns, false>(
+    with_code_among<laws>(motion.law, [&]<LawCode code>() {
+      integrate_through<code, DriveColumns, false>(
           motion, drive, t, h, [&](std::size_t i, const auto& sample) {
             visit(i, {sample.x().value, sample.v().value}, acceleration ? sample.a().value : 0);
           });
@@ -261,12 +273,12 @@ struct MotionUnit {
                                    const Drive& drive, const Record& record, double h) {
     const Motion motion = fitted.unpack(parameters);
     NormalEquations equations;
-    with_law_among<laws>(motion.law, [&]<Law law>() {
-      using Code = MotionCode<law, DriveColumns, true>;
+    with_code_among<laws>(motion.law, [&]<LawCode code>() {
+      using Code = MotionCode<code, DriveColumns, true>;
       constexpr std::size_t N = Code::columns, columns = N + 1;  // the last is the equilibrium's
       double gram[columns][columns]{}, right[columns]{}, sum_of_squares = 0;
       std::size_t reached = 0;
-      integrate_through<law, DriveColumns, true>(
+      integrate_through<code, DriveColumns, true>(
           motion, drive, record.t, h, [&](std::size_t i, const auto& sample) {
             const auto model = sample.observed(record.derivative);
             const double r = record.y[i] - motion.equilibrium - model.value;
@@ -284,7 +296,7 @@ struct MotionUnit {
       equations.sum_of_squares = reached == record.t.size() ? sum_of_squares : HUGE_VAL;
       ColumnOf at[max_parameters];
       for (int i = 0; i < fitted.count; ++i) {
-        at[i] = column_of<Code>(fitted.of[i], parameters[i]);
+        at[i] = column_of<Code>(fitted.of[i], motion.law, parameters[i]);
         if (at[i].column < 0) at[i].column = static_cast<int>(N);
       }
       for (int i = 0; i < fitted.count; ++i) {
@@ -321,18 +333,19 @@ struct MotionUnit {
   static void gradients(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
                         std::span<const double> t, int derivative, double h, VisitGradients visit) {
     const Motion motion = fitted.unpack(parameters);
-    with_law_among<laws>(motion.law, [&]<Law law>() {
-      using Code = MotionCode<law, DriveColumns, true>;
+    with_code_among<laws>(motion.law, [&]<LawCode code>() {
+      using Code = MotionCode<code, DriveColumns, true>;
       ColumnOf at[max_parameters];
-      for (int i = 0; i < fitted.count; ++i) at[i] = column_of<Code>(fitted.of[i], parameters[i]);
-      integrate_through<law, DriveColumns, true>(motion, drive, t, h, [&](std::size_t i, const auto& sample) {
-        const auto number = sample.observed(derivative);
-        Parameters gradient{};
-        for (int j = 0; j < fitted.count; ++j)
-          if (const auto [column, factor] = at[j]; column >= 0)
-            gradient[j] = factor * number.derivative[static_cast<std::size_t>(column)];
-        visit(i, sample.direction(), number.value, gradient);
-      });
+      for (int i = 0; i < fitted.count; ++i) at[i] = column_of<Code>(fitted.of[i], motion.law, parameters[i]);
+      integrate_through<code, DriveColumns, true>(
+          motion, drive, t, h, [&](std::size_t i, const auto& sample) {
+            const auto number = sample.observed(derivative);
+            Parameters gradient{};
+            for (int j = 0; j < fitted.count; ++j)
+              if (const auto [column, factor] = at[j]; column >= 0)
+                gradient[j] = factor * number.derivative[static_cast<std::size_t>(column)];
+            visit(i, sample.direction(), number.value, gradient);
+          });
     });
   }
 };

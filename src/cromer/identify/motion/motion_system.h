@@ -163,35 +163,58 @@ class RecordedColumns {
   std::size_t block_ = static_cast<std::size_t>(-1) - block, margin_ = 0;
 };
 
-/// What code is compiled for: a law (a superset of those that share it), a kind of drive, and whether
-/// derivatives are wanted.
-template <Law law_, class Drive_, bool with_derivatives>
+/// The columns of a law's coefficients: those of its terms one after the other, in the registry's order.
+class CoefficientColumns {
+ public:
+  constexpr explicit CoefficientColumns(Law law) {
+    for_each_term([&]<class T>() {
+      first_[place_of_term<T>] = static_cast<unsigned char>(count_);
+      if (law.has<T>()) count_ += coefficients_of<T>;
+    });
+  }
+
+  constexpr std::size_t count() const { return count_; }
+  /// Of the first coefficient of a term that the law has.
+  template <class T>
+  constexpr std::size_t of() const {
+    return first_[place_of_term<T>];
+  }
+
+ private:
+  std::array<unsigned char, term_count> first_{};
+  std::size_t count_ = 0;
+};
+
+/// Code of its own: for a law; or, shared, for all whose terms are among the law's and whose coefficients
+/// find `room` in its columns.
+struct LawCode {
+  Law law;
+  std::size_t room;
+
+  constexpr LawCode(Law of) : law(of), room(CoefficientColumns(of).count()) {}  // NOLINT: as laws are
+  constexpr LawCode(Law all, std::size_t room_for) : law(all), room(room_for) {}
+
+  constexpr bool serves(Law other) const {
+    return law.contains(other) && CoefficientColumns(other).count() <= room;
+  }
+};
+
+/// What code is compiled for: a law, or those that share it, a kind of drive, and whether derivatives are
+/// wanted.
+template <LawCode code_, class Drive_, bool with_derivatives>
 struct MotionCode {
-  static constexpr Law law = law_;
+  static constexpr LawCode code = code_;
+  static constexpr Law law = code.law;
   using Drive = Drive_;
   static constexpr bool hysteretic = law.template has<Hysteresis>();
   static constexpr bool has_friction = law.template has<Friction>();
-  /// If so many terms share the code, each is asked whether it is present.
+  /// If so many terms share the code, each is asked whether it is present, and has its column if it is.
   static constexpr bool asks = law.size() > 6;
 
-  static constexpr std::size_t coefficients = [] {
-    std::size_t count = 0;
-    for_each_term([&]<class T>() { count += law.template has<T>() ? coefficients_of<T> : 0; });
-    return count;
-  }();
-  /// Columns: the coefficients in the registry's order, the drive's, position and velocity at the start.
-  static constexpr std::size_t drive_column = coefficients, position_column = coefficients + Drive::count,
+  /// Columns: the coefficients, the drive's, position and velocity at the start.
+  static constexpr std::size_t drive_column = code.room, position_column = code.room + Drive::count,
                                velocity_column = position_column + 1;
   static constexpr std::size_t columns = with_derivatives ? velocity_column + 1 : 0;
-
-  template <class T>
-  static constexpr std::size_t column_of = [] {
-    std::size_t column = 0;
-    for_each_term([&]<class Each>() {
-      if (law.template has<Each>() && place_of_term<Each> < place_of_term<T>) column += coefficients_of<Each>;
-    });
-    return column;
-  }();
 
   using Number = Dual<double, columns>;
   using Real = std::conditional_t<hysteretic, Coupled<Number>, Number>;
@@ -211,11 +234,19 @@ class MotionSystem {
 
   /// Keeps references to both. `direction` is the sign of the velocity.
   MotionSystem(const Motion& motion, const typename Code::Drive& drive, int direction = 0)
-      : motion_(&motion), drive_(&drive), direction_(direction) {}
+      : motion_(&motion), drive_(&drive), direction_(direction), columns_(motion.law) {}
 
-  MotionSystem sliding(int direction) const { return {*motion_, *drive_, direction}; }
+  MotionSystem sliding(int direction) const {
+    MotionSystem same = *this;
+    same.direction_ = direction;
+    return same;
+  }
   /// The same, where the drive knows its step.
-  MotionSystem under(const typename Code::Drive& drive) const { return {*motion_, drive, direction_}; }
+  MotionSystem under(const typename Code::Drive& drive) const {
+    MotionSystem same = *this;
+    same.drive_ = &drive;
+    return same;
+  }
   const typename Code::Drive& drive() const { return *drive_; }
 
   /// [unit/s^2] at s [s] from the first sample.
@@ -226,13 +257,14 @@ class MotionSystem {
     drive_->add(s, sum, Code::columns > 0 ? result.derivative.data() + Code::drive_column : nullptr);
     for_each_term([&]<class T>() {
       if constexpr (Code::law.template has<T>() && smooth_terms.has<T>()) {
-        if (Code::asks && !motion_->law.has<T>()) return;
+        if (is_absent<T>()) return;
         add<T>(x, v, sum, by_x, by_v, result);
       }
     });
     if constexpr (Code::has_friction) {
       sum -= direction_ * motion_->per_mass.friction;
-      if constexpr (Code::columns > 0) result.derivative[Code::template column_of<Friction>] = -direction_;
+      if constexpr (Code::columns > 0)
+        if (!is_absent<Friction>()) result.derivative[columns_.template of<Friction>()] = -direction_;
     }
     for (std::size_t i = 0; i < Code::columns; ++i)
       result.derivative[i] += by_x * position.derivative[i] + by_v * velocity.derivative[i];
@@ -250,6 +282,21 @@ class MotionSystem {
  private:
   using One = Dual<double, 1>;
 
+  /// Known when compiling where the code is one law's.
+  struct OwnColumns {
+    explicit OwnColumns(Law) {}
+    template <class T>
+    static constexpr std::size_t of() {
+      return CoefficientColumns(Code::law).template of<T>();
+    }
+  };
+  using Columns = std::conditional_t<Code::asks, CoefficientColumns, OwnColumns>;
+
+  template <class T>
+  bool is_absent() const {
+    return Code::asks && !motion_->law.has<T>();
+  }
+
   template <class T>
   void add(double x, double v, double& sum, double& by_x, double& by_v, Number& result) const {
     const double p = motion_->per_mass.*T::template members<double>[0];
@@ -257,7 +304,7 @@ class MotionSystem {
     by_x -= slope_of(T::force(One::variable(x, 0), v, p));
     by_v -= slope_of(T::force(x, One::variable(v, 0), p));
     if constexpr (Code::columns > 0)
-      result.derivative[Code::template column_of<T>] = -slope_of(T::force(x, v, One::variable(p, 0)));
+      result.derivative[columns_.template of<T>()] = -slope_of(T::force(x, v, One::variable(p, 0)));
   }
 
   Number rate(const Number& velocity, const Number& force) const {
@@ -266,7 +313,8 @@ class MotionSystem {
     const double A = law.hysteresis_stiffness, beta = law.hysteresis_beta, gamma = law.hysteresis_gamma;
     Number result(Hysteresis::rate(v, z, A, beta, gamma, n));
     if constexpr (Code::columns > 0) {
-      constexpr std::size_t column = Code::template column_of<Hysteresis>;
+      if (is_absent<Hysteresis>()) return result;
+      const std::size_t column = columns_.template of<Hysteresis>();
       const double by_v = slope_of(Hysteresis::rate(One::variable(v, 0), z, A, beta, gamma, n));
       const double by_z = slope_of(Hysteresis::rate(v, One::variable(z, 0), A, beta, gamma, n));
       for (std::size_t i = 0; i < Code::columns; ++i)
@@ -281,6 +329,7 @@ class MotionSystem {
   const Motion* motion_;
   const typename Code::Drive* drive_;
   int direction_;
+  [[no_unique_address]] Columns columns_;
 };
 
 }  // namespace cromer::core

@@ -222,7 +222,7 @@ class Path {
     return h;
   }
 
-  using PlainSystem = MotionSystem<MotionCode<Code::law, typename Code::Drive, false>>;
+  using PlainSystem = MotionSystem<MotionCode<Code::code, typename Code::Drive, false>>;
   static State<typename PlainSystem::Real> plain_state(const State<Real>& y) {
     State<typename PlainSystem::Real> plain{};
     observable(plain.x).value = observable(y.x).value;

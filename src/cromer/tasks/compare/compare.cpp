@@ -351,30 +351,33 @@ double dividing_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(default_steps_per_period * spacing / period - 1e-9));
 }
 
-// Fits the samples of a fit with a given law. Only the motion is of use: what was asked of the fit itself,
-// such as a mass or a goal, is answered there.
-Result<FittedRecording> with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
-  FitOptions options;
-  options.law = to_text(law);
-  options.from = recording.series.t.front();  // the same samples: no free part is looked for
-  return fit_series(recording.series, recording.file, options, watch);
+// Fits the samples of a fit, from the first on, with a given law.
+LawFit with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
+  const Series& series = recording.series;
+  FittedSamples samples = without_outliers(series);
+  if (samples.t.front() > series.t.front()) {  // the motion begins there
+    samples.t.insert(samples.t.begin(), series.t.front());
+    samples.y.insert(samples.y.begin(), series.y.front());
+  }
+  LawFitOptions options;
+  options.law = law;
+  return fit_law({samples.t, samples.y, series.resolution}, options, watch);
 }
 
 // What the law's springs with viscous damping alone miss is the damping's part, not the frequency's.
 Law one_rate_law(Law law) { return law.without(dissipative_terms).with(law_with<Viscous>); }
 
 // As fitted, or with the mean of the segments' rates.
-Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
+NamedLaw constant_rate(const FittedRecording& recording, const Watch& watch) {
   const Motion& begun = recording.fit.motion;
   const Law law = one_rate_law(recording.fit.law);
   const bool mean_of_segments = has_mean_rate(recording);
   Motion constant = begun;
   if (!(recording.fit.law == law)) {
-    const Result<FittedRecording> fitted = with_law(recording, law, watch);
-    if (!fitted) return fitted.error();
+    const LawFit fitted = with_law(recording, law, watch);
     if (watch.interrupted()) return NamedLaw{};
-    constant = fitted->fit.motion;
-    if (mean_of_segments || fitted->fit.status != FitStatus::converged) {
+    constant = fitted.motion;
+    if (mean_of_segments || fitted.status != FitStatus::converged) {
       // The segments' mean rate starts where the chosen law does.
       constant.equilibrium = begun.equilibrium;
       constant.position = begun.position;
@@ -417,13 +420,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
                {{"column", recording.series.column}, {"kind", kind_of(recording.series.quantity)}}});
 
   const Series& series = recording.series;
-  FittedSamples samples = without_outliers(series);
-  if (samples.t.front() > series.t.front()) {  // the motion begins there
-    samples.t.insert(samples.t.begin(), series.t.front());
-    samples.y.insert(samples.y.begin(), series.y.front());
-  }
-  result.doubts =
-      doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit), unit_of(series));
+  result.doubts = recording.doubts;
   if constexpr (looks_for_slips)
     for (const Notice& notice : recording.notices)
       if (is_of_slips(notice)) result.doubts.push_back(notice);
@@ -434,15 +431,14 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   if (!(step > 0) || step > duration || duration / step > most_steps_of_a_run)
     return Error{"compared_step", {{"step", step}, {"most", most_steps_of_a_run}, {"duration", duration}}};
 
-  const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));
-  if (!constant) return constant.error();
+  const NamedLaw constant = constant_rate(recording, part_of(watch, 0, 0.2));
   if (watch.interrupted()) {
     result.notices.push_back(Notice{"interrupted_before_simulating"});
     result.complete = false;
     return result;
   }
   const NamedLaw chosen{Notice{"law_by_name", {{"law", to_text(fit.law)}}}, fit.law, fit.motion};
-  for (const NamedLaw& law : {*constant, chosen}) {
+  for (const NamedLaw& law : {constant, chosen}) {
     Result<ComparedCurve> curve = law_curve(recording, law, step);
     if (!curve) return curve.error();
     result.curves.push_back(std::move(*curve));

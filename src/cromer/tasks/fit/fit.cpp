@@ -369,8 +369,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.fit.message = Notice{"fit_interrupted"};
     return result;
   }
-  for (const auto& found : {doubts(record, result.fit, law_is_chosen(options), unit),
-                            second_modes(lines, result.fit, record.derivative, unit)})
+  result.doubts = doubts(record, result.fit, law_is_chosen(options), unit);
+  for (const auto& found : {result.doubts, second_modes(lines, result.fit, record.derivative, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   drop_what_no_longer_holds(result.notices, result.fit.message);

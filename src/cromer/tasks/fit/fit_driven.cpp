@@ -101,7 +101,8 @@ void add_unused_notices(FittedRecording& result) {
 }
 
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
-                                   const Watch& watch, double rms_to_beat) {
+                                   const Watch& watch, double rms_to_beat,
+                                   const std::optional<KnownMotion>& start) {
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Result<std::optional<Law>> law = law_of(options);
@@ -126,6 +127,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
   settings.rms_to_beat = rms_to_beat;
+  settings.start = start;
   const Record record{t,
                       y,
                       series.resolution,

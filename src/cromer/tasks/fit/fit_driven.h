@@ -12,9 +12,10 @@
 namespace cromer::core {
 
 /// Fits a motion under a harmonic drive. Its frequency is known, or searched for (--drive-frequency auto).
-/// Whether there is a drive at all is for check_drive to say. `rms_to_beat` as in LawFitOptions.
+/// Whether there is a drive at all is for check_drive to say. `rms_to_beat` and `start` as in LawFitOptions.
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
-                                   const Watch& watch = {}, double rms_to_beat = HUGE_VAL);
+                                   const Watch& watch = {}, double rms_to_beat = HUGE_VAL,
+                                   const std::optional<KnownMotion>& start = {});
 
 /// The damped natural frequency of a driven body [rad/s]. Empty unless its law is linear and it swings and
 /// dies down by itself.

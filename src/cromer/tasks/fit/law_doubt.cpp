@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cromer/base/at_once.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
@@ -76,24 +77,25 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
                                  std::string_view force_unit) {
   const LawFit* chosen = among(candidates, result.fit);
   if (!chosen) return {};
-  std::vector<std::vector<Parameter>> others;
-  std::vector<double> odds;
-  for (const LawFit* other : alternatives_to(*chosen, candidates)) {
-    const double of_other = odds_of(*other, *chosen);
-    if (!(of_other > 0)) continue;
-    others.push_back(common_numbers(*other, result, force_unit));
-    odds.push_back(of_other);
-  }
-  std::vector<Parameter> of_shorter;
-  if (const LawFit* shorter = shorter_series(*chosen, candidates))
-    of_shorter = common_numbers(*shorter, result, force_unit);
-  if (others.empty() && of_shorter.empty()) return {};
+  std::vector<const LawFit*> laws{chosen};
+  std::vector<double> odds{1};
+  for (const LawFit* other : alternatives_to(*chosen, candidates))
+    if (const double of_other = odds_of(*other, *chosen); of_other > 0) {
+      laws.push_back(other);
+      odds.push_back(of_other);
+    }
+  const LawFit* shorter_law = shorter_series(*chosen, candidates);
+  if (shorter_law) laws.push_back(shorter_law);
+  if (laws.size() == 1) return {};
+  std::vector<std::vector<Parameter>> numbers(laws.size());
+  at_once(laws.size(), [&](std::size_t i) { numbers[i] = common_numbers(*laws[i], result, force_unit); });
+  const std::vector<Parameter> of_shorter = shorter_law ? numbers.back() : std::vector<Parameter>{};
   std::vector<LawDoubt> doubts;
-  for (const Parameter& number : common_numbers(*chosen, result, force_unit)) {
+  for (const Parameter& number : numbers.front()) {
     const double own = number.estimate.standard_error;
     double squares = 0, all = 1;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      const Parameter* same = named(others[i], number.name);
+    for (std::size_t i = 1; i < odds.size(); ++i) {
+      const Parameter* same = named(numbers[i], number.name);
       const double off = same ? same->estimate.value - number.estimate.value : HUGE_VAL,
                    error = same ? same->estimate.standard_error : HUGE_VAL;
       if (!std::isfinite(off) || !std::isfinite(error)) continue;

@@ -228,7 +228,10 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   const bool worth_more = !refused || driven->fit.explained > 0.5;
   if (loses && !settled && worth_more) {
     same.law = options.law;
-    driven = fit_driven(motion, free.file, same, watch);
+    std::optional<KnownMotion> start;
+    if (driven->fit.law == law_of("viscous") && driven->fit.status == FitStatus::converged)
+      start = KnownMotion{driven->fit.motion, driven->series.t.size(), 0};
+    driven = fit_driven(motion, free.file, same, watch, HUGE_VAL, start);
     if (!driven || watch.interrupted()) return free;
     judgement = judged(free, *driven, false);
   }
