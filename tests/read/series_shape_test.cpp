@@ -302,20 +302,24 @@ TEST(Spikes, TheFirstTwoAndLastTwoSamplesMayBeSome) {
               ElementsAre(3));
 }
 
+bool are_cut_off(const Values& y, double step, double resolution) {
+  return !tops_cut_off(y, step, resolution).empty();
+}
+
 /// Says so for a swing with `per_period` samples, whose top is cut at a height.
 bool cut_off(std::size_t count, double per_period, double height, double resolution = 0) {
-  return tops_cut_off(made(count,
-                           [=](int i) {
-                             const double x = std::sin(6.283185307179586 * (i + 0.3) / per_period);
-                             return std::clamp(x, -2.0, height) + 5;
-                           }),
-                      0.01, resolution);
+  return are_cut_off(made(count,
+                          [=](int i) {
+                            const double x = std::sin(6.283185307179586 * (i + 0.3) / per_period);
+                            return std::clamp(x, -2.0, height) + 5;
+                          }),
+                     0.01, resolution);
 }
 
 TEST(Tops, AreCutOffWhereTheyAreFlatAgainAndAgain) {
   EXPECT_TRUE(cut_off(1000, 100, 0.7));
   EXPECT_FALSE(cut_off(1000, 100, 2));
-  EXPECT_TRUE(tops_cut_off(made(1000, [](int i) { return std::max(std::sin(0.0628 * i), -0.7); }), 0.01, 0));
+  EXPECT_TRUE(are_cut_off(made(1000, [](int i) { return std::max(std::sin(0.0628 * i), -0.7); }), 0.01, 0));
   // Thirty-two samples and four crossings at least, and two flat tops.
   EXPECT_TRUE(cut_off(32, 12, 0.5));
   EXPECT_FALSE(cut_off(31, 12, 0.5));
@@ -328,7 +332,9 @@ TEST(Tops, AreCutOffWhereTheyAreFlatAgainAndAgain) {
   EXPECT_FALSE(cut_off(1000, 100, 0.9, 0.1));
   EXPECT_TRUE(cut_off(1000, 100, 0.6, 0.01));
   EXPECT_FALSE(cut_off(1000, 100, 0.6, 0.9));
-  EXPECT_FALSE(tops_cut_off(Values(100, 1), 0.01, 0));
+  EXPECT_FALSE(are_cut_off(Values(100, 1), 0.01, 0));
+  const Values both = made(1000, [](int i) { return std::clamp(std::sin(0.0628 * i), -0.7, 0.6); });
+  EXPECT_THAT(tops_cut_off(both, 0.01, 0), ElementsAre(-0.7, 0.6));
 }
 
 // Of a sine, all within a resolution of the top look alike: 2 acos(1 - r / A) of its 2 pi.
@@ -340,13 +346,13 @@ TEST(Tops, AreCutOffWhereTheyLastHalfAsLongAgainAsRoundingMakesThem) {
   const double half_period = 2000.0 / 20;  // between crossings, of which there are 20
   const double dwell = (41 - 3) / 1.5;
   const double resolution = amplitude * (1 - std::cos(pi * dwell / half_period / 2));
-  EXPECT_TRUE(tops_cut_off(y, 0.01, 0.98 * resolution));
-  EXPECT_FALSE(tops_cut_off(y, 0.01, 1.02 * resolution));
+  EXPECT_TRUE(are_cut_off(y, 0.01, 0.98 * resolution));
+  EXPECT_FALSE(are_cut_off(y, 0.01, 1.02 * resolution));
 }
 
 TEST(Tops, OfARectangleAreNotCutOff) {
   const auto rectangle = [](int high) {
-    return tops_cut_off(made(1000, [=](int i) { return i % 100 < high ? 1.0 : -0.01 * (i % 7); }), 0.01, 0);
+    return are_cut_off(made(1000, [=](int i) { return i % 100 < high ? 1.0 : -0.01 * (i % 7); }), 0.01, 0);
   };
   EXPECT_TRUE(rectangle(20));
   EXPECT_FALSE(rectangle(50));
@@ -389,7 +395,7 @@ TEST(Tops, OneOfTwoFlatOnesMayHaveThreeSamples) {
         for (int more = 1; i == 0 && more < flat; ++more) y.push_back(6);
       }
     }
-    return tops_cut_off(y, 0.01, 0);
+    return are_cut_off(y, 0.01, 0);
   };
   EXPECT_TRUE(with(4, 3));
   EXPECT_TRUE(with(3, 4));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/words/words.h"
 #include "tests/study/collected.h"
 
@@ -101,7 +102,8 @@ TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
   FittedRecording lab = fitted();
   lab.reynolds = {{0, 100}, {0.5, 200}, {1, 150}};
   lab.reynolds_max_t = 0.75;
-  lab.decay_by_amplitude = {{0, 1, 0.5, {2, 0.5, 0, 0}, 2.25}, {1, 2, 0.25, {1, 0.25, 0, 0}, 1.5}};
+  lab.decay_by_amplitude = {{0, 1, 0.5, {2, 0.5, 0, 0}, {two_pi, 0.5 * two_pi, 0, 0}, 2.25, two_pi},
+                            {1, 2, 0.25, {1, 0.25, 0, 0}, {2 * two_pi, two_pi, 0, 0}, 1.5, two_pi}};
   Results results;
   collect("lab", lab, results);
   EXPECT_EQ(fact(results, "lab.reynolds_last"), "150");
@@ -114,6 +116,12 @@ TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
   EXPECT_THAT(column(results, "lab.amplitude").values, ElementsAre(0.5, 0.25));
   EXPECT_THAT(column(results, "lab.rate").values, ElementsAre(2, 1));
   EXPECT_THAT(column(results, "lab.law_rate").values, ElementsAre(2.25, 1.5));
+  EXPECT_THAT(column(results, "lab.stretch_frequency").values, ElementsAre(1, 2));
+  EXPECT_THAT(column(results, "lab.bar_frequency").values,
+              ElementsAre(0.5, 1.5, NanSensitiveDoubleEq(nothing), 1, 3, NanSensitiveDoubleEq(nothing)));
+  EXPECT_EQ(column(results, "lab.law_frequency").values.size(),
+            column(results, "lab.law_amplitude").values.size());
+  EXPECT_EQ(fact(results, "lab.last_stretch.frequency"), "2 Hz");
   EXPECT_EQ(column(results, "lab.law_amplitude").values.front(), 0.25);
   EXPECT_EQ(column(results, "lab.law_amplitude").values.back(), 0.5);
   EXPECT_EQ(column(results, "lab.law_curve").values.size(),

@@ -23,7 +23,7 @@ CompareResult compared() {
   both.curves[1].rms = both.curves[1].law_rms = both.curves[2].rms = both.curves[2].law_rms = 0.01;
   both.curves[2].method = "rk4";
   both.curves[2].step = 0.01;
-  both.recording.decay_by_amplitude = {{0, 1, 0.5, {}, 0.4}, {1, 2, 0.25, {}, 0.2}};
+  both.recording.decay_by_amplitude = {{0, 1, 0.5, {}, {}, 0.4, 0}, {1, 2, 0.25, {}, {}, 0.2, 0}};
   return both;
 }
 
@@ -60,8 +60,8 @@ TEST(Explanation, PartsWithOtherRatesSpeakWhereNoLawDescribesTheWhole) {
   CompareResult both = compared();
   both.doubts = {Notice{"no_law_describes", {{"times", 7.0}}}};
   const auto rates = [&](double first, double last, double error) {
-    both.recording.decay_by_amplitude = {{0, 1, 0.5, make_estimate(first, error, 2), 0.4},
-                                         {1, 2, 0.25, make_estimate(last, error, 2), 0.2}};
+    both.recording.decay_by_amplitude = {{0, 1, 0.5, make_estimate(first, error, 2), {}, 0.4, 0},
+                                         {1, 2, 0.25, make_estimate(last, error, 2), {}, 0.2, 0}};
     return in_words(explanation(both));
   };
   const std::string parts =

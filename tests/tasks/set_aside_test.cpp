@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cromer/base/extent.h"
 #include "cromer/tasks/fit/fit.h"
 #include "tests/tasks/disc_recording.h"
 
@@ -44,6 +45,38 @@ TEST(SetAside, TheMotionBeginsAtTheFirstSampleThatTheFitSees) {
   EXPECT_DOUBLE_EQ(fit->series.t.front(), 0.2);
   EXPECT_EQ(fit->series.outliers.size(), 20u);
   EXPECT_NEAR(fit->fit.position().value, 0.036 * std::cos(std::sqrt(17.04 / 0.2176) * 0.2), 1e-3);
+}
+
+// A sensor that is out of its range tells all but the tops.
+TEST(SetAside, TopsThatAreCutOffLeaveTheRestToTellTheLaw) {
+  const Series whole = disc_recording(4, 60);
+  FitOptions options;
+  options.law = "viscous+drag";
+  const Result<FittedRecording> known = fit_series(whole, "whole", options);
+  ASSERT_TRUE(known.ok());
+  const auto [low, high] = extent_of(whole.y);
+  for (const double share : {0.9, 0.6, 0.4})
+    for (const bool above : {true, false}) {
+      Series cut = whole;
+      const double middle = 0.5 * (low + high), level = middle + share * ((above ? high : low) - middle);
+      std::size_t cut_off = 0;
+      for (double& y : cut.y)
+        if (above ? y > level : y < level) y = level, ++cut_off;
+      ASSERT_GT(cut_off, 20u);
+      const Result<FittedRecording> fit = fit_series(cut, "cut", options);
+      ASSERT_TRUE(fit.ok());
+      EXPECT_EQ(fit->fit.status, FitStatus::converged) << share << above;
+      EXPECT_TRUE(fit->says("cut_tops_aside"));
+      EXPECT_EQ(fit->series.outliers.size(), cut_off);
+      for (const char* name : {"angular_frequency", "decay_rate", "drag"}) {
+        const Estimate found = fit->fit[name], all = known->fit[name];
+        EXPECT_NEAR(found.value, all.value, 2 * found.standard_error) << name << share << above;
+      }
+      // Of a later part, where none is cut off, nothing is said.
+      FitOptions later = options;
+      later.from = 45;
+      if (share > 0.5) EXPECT_FALSE(fit_series(cut, "cut", later)->says("cut_tops_aside")) << share;
+    }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "cromer/base/number.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/model/sensor.h"
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
@@ -142,10 +143,42 @@ TEST(Axis, OfAPendulumOnFilmTheAngleIsTaken) {
     const auto fitted = fit(*recording, {});
     ASSERT_TRUE(fitted.ok()) << in_words(fitted.error());
     EXPECT_NEAR(fitted->front().find("frequency")->value, 3.4 / 6.283185, 1e-4);
+    // Also where the law is none of a pendulum.
+    FitOptions linear;
+    linear.law = "viscous";
+    EXPECT_THAT(in_words(fit(*recording, linear)->front().notices),
+                testing::Contains(HasSubstr("1 % longer than the radius 0.84")));
     FitOptions of_x;
     of_x.column = "x";
     EXPECT_THAT(in_words(fit(*recording, of_x)->front().notices),
                 testing::Contains(HasSubstr("--column \"angle(x,y)\" fits the angle")));
+  }
+}
+
+// Its frequency tells how long a simple pendulum is, and the film how far the bob is from the pivot.
+TEST(Axis, OfAPendulumOnFilmBothLengthsAreCompared) {
+  const double w = 3.4, length = 9.80665 / (w * w);
+  const std::vector<double> swing = pendulum_swing(0.3, w, 0.03, 1 / 30.0, 600);
+  for (const double seen : {1.0, 0.9, 1.1}) {
+    std::string text = "t (s)\tx (m)\ty (m)\n";
+    NormalDeviates noise(2);
+    for (std::size_t i = 0; i < swing.size(); ++i)
+      text += shortest(i / 30.0) + "\t" + shortest(seen * length * std::sin(swing[i]) + 2e-4 * noise.next()) +
+              "\t" + shortest(-seen * length * std::cos(swing[i]) + 2e-4 * noise.next()) + "\n";
+    const auto fitted = fit(*read_recording(text, "film.txt", {}), {});
+    ASSERT_TRUE(fitted.ok()) << in_words(fitted.error());
+    const Estimate* found = fitted->front().find("pendulum_length");
+    ASSERT_NE(found, nullptr);
+    EXPECT_NEAR(found->value, length, 5e-4);
+    EXPECT_LT(std::abs(found->value - length), 3 * found->standard_error);
+    EXPECT_LT(found->low, found->value);
+    EXPECT_GT(found->high, found->value);
+    const auto told = testing::Contains(
+        HasSubstr(seen < 1 ? "11 % longer than the radius 0.76" : "9.1 % shorter than the radius 0.9"));
+    if (seen == 1)
+      EXPECT_THAT(in_words(fitted->front().notices), testing::Not(testing::Contains(HasSubstr("simple"))));
+    else
+      EXPECT_THAT(in_words(fitted->front().notices), told);
   }
 }
 

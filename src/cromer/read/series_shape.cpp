@@ -275,12 +275,12 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   return found;
 }
 
-bool tops_cut_off(std::span<const double> y, double step, double resolution) {
+std::vector<double> tops_cut_off(std::span<const double> y, double step, double resolution) {
   constexpr std::size_t fewest = 32, fewest_crossings = 4;
-  if (y.size() < fewest) return false;
+  if (y.size() < fewest) return {};
   const auto [low, high] = extent_of(y);
   const double amplitude = 0.5 * (high - low), middle = 0.5 * (high + low);
-  if (!(amplitude > 0) || resolution >= amplitude) return false;
+  if (!(amplitude > 0) || resolution >= amplitude) return {};
   // Crossings from well below to well above the middle, which noise does not make.
   std::size_t crossings = 0;
   int side = 0;
@@ -290,9 +290,10 @@ bool tops_cut_off(std::span<const double> y, double step, double resolution) {
     crossings += side != 0 && now != side;
     side = now;
   }
-  if (crossings < fewest_crossings) return false;
+  if (crossings < fewest_crossings) return {};
   const double half_period = static_cast<double>(y.size()) * step / static_cast<double>(crossings);
   const double dwell = 2 * std::acos(1 - resolution / amplitude) * half_period / std::numbers::pi;
+  std::vector<double> levels;
   for (const double top : {low, high}) {
     std::size_t run = 0, longest = 0, plateaus = 0;
     for (std::size_t i = 0; i <= y.size(); ++i) {
@@ -306,9 +307,9 @@ bool tops_cut_off(std::span<const double> y, double step, double resolution) {
     }
     // A top as long as the half period belongs to a square wave.
     const double length = static_cast<double>(longest) * step;
-    if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) return true;
+    if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) levels.push_back(top);
   }
-  return false;
+  return levels;
 }
 
 namespace {

@@ -26,10 +26,10 @@ double rounding_step(std::span<const double> values);
 std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
                                 double resolution);
 
-/// Whether the tops of the swing are cut off: its largest or smallest value comes again and again, in runs
-/// longer than a sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s]
-/// between samples.
-bool tops_cut_off(std::span<const double> y, double step, double resolution);
+/// Where the tops of the swing are cut off: its largest or smallest value, where that comes again and again,
+/// in runs longer than a sinusoid of this size and frequency stays within one `resolution` of its top. `step`
+/// [s] between samples.
+std::vector<double> tops_cut_off(std::span<const double> y, double step, double resolution);
 
 /// One stretch of samples, from `first` up to, but without, `end`.
 struct DropOut {

@@ -119,7 +119,7 @@ void describe_values(Series& series, const std::vector<double>& as_written) {
   series.resolution = dialects::rounding_step(as_written) * series.to_si;
   if (series.rate > 0) set_aside(series);
   if (series.rate > 0 && is_motion(series) &&
-      dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution))
+      !dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution).empty())
     series.notices.push_back(Notice{"column_tops_cut_off", {{"column", series.column}}});
   const auto [low, high] = extent_of(series.y);
   if (low == high) series.notices.push_back(Notice{"column_never_changes", {{"column", series.column}}});
@@ -156,6 +156,8 @@ Result<Series> take_angle(const Recording& recording, ComputedAngle angle, const
   auto series = take_series(with_angle, name_of_angle(x, y), x.run, options);
   if (!series) return series;
   series->scale_error = angle.arc.radius_error / angle.arc.radius;
+  if (const ToSi metres = to_si(x); metres.known || x.unit.empty())
+    series->arc_radius = metres.factor * angle.arc.radius;
   std::vector<Notice> notices{
       Notice{"angle_about_pivot",
              {{"x", x.name},

@@ -316,7 +316,7 @@ class Part : public LabTold {
       for (const Parameter& each : *list) {
         if (std::find(listed.begin(), listed.end(), each.name) != listed.end() || !is_known(each.name) ||
             (each.name == "at_amplitude" && is_linear(fitted_.fit.law)) ||
-            (has_one_rate() && each.name.starts_with("decay_rate_")))
+            ((has_one_rate() || has_only_parts()) && each.name.starts_with("decay_rate_")))
           continue;
         listed.push_back(each.name);
         rows += row_of(each);

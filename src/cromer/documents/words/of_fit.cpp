@@ -22,6 +22,7 @@ constexpr Entry entries[] = {
     {"quality_factor", clause, "quality factor", "Güte"},
     {"logarithmic_decrement", clause, "logarithmic decrement", "logarithmisches Dekrement"},
     {"limit_cycle_amplitude", clause, "limit cycle amplitude", "Amplitude des Grenzzyklus"},
+    {"pendulum_length", clause, "pendulum length at 9.80665 m/s²", "Pendellänge bei 9,80665 m/s²"},
     {"drive_force", clause, "drive force", "Kraft des Antriebs"},
     {"drag_coefficient", clause, "drag coefficient", "Widerstandsbeiwert"},
     {"mass", clause, "mass", "Masse"},
@@ -127,6 +128,12 @@ constexpr Entry entries[] = {
      "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an bei "
      "{value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} von "
      "{samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+    {"cut_tops_aside", worth_knowing,
+     "the motion's peaks are cut off at the same value again and again, as when a sensor is out of its "
+     "range: {samples} samples there, the first at {first:.6g} s, are set aside",
+     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten, wie wenn ein Sensor außerhalb "
+     "seines Bereichs ist: {samples:Messwert|Messwerte} dort, der erste bei {first:.6g} s, "
+     "{samples?ist|sind} beiseitegelegt"},
     {"drop_outs_aside", detail,
      "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
      "drop-outs of the sensor and set aside",
@@ -267,6 +274,15 @@ constexpr Entry entries[] = {
      "x und y des Punkts liegen auf einem Bogen: hängt er an einem Faden oder einer Stange, ist sein Gesetz "
      "das des Winkels, und ein Gesetz von {column} allein gilt nur ungefähr; {|{--column} \"angle(x,y)\" "
      "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
+    {"arc_beside_pendulum", worth_knowing,
+     "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², {off:.2g} % "
+     "{which} than the radius {radius:n} of the arc: the bob's mass may not lie at the point that was "
+     "followed, or the film's scale be off",
+     "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, {off:.2g} % "
+     "{which} als der Radius {radius:n} des Bogens: die Masse des Pendels liegt vielleicht nicht an dem "
+     "verfolgten Punkt, oder der Maßstab des Films ist falsch"},
+    {"longer", clause, "longer", "länger"},
+    {"shorter", clause, "shorter", "kürzer"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
      "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",

@@ -178,6 +178,22 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
+// How long a pendulum is by its frequency, where that is not as far as it was seen from the pivot.
+Notice arc_beside_pendulum(const FittedRecording& fitted) {
+  const Estimate* w = fitted.find("angular_frequency");
+  const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
+  if (!w || !(radius > 0)) return {};
+  const Estimate length = pendulum_length(*w).estimate;
+  constexpr double gravity = 0.003;  // of g, over the Earth
+  if (std::abs(length.value - radius) < 2 * std::hypot(error, length.standard_error, gravity * radius))
+    return {};
+  return Notice{"arc_beside_pendulum",
+                {{"length", format_quantity({length.value, length.standard_error}, "m")},
+                 {"radius", format_quantity({radius, error}, "m")},
+                 {"off", 100 * std::abs(length.value / radius - 1)},
+                 {"which", Notice{length.value > radius ? "longer" : "shorter"}}}};
+}
+
 // What only a report tells is not found for the page.
 constexpr bool is_reported = !for_page;
 
@@ -373,6 +389,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   for (const auto& found : {result.doubts, second_modes(lines, result.fit, record.derivative, unit)})
     result.notices.insert(result.notices.end(), found.begin(), found.end());
   if (!slip.empty()) result.notices.push_back(std::move(slip));
+  if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
   drop_what_no_longer_holds(result.notices, result.fit.message);
   if constexpr (is_reported)
     if (result.says("rival_laws")) result.common_decay = common_decay(record, result.fit, choice->candidates);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cromer/analysis/air.h"
+#include "cromer/analysis/ground_motion.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/pi.h"
@@ -291,6 +292,12 @@ std::vector<std::string> coefficient_names(const Law& law, const std::vector<Par
   return names;
 }
 
+Parameter pendulum_length(const Estimate& w) {
+  const auto length = [](double of) { return standard_gravity / (of * of); };
+  const double L = length(w.value);
+  return {"pendulum_length", {L, 2 * L * w.standard_error / w.value, length(w.high), length(w.low)}, "m"};
+}
+
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
                                           const std::vector<double>& x, std::string_view force_unit) {
   const std::string length = displacement_unit(observed, derivative);
@@ -302,13 +309,14 @@ std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view ob
   }
   if (fit.law.has<Hysteresis>()) return {};
   const LawAtAmplitude law = law_at_amplitude(fit);
-  if (fit.drive.kind == DriveKind::none)
-    return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
-  std::vector<Parameter> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
-  if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
+  const bool free = fit.drive.kind == DriveKind::none;
+  const Real A = free ? law.swing.amplitude(law.position, law.velocity) : Real(sinusoid_amplitude(x));
+  std::vector<Parameter> list = at_amplitude(law, A, fit, length);
+  if (!free && fit.motion.decay_rate() >= fit.motion.angular_frequency())
     std::erase_if(list, [](const Parameter& number) {
       return std::find(std::begin(no_cycle), std::end(no_cycle), number.name) != std::end(no_cycle);
     });
+  if (fit.law.has<Pendulum>()) list.push_back(pendulum_length(fit.angular_frequency()));
   return list;
 }
 

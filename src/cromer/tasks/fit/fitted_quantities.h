@@ -61,12 +61,16 @@ extern const std::span<const std::string_view> derived_names;
 ///
 /// Quantities that do not exist are NaN. A hysteretic law has none: its loops depend on the motion before. An
 /// overdamped driven law has damping_ratio, quality_factor and at_amplitude alone. A swing that negative
-/// damping feeds has limit_cycle_amplitude, where it sustains itself, in place of the quality factor. A body
-/// without a spring has mass = 1/force_gain [unit of force per unit of acceleration] alone. `observed`,
+/// damping feeds has limit_cycle_amplitude, where it sustains itself, in place of the quality factor. A
+/// pendulum has pendulum_length [m], that of the simple one of as fast small swings under standard_gravity. A
+/// body without a spring has mass = 1/force_gain [unit of force per unit of acceleration] alone. `observed`,
 /// `derivative` and `force_unit` are as in law_parameters.
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
                                           const std::vector<double>& x = {},
                                           std::string_view force_unit = {});
+
+/// Length [m] of the simple pendulum whose small swings are as fast, w [rad/s] > 0, under standard_gravity.
+Parameter pendulum_length(const Estimate& w);
 
 /// At what rate [1/s] the amplitude of a free motion falls, by all terms of the law, at its first sample and
 /// `duration` [s] > 0 later: decay_rate_start and decay_rate_end. The amplitude in between is that of the

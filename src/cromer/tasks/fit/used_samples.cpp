@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cromer/base/quantile.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/samples_between.h"
+#include "cromer/read/series_shape.h"
 
 namespace cromer::core {
 namespace {
@@ -45,9 +47,8 @@ void cut_lost_motion(Series& series) {
                                    {"samples", all}}});
 }
 
-/// Adds drop-outs, flat runs far outside the motion, to the outliers, with a notice.
-void set_drop_outs_aside(Series& series) {
-  const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
+/// Adds these samples to the outliers, with a notice, but for those that are among them.
+void set_samples_aside(Series& series, const std::vector<std::size_t>& found, std::string_view code) {
   if (found.empty()) return;
   const FittedSamples kept = without_outliers(series);
   std::size_t added = 0, first = 0;
@@ -59,7 +60,20 @@ void set_drop_outs_aside(Series& series) {
   if (added == 0) return;
   std::sort(series.outliers.begin(), series.outliers.end(),
             [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.notices.push_back(Notice{"drop_outs_aside", {{"samples", added}, {"first", series.t[first]}}});
+  Notice aside{std::string(code)};
+  aside.values = {{"samples", added}, {"first", series.t[first]}};
+  series.notices.push_back(std::move(aside));
+}
+
+/// Where the sensor was out of its range the motion is not told, and the rest of it is.
+void set_cut_tops_aside(Series& series) {
+  if (!(series.rate > 0)) return;
+  std::erase_if(series.notices, [](const Notice& notice) { return notice.code == "column_tops_cut_off"; });
+  const std::vector<double> levels = dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < series.y.size(); ++i)
+    if (std::find(levels.begin(), levels.end(), series.y[i]) != levels.end()) found.push_back(i);
+  set_samples_aside(series, found, "cut_tops_aside");
 }
 
 }  // namespace
@@ -127,7 +141,8 @@ Result<Series> samples_in_use(Series series, const FitOptions& options) {
   Result<Series> used = used_part(std::move(series), options);
   if (!used) return used;
   if (!options.from && !options.to) cut_lost_motion(*used);
-  set_drop_outs_aside(*used);
+  set_cut_tops_aside(*used);
+  set_samples_aside(*used, drop_outs({used->t, used->y, used->resolution}), "drop_outs_aside");
   return used;
 }
 
