@@ -195,14 +195,41 @@ std::vector<double> slip_of_a_second(const Record& record, std::span<const doubl
   return added;
 }
 
+// Moves the estimates by what they would change without the samples from one place to another: Jᵀ J and Jᵀ r
+// of the rest alone. Where a part that is said to be free begins and ends is not sharp.
+void add_without(EstimateNoise& known, std::size_t from, std::size_t to, const DescribedMinimum& minimum,
+                 std::span<const double> jacobian) {
+  const int k = minimum.fitted.count;
+  SquareMatrix rest = minimum.matrix;
+  Parameters along{};
+  for (std::size_t i = from; i < to; ++i) {
+    const std::span<const double> row = jacobian.subspan(i * static_cast<std::size_t>(k));
+    for (int a = 0; a < k; ++a) {
+      along[a] -= row[a] * minimum.residuals[i];
+      for (int b = 0; b < k; ++b) rest[a][b] -= row[a] * row[b];
+    }
+  }
+  if (ScaledCholesky(rest, k, 0, all_free).ok()) add_common_error(known, along, k, inverse(rest, k));
+}
+
 // Errors common to many samples: of the unit of the values, as of a motion that is larger by as much (all),
-// and of a slip of the times, which is one parameter more (those after it).
+// of a slip of the times, which is one parameter more (those after it), and of ends that a hand may move.
 void add_common_errors(EstimateNoise& known, const Record& record, const DescribedMinimum& minimum,
                        const Inverse& inverse, std::span<const double> motion, double variance) {
   const bool slips = looks_for_slips && record.slips_at < HUGE_VAL;
-  if ((!(record.scale_error > 0) && !slips) || !minimum.jacobian || !inverse.determined()) return;
+  const bool handled = record.handled_first > 0 || record.handled_last > 0;
+  if ((!(record.scale_error > 0) && !slips && !handled) || !minimum.jacobian || !inverse.determined()) return;
   const int k = minimum.fitted.count;
   const std::vector<double> jacobian = minimum.jacobian();
+  if (jacobian.empty()) return;
+  const auto place = [&](double time) {
+    return static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), time) -
+                                    record.t.begin());
+  };
+  if (record.handled_first > 0)
+    add_without(known, 0, place(record.t.front() + record.handled_first), minimum, jacobian);
+  if (record.handled_last > 0)
+    add_without(known, place(record.t.back() - record.handled_last), record.t.size(), minimum, jacobian);
   if (record.scale_error > 0) {
     Parameters along = weighed(record.y, k, jacobian);
     for (double& each : along) each *= record.scale_error;

@@ -20,6 +20,8 @@ struct Record {
   double scale_error = 0;  ///< the same of its values
   /// [s] The samples from then on may all be early or late: a slip of the times was taken out there (slip.h).
   double slips_at = HUGE_VAL;
+  /// [s] So much of it at the beginning and at the end may not be free of a hand (undisturbed.h).
+  double handled_first = 0, handled_last = 0;
 
   /// `samples` samples from number `from` on.
   Record part(std::size_t from, std::size_t samples) const {

@@ -73,14 +73,15 @@ struct Series {
   std::vector<long> lines;
   double rate = 0;    // [1/s] one over the median step, rounded as far as the times agree; or the rate given
   double jitter = 0;  ///< standard deviation of the steps over their median; 0 with a given rate
-  double clock_error = 0;         ///< relative standard error of the spacing that rounded times stand for
-  double scale_error = 0;         ///< relative standard error of the unit of y, of an angle that was computed
-  double arc_radius = 0;          // [m] of an angle that was computed; 0 where the unit is not known
-  double slips_at = HUGE_VAL;     ///< [s] from when on t was shifted back, for a slip of the recorder's times
-  double slips_by = 0;            ///< [s] by so much
-  double resolution = 0;          ///< rounding step of the values in SI, 0 if none is seen
-  std::vector<Gap> gaps;          ///< where samples are missing
-  std::vector<Outlier> outliers;  ///< listed here, and left in t and y
+  double clock_error = 0;      ///< relative standard error of the spacing that rounded times stand for
+  double scale_error = 0;      ///< relative standard error of the unit of y, of an angle that was computed
+  double arc_radius = 0;       // [m] of an angle that was computed; 0 where the unit is not known
+  double slips_at = HUGE_VAL;  ///< [s] from when on t was shifted back, for a slip of the recorder's times
+  double slips_by = 0;         ///< [s] by so much
+  double handled_first = 0, handled_last = 0;  // [s] of its ends, that may not be free of a hand
+  double resolution = 0;                       ///< rounding step of the values in SI, 0 if none is seen
+  std::vector<Gap> gaps;                       ///< where samples are missing
+  std::vector<Outlier> outliers;               ///< listed here, and left in t and y
   std::vector<Notice> notices;
 };
 

@@ -199,6 +199,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
     results.set(id + ".common_decay",
                 Quantity{fitted.common_decay->value, fitted.common_decay->standard_error}, "1/s");
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
+  set_optional(results, id + ".spring_mass", fitted.options.spring_mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   if (fitted.reynolds_max) {
     const Quantity air = body_of(fitted.options).temperature;

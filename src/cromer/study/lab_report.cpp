@@ -99,7 +99,9 @@ class Part : public LabTold {
       add("report_spring_constant",
           {{"stiffness", as_far_as_known("stiffness")},
            {"mass", in_braces("mass, g")},
-           {"alone", fitted_.options.spring_mass ? "" : words("report_without_the_springs_own")},
+           {"alone", fitted_.options.spring_mass ? words("report_and_a_third_of_the_springs",
+                                                         {{"spring", in_braces("spring_mass, g")}})
+                                                 : words("report_without_the_springs_own")},
            {"swings", has_bent_spring() ? words("report_for_small_swings") : ""}});
     for (const Notice& notice : fitted_.notices)
       if (qualifies(notice.code)) lines.push_back(verbatim(words("report_sentence", {{"what", notice}})));
@@ -158,9 +160,13 @@ class Part : public LabTold {
       return named(fitted_.headline, name) ? in_braces(std::string(name) + large()) : std::string("–");
     };
     if (!fitted_.succeeded() || is_poorly_described()) return {verbatim(title()), "–", "–", "–", "–", "–"};
-    return {verbatim(title()),       known("frequency"),
-            known("stiffness"),      known("decay_rate_start"),
-            known("decay_rate_end"), fitted_.reynolds_max ? in_braces("reynolds.max, concise") : "–"};
+    const bool parts = has_only_parts();
+    return {verbatim(title()),
+            parts ? in_braces("first_stretch.frequency, 3") : known("frequency"),
+            known("stiffness"),
+            parts ? in_braces("first_stretch, concise") : known("decay_rate_start"),
+            parts ? in_braces("last_stretch, concise") : known("decay_rate_end"),
+            fitted_.reynolds_max ? in_braces("reynolds.max, concise") : "–"};
   }
 
  private:
@@ -512,6 +518,7 @@ class Part : public LabTold {
               {{"stiffness", as_far_as_known("stiffness")},
                {"w", as_far_as_known("angular_frequency")},
                {"mass", in_braces("mass, g")},
+               {"spring", in_braces("spring_mass, g")},
                {"interval", lacks_a_law() ? words("report_not_known") : interval("stiffness", k)}});
     if (!fitted_.options.spring_mass) text += " " + words("report_without_spring_mass");
     if (depends_on_amplitude() && has_bent_spring())

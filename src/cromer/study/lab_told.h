@@ -124,7 +124,7 @@ class LabTold {
     const auto& all = fitted_.decay_by_amplitude;
     const double size = stretch == "first_stretch" ? all.front().amplitude : all.back().amplitude;
     const std::string unit = readable_unit(units_.displacement, size);
-    return in_braces(fmt::format("{}.amplitude, {}2", stretch, unit.empty() ? "" : unit + ", "));
+    return in_braces(fmt::format("{}.amplitude, {}3", stretch, unit.empty() ? "" : unit + ", "));
   }
 
   /// Whether rival laws leave open how the rate changes as the swing dies down.

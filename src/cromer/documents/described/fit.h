@@ -149,7 +149,7 @@ struct Described<AmplitudeRate> {
                     "rate at which the fitted law's amplitude falls there, averaged over a cycle"),
               estimated("angular_frequency", &AmplitudeRate::angular_frequency, "rad/s",
                         "angular frequency of that sinusoid")
-                  .with_interval(),
+                  .with_error("angular_frequency_standard_error"),
               field("law_angular_frequency", &AmplitudeRate::law_angular_frequency, "rad/s",
                     "angular frequency of the fitted law's swings of that amplitude"),
               field("from", &AmplitudeRate::from, "s", "where the stretch begins").known(),

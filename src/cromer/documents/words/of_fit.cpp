@@ -101,11 +101,13 @@ constexpr Entry entries[] = {
      "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"free_middle_taken", worth_knowing,
      "what comes before {from:.4g} s and after {to:.4g} s does not follow the law of the rest, as while a "
-     "hand moves or stops it: the {kept} of {samples} samples between are taken for a free motion; "
-     "{|{--from} and {--to}|the handles} choose another part",
+     "hand moves or stops it: the {kept} of {samples} samples between are taken for a free motion, and what "
+     "a swing less at either end would change is in the uncertainties; {|{--from} and {--to}|the handles} "
+     "choose another part",
      "was vor {from:.4g} s und nach {to:.4g} s liegt, folgt nicht dem Gesetz des Rests, wie wenn eine Hand "
      "die Bewegung stört oder anhält: die {kept} von {samples} Messwerten dazwischen gelten als freie "
-     "Bewegung; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+     "Bewegung, und was eine Schwingung weniger an beiden Enden ändern würde, ist in den Unsicherheiten; mit "
+     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it, as when a hand catches it: only what comes before, to {until:.4g} s, {kept} "
@@ -131,7 +133,8 @@ constexpr Entry entries[] = {
     {"cut_tops_aside", worth_knowing,
      "the motion's peaks are cut off at the same value again and again, as when a sensor is out of its "
      "range: {samples} samples there, the first at {first:.6g} s, are set aside",
-     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten, wie wenn ein Sensor außerhalb "
+     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten, wie wenn ein Sensor "
+     "außerhalb "
      "seines Bereichs ist: {samples:Messwert|Messwerte} dort, der erste bei {first:.6g} s, "
      "{samples?ist|sind} beiseitegelegt"},
     {"drop_outs_aside", detail,
@@ -274,13 +277,19 @@ constexpr Entry entries[] = {
      "x und y des Punkts liegen auf einem Bogen: hängt er an einem Faden oder einer Stange, ist sein Gesetz "
      "das des Winkels, und ein Gesetz von {column} allein gilt nur ungefähr; {|{--column} \"angle(x,y)\" "
      "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
+    {"arc_as_pendulum", worth_knowing,
+     "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², which agrees with the "
+     "arc's radius {radius:n}",
+     "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, was zum Radius "
+     "{radius:n} des Bogens passt"},
     {"arc_beside_pendulum", worth_knowing,
      "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², {off:.2g} % "
      "{which} than the radius {radius:n} of the arc: the bob's mass may not lie at the point that was "
-     "followed, or the film's scale be off",
+     "followed, the film's scale be off, or a short arc tell its radius badly",
      "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, {off:.2g} % "
      "{which} als der Radius {radius:n} des Bogens: die Masse des Pendels liegt vielleicht nicht an dem "
-     "verfolgten Punkt, oder der Maßstab des Films ist falsch"},
+     "verfolgten Punkt, der Maßstab des Films ist falsch, oder ein kurzer Bogen zeigt seinen Radius "
+     "schlecht"},
     {"longer", clause, "longer", "länger"},
     {"shorter", clause, "shorter", "kürzer"},
     {"beats_at_first", detail,
@@ -536,8 +545,8 @@ constexpr Entry entries[] = {
     {"rises", clause, "rises", "steigt"},
     {"swing_grows", clause, "grows", "wächst"},
     {"swing_dies_down", clause, "dies down", "abklingt"},
-    {"one_rate_leaves", clause, "with one rate {left:n} (rms) are left",
-     "mit einer Rate bleiben {left:n} (Effektivwert) übrig"},
+    {"one_rate_leaves", clause, "with one rate, and else this law, {left:n} (rms) are left",
+     "mit einer Rate, und sonst diesem Gesetz, bleiben {left:n} (Effektivwert) übrig"},
     {"mean_rate_leaves", clause, "with one rate, the mean of the segments', {left:n} (rms) are left",
      "mit einer Rate, der mittleren der Abschnitte, bleiben {left:n} (Effektivwert) übrig"},
     {"law_leaves", clause, "with {law} {left:n}", "mit {law} {left:n}"},

@@ -58,6 +58,8 @@ constexpr Entry entries[] = {
     {"report_spring_constant", clause,
      "With a mass of {mass}{alone} the spring constant{swings} is {stiffness}.",
      "Mit einer Masse von {mass}{alone} ist die Federkonstante{swings} {stiffness}."},
+    {"report_and_a_third_of_the_springs", clause, " and a third of the spring's {spring}",
+     " und einem Drittel der {spring} der Feder"},
     {"report_without_the_springs_own", clause, ", without the spring's own,", " ohne die der Feder"},
     {"report_for_small_swings", clause, " for small swings", " für kleine Schwingungen"},
     {"report_rate_is", clause, "The decay rate is {rate}.", "Die Abklingrate ist {rate}."},
@@ -186,8 +188,8 @@ constexpr Entry entries[] = {
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
     {"report_table_of_no_law", clause,
-     "What the nearest law gives, without uncertainties, for no law that was tried describes this recording.",
-     "Was das nächste Gesetz ergibt, ohne Unsicherheiten, denn keines der geprüften beschreibt diese "
+     "What the chosen law gives, without uncertainties, for no law that was tried describes this recording.",
+     "Was das gewählte Gesetz ergibt, ohne Unsicherheiten, denn keines der geprüften beschreibt diese "
      "Aufnahme."},
     {"report_few_degrees", clause,
      "The 95 % intervals are wider than ± suggests, those of: {names:and}. What disturbs them is slow, so "
@@ -275,10 +277,10 @@ constexpr Entry entries[] = {
      "ihr ist die Federkonstante größer."},
     {"report_stiffness_with_spring", clause,
      "From *ω*_{{0}} = {w}, the angular frequency of small swings without damping, the mass of {mass} and a "
-     "third of the spring's own mass, *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
+     "third of the spring's {spring}, *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 %: "
      "{interval}.",
      "Aus *ω*_{{0}} = {w}, der Kreisfrequenz kleiner Schwingungen ohne Dämpfung, der Masse von {mass} und "
-     "einem Drittel der Masse der Feder folgt *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 "
+     "einem Drittel der {spring} der Feder folgt *k* = (*m* + *m*_{{s}}/3) *ω*_{{0}}^{{2}} = {stiffness}; 95 "
      "%: {interval}."},
     {"report_small_swings_stiffness", clause,
      "That is its stiffness for small swings, as this law has them; the frequency of {frequency} is that of "

@@ -242,6 +242,7 @@ class LawSearch {
     try_quadratic(beginning);
     try_named_hysteresis(beginning);
     add_terms(beginning);
+    try_longer_spring(beginning);
     add_to_bounded();
   }
 
@@ -309,6 +310,20 @@ class LawSearch {
       drop_old_terms(base.law);
       if (best_ == before && closest() == closest_before) return;
     }
+  }
+
+  // One bend of a spring is the first term of a series: what a second one would change counts in what is
+  // known of the rest, also where it is not needed.
+  void try_longer_spring(const Beginning& beginning) {
+    constexpr Law bends = law_with<Cubic, OddQuadratic>;
+    const LawFit base = candidates_[best_];
+    const Law law = base.law.with(bends);
+    if (options_.drive.kind != DriveKind::none || !base.law.has<Spring>() || tried(law) ||
+        Law{base.law.terms & bends.terms}.size() != 1 || watch_.interrupted())
+      return;
+    try_law(law, nearer_start(base, law, beginning, 1));
+    settle();
+    drop_old_terms(base.law);
   }
 
   // A body that feeds itself is looked for among fewer laws: whatever else damps or bends it is tried.

@@ -244,20 +244,34 @@ double chance_of_times(const Record& record, double window) {
   return 10 * odd < record.t.size() ? 0 : 6 / std::sqrt(8 * window / mean);
 }
 
-// The largest rise of the amplitude from an earlier window to a later.
-Notice rise(const Record& record, double period, double noise) {
+// The largest rise of the amplitude from an earlier window to a later, and the largest amplitude.
+struct Rise {
+  AmplitudeWindow from{}, to{};
+  double largest = 0;
+
+  double height() const { return to.amplitude - from.amplitude; }
+};
+
+Rise largest_rise(const Record& record, double period) {
   const std::vector<AmplitudeWindow> windows = amplitudes(record, period);
   if (windows.size() < 3) return {};
-  AmplitudeWindow lowest = windows.front(), from = lowest, to = lowest;
-  double largest = lowest.amplitude;
+  AmplitudeWindow lowest = windows.front();
+  Rise rise{lowest, lowest, lowest.amplitude};
   for (const AmplitudeWindow& window : windows) {
-    if (window.amplitude - lowest.amplitude > to.amplitude - from.amplitude) from = lowest, to = window;
+    if (window.amplitude - lowest.amplitude > rise.height()) rise.from = lowest, rise.to = window;
     if (window.amplitude < lowest.amplitude) lowest = window;
-    largest = std::max(largest, window.amplitude);
+    rise.largest = std::max(rise.largest, window.amplitude);
   }
+  return rise;
+}
+
+Notice rise(const Record& record, double period, double noise) {
+  const Rise found = largest_rise(record, period);
+  const auto& [from, to, largest] = found;
   // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
   const double least = std::max(0.1, chance_of_times(record, 4 * period)) * largest;
-  if (to.amplitude - from.amplitude < std::max({least, 3 * noise, 2 * record.resolution})) return {};
+  if (!(found.height() > 0) || found.height() < std::max({least, 3 * noise, 2 * record.resolution}))
+    return {};
   const double times = to.amplitude / from.amplitude;
   return Notice{
       "amplitude_rises",
@@ -333,6 +347,12 @@ Notice not_described(const LawFit& fit, double noise, bool only_law) {
 }
 
 }  // namespace
+
+bool may_rise(const Record& record, double period) {
+  constexpr double at_all = 0.02;  // of the largest amplitude
+  const Rise rise = largest_rise(record, period);
+  return rise.height() > at_all * rise.largest;
+}
 
 std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_law, std::string_view unit) {
   std::vector<Notice> found;

@@ -63,6 +63,10 @@ bool exceeds_noise(std::span<const double> y, double resolution, double rms, dou
 /// How many times the noise from sample to sample such residuals are.
 double times_noise(double rms, double noise);
 
+/// Whether the amplitude rises at all from an earlier part of a record to a later: else it does so in no part
+/// of it, and no drive makes it beat.
+bool may_rise(const Record& record, double period);
+
 /// What speaks against the fit; empty where nothing is suspicious. Looked for are the departures above, an
 /// amplitude that rises, one that falls by a few percent at most over twenty periods, a motion of one or two
 /// rounding steps, and residuals well above the noise from sample to sample that stand out about the swing's

@@ -106,6 +106,11 @@ Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
                 {{"order", line.harmonic}, {"swing", swing / two_pi}, {"frequencies", varies ? 2 : 1}}};
 }
 
+NoticeValue at_first(const ResidualLine& line) {
+  if (line.lasts) return {"when", ""};
+  return {"when", Notice{"comma_at_first"}};
+}
+
 // How far the skirts of a line reach on either side, [rad/s].
 double skirt_of(double duration, const LawFit& fit) {
   return 4 * std::max(two_pi / duration, fit.decay_rate().value);
@@ -172,7 +177,11 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   });
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
-  for (ResidualLine& line : distinct) measure({residuals.t, residuals.y, 0}, line);
+  constexpr double hardly = 0.3;  // e-folds
+  for (ResidualLine& line : distinct) {
+    measure({residuals.t, residuals.y, 0}, line);
+    line.lasts = line.decay_rate * duration < hardly;
+  }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };
   distinct.erase(std::remove_if(distinct.begin(), distinct.end(), rounding), distinct.end());
@@ -216,6 +225,7 @@ std::vector<Notice> second_drives(const Record& residuals, double drive, std::st
         drive > 0 ? harmonic_of(line.angular_frequency, line.frequency_error, {drive, drive}, duration) : 0;
     found.push_back(Notice{"line_beside_drive",
                            {{"frequency", line.angular_frequency / two_pi},
+                            at_first(line),
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"what", harmonic > 0 ? Notice{"harmonic_of_drive", {{"order", harmonic}}}
@@ -241,6 +251,7 @@ std::vector<Notice> second_modes(const std::vector<ResidualLine>& lines, const L
   for (const ResidualLine& line : lines) {
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
+                            at_first(line),
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"percent", 100 * line.amplitude / swing},

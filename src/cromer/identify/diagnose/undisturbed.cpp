@@ -28,6 +28,7 @@ struct Part {
   std::size_t first = 0, end = 0;  // one past the last sample
   int from = 0, out = 0;           // what is left out before and after it, in eightieths of the record
   double rms = 0;                  // of its residuals
+  double period = 0;               // [s]
 
   std::size_t samples() const { return end - first; }
 };
@@ -45,7 +46,7 @@ std::optional<Part> described_part(const Record& record, std::size_t first, std:
   if (to - from < fewest * period || !is_as_the_rest(swing, part, from, from + period) ||
       !is_as_the_rest(swing, part, to - period, HUGE_VAL))
     return std::nullopt;
-  return Part{first, end, from_part, parts_out, swing.residual.rms};
+  return Part{first, end, from_part, parts_out, swing.residual.rms, period};
 }
 
 }  // namespace
@@ -83,7 +84,8 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
   const Part best = *longest();
-  return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt};
+  return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt,
+                   best.period};
 }
 
 }  // namespace cromer::core

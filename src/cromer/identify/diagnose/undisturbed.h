@@ -11,6 +11,7 @@ namespace cromer::core {
 struct FreeSwing {
   double from = 0;             ///< [s]
   std::optional<double> to{};  ///< [s] empty: to the record's end
+  double period = 0;           // [s]
 };
 
 /// The longest of a few parts, from a twentieth to two fifths of the record to its end or as much as two

@@ -1,9 +1,13 @@
 #include "cromer/tasks/fit/decay_rates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
@@ -23,6 +27,60 @@ double carried_on(const AmplitudeDecay& decay, double amplitude, double duration
   for (int i = 0; i < steps && amplitude > 0; ++i)
     amplitude *= std::exp(-std::min(5.0, decay.rate(amplitude) * duration / steps));
   return amplitude;
+}
+
+/// The times of a stretch that begins at this amplitude, as the phase of a law's swing goes on, in units of
+/// time in the stretch's middle: in them a frequency that follows the amplitude is constant. Empty where it
+/// changes little, or is not known.
+std::vector<double> times_of_phase(std::span<const double> t, const LawFit& fit, double amplitude) {
+  constexpr std::size_t nodes = 32;
+  constexpr int points = 24;       // of a swing: good to the little that counts
+  constexpr double little = 1e-4;  // of the frequency
+  const Swing<double> swing = swing_of(fit);
+  if (!swing.is_bent()) return {};
+  const AmplitudeDecay decay = amplitude_decay(fit);
+  const double each = (t.back() - t.front()) / nodes;
+  std::array<double, nodes + 1> w{};
+  for (double& here : w) {
+    here = swing.angular_frequency(amplitude, points);
+    amplitude *= std::exp(-std::min(5.0, decay.rate(amplitude) * each));
+  }
+  const double middle = w[nodes / 2];
+  if (!std::isfinite(std::accumulate(w.begin(), w.end(), 0.0)) ||
+      std::abs(w.back() - w.front()) < little * middle)
+    return {};
+  std::array<double, nodes + 1> phase{};  // [rad]
+  for (std::size_t i = 0; i < nodes; ++i) phase[i + 1] = phase[i] + 0.5 * each * (w[i] + w[i + 1]);
+  std::vector<double> times;
+  for (const double at : t) {
+    const double place = (at - t.front()) / each;
+    const std::size_t i = std::min(static_cast<std::size_t>(place), nodes - 1);
+    const double within = (place - static_cast<double>(i)) * each;
+    times.push_back(t.front() +
+                    (phase[i] + within * (w[i] + 0.5 * within / each * (w[i + 1] - w[i]))) / middle);
+  }
+  return times;
+}
+
+/// Of a swing between its turning points, the amplitude of its fundamental over half the way between these:
+/// cos(theta) at its times, as Swing::angular_frequency has them.
+double share_of_fundamental(const Swing<double>& swing, double amplitude) {
+  if (!swing.is_bent()) return 1;
+  constexpr int points = 48;  // of half a cycle
+  const double c = swing.middle(amplitude);
+  std::array<double, points> cosine{}, lasts{};
+  for (int i = 0; i < points; ++i) {
+    cosine[i] = std::cos((i + 0.5) * pi / points);
+    lasts[i] = 1 / swing.turning(c, amplitude, cosine[i]);
+  }
+  const double half = std::accumulate(lasts.begin(), lasts.end(), 0.0);
+  double sum = 0, time = 0;
+  for (int i = 0; i < points; ++i) {
+    sum += cosine[i] * std::cos(pi * (time + 0.5 * lasts[i]) / half) * lasts[i];
+    time += lasts[i];
+  }
+  const double share = 2 * sum / half;
+  return std::isfinite(share) ? share : 1;
 }
 
 /// The length of the stretches. Each error shows how long the next stretch must be, by sd(b) = sqrt(24 h/T^3)
@@ -139,7 +197,10 @@ double widen_by_neighbours(std::vector<AmplitudeRate>& stretches, Estimate Ampli
     sum += each;
     largest = std::max(largest, each);
   }
-  const double count = static_cast<double>(stretches.size() - 3), square = (sum - largest) / count;
+  // Of so many squares of normal noise the largest takes its share, and more than one of the mean.
+  const double all = static_cast<double>(stretches.size() - 2), count = all - 1, log = std::log(all),
+               expected = 2 * log - std::log(log) - std::log(pi) + 2 * std::numbers::egamma;
+  const double square = (sum - largest) / (all - expected);
   // The squares of those that share stretches are correlated, by (4/6)^2 and (1/6)^2 of normal noise: their
   // mean has a variance of 2 (1 + 2 (16 + 1)/36) over their number.
   constexpr double variance = 2 * (1 + 2 * 17.0 / 36), surely = 3;
@@ -277,13 +338,19 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
         last ? t.size() : static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), end) - t.begin());
     const std::size_t n = next - first;
     if (n >= fewest_samples) {
-      const Record part{t.subspan(first, n), record.y.subspan(first, n), record.resolution};
+      const std::span<const double> times = t.subspan(first, n);
+      const std::vector<double> of_phase = times_of_phase(times, fit, at);
+      const Record part{of_phase.empty() ? times : std::span<const double>(of_phase),
+                        record.y.subspan(first, n), record.resolution};
       auto found = fit_stretch(part, w, decay.rate(at));
-      at = carried_on(decay, at, part.t.back() - part.t.front());
+      at = carried_on(decay, at, times.back() - times.front());
       stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
       if (found) {
+        found->from = times.front();
+        found->to = times.back();
         for (const ResidualLine& line : lines) widen_beside(line, t.front(), *found);
         found->amplitude /= std::pow(w, record.derivative);
+        found->amplitude /= share_of_fundamental(swing_of(fit), found->amplitude);
         found->law_rate = decay.rate(found->amplitude);
         found->law_angular_frequency = law_angular_frequency(fit, found->amplitude);
         if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))

@@ -66,7 +66,8 @@ Swing<double> swing_of(const LawFit& fit);
 /// law: its force does not follow from the state.
 double first_amplitude(const LawFit& fit);
 
-/// The decay rate of stretches of the record against their amplitude. A stretch holds at least two periods
+/// The decay rate and the frequency of stretches of the record against their amplitude, in the phase of the
+/// law's own swing where its frequency changes within a stretch. A stretch holds at least two periods
 /// and twelve samples; beside something else that swings, one of these `lines`, three beats. It is
 /// as long as its rate takes to be known to 5 %, but at most a sixth of the record, or the time in which the
 /// swing halves; there are at most 60. A stretch whose error exceeds its rate is left out. Empty if

@@ -178,20 +178,21 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
-// How long a pendulum is by its frequency, where that is not as far as it was seen from the pivot.
+// How long a pendulum is by its frequency, beside how far from the pivot it was seen.
 Notice arc_beside_pendulum(const FittedRecording& fitted) {
   const Estimate* w = fitted.find("angular_frequency");
   const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
   if (!w || !(radius > 0)) return {};
   const Estimate length = pendulum_length(*w).estimate;
   constexpr double gravity = 0.003;  // of g, over the Earth
-  if (std::abs(length.value - radius) < 2 * std::hypot(error, length.standard_error, gravity * radius))
-    return {};
-  return Notice{"arc_beside_pendulum",
-                {{"length", format_quantity({length.value, length.standard_error}, "m")},
+  const double off = std::abs(length.value - radius);
+  Notice told{off < 2 * std::hypot(error, length.standard_error, gravity * radius) ? "arc_as_pendulum"
+                                                                                   : "arc_beside_pendulum"};
+  told.values = {{"length", format_quantity({length.value, length.standard_error}, "m")},
                  {"radius", format_quantity({radius, error}, "m")},
-                 {"off", 100 * std::abs(length.value / radius - 1)},
-                 {"which", Notice{length.value > radius ? "longer" : "shorter"}}}};
+                 {"off", 100 * off / radius},
+                 {"which", Notice{length.value > radius ? "longer" : "shorter"}}};
+  return told;
 }
 
 // What only a report tells is not found for the page.
@@ -326,7 +327,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       std::max(0, derivative_order(result.series.quantity)),
                       result.series.clock_error,
                       result.series.scale_error,
-                      result.series.slips_at};
+                      result.series.slips_at,
+                      result.series.handled_first,
+                      result.series.handled_last};
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) {
@@ -386,8 +389,13 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     return result;
   }
   result.doubts = doubts(record, result.fit, law_is_chosen(options), unit);
-  for (const auto& found : {result.doubts, second_modes(lines, result.fit, record.derivative, unit)})
-    result.notices.insert(result.notices.end(), found.begin(), found.end());
+  result.notices.insert(result.notices.end(), result.doubts.begin(), result.doubts.end());
+  // Beside a law that leaves much there is no telling what else swings.
+  constexpr double well = 0.9;  // of the variance
+  if (result.fit.explained > well) {
+    const std::vector<Notice> modes = second_modes(lines, result.fit, record.derivative, unit);
+    result.notices.insert(result.notices.end(), modes.begin(), modes.end());
+  }
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
   drop_what_no_longer_holds(result.notices, result.fit.message);
@@ -425,7 +433,10 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
   FitOptions later = options;
   later.from = swing->from;
   later.to = swing->to;
-  Result<FittedRecording> part = fit_series(series, file, later, watch);
+  Series handled = series;
+  handled.handled_first = swing->period;
+  if (swing->to) handled.handled_last = swing->period;
+  Result<FittedRecording> part = fit_series(handled, file, later, watch);
   if (!part || !part->succeeded() || is_without_a_law(*part)) return whole;
   const Notice taken = swing->to ? Notice{"free_middle_taken",
                                           {{"from", swing->from},

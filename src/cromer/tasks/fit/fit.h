@@ -123,7 +123,7 @@ struct FittedRecording {
   std::optional<HeldOut> held_out{};
   std::vector<Notice> notices;
   std::vector<Notice> doubts{};  ///< of a free motion: those of the notices on whether the law describes it
-  std::size_t of_file = 0;  ///< so many of the notices, the first ones, are about the whole file
+  std::size_t of_file = 0;       ///< so many of the notices, the first ones, are about the whole file
   std::size_t of_record =
       0;  ///< so many, the first ones as the task found them, with those of the file, are about the record
   bool one_of_several = false;  ///< other runs of the file were fitted beside it

@@ -25,6 +25,7 @@ std::vector<Parameter> common_numbers(const LawFit& fit, const FittedRecording& 
   for (Parameter& end : decay_rate_ends(fit, t.back() - t.front())) all.push_back(std::move(end));
   const Estimate& w = fit.angular_frequency();
   all.push_back({"angular_frequency", w, "rad/s"});
+  if (!named(all, "pendulum_length")) all.push_back(pendulum_length(w));
   if (const Body body = body_of(result.options); body.mass) {
     const double k_over_w = body.effective_mass().value * w.value;
     all.push_back({"stiffness", {k_over_w * w.value, 2 * k_over_w * w.standard_error}, "N/m"});

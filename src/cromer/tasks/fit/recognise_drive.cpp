@@ -8,6 +8,8 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/read/column_kind.h"
@@ -180,6 +182,15 @@ bool beats_under_viscous_damping(const FittedRecording& driven, const Series& mo
          judged(*free, driven, frequency_known).kind == MotionKind::driven;
 }
 
+bool amplitude_may_rise(const Series& motion, const FitOptions& options) {
+  const Result<Series> used = samples_in_use(motion, options);
+  if (!used) return false;
+  const FittedSamples samples = without_outliers(*used);
+  const Record record{samples.t, samples.y, used->resolution};
+  const std::optional<double> period = period_at_start(record);
+  return !period || may_rise(record, *period);
+}
+
 }  // namespace
 
 std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view file,
@@ -187,6 +198,7 @@ std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view 
   // Of longer ones laws are compared on a part, and a fit to the whole costs more than it saves.
   constexpr std::size_t most = 200'000;
   if (!may_recognise(options) || motion.t.size() > most) return std::nullopt;
+  if (!amplitude_may_rise(motion, options)) return std::nullopt;
   FitOptions viscous;
   viscous.law = "viscous";
   viscous.from = options.from;

@@ -1,0 +1,58 @@
+// Ends of a part that a hand may not have left alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "cromer/identify/law_fit.h"
+#include "cromer/model/sensor.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double period = 1.25, rate = 0.03;
+
+/// Six swings; in the last one a hand takes hold and damps it by `more` [1/s] as well.
+struct Held {
+  std::vector<double> t, y;
+
+  Held(std::uint64_t seed, double more) {
+    NormalDeviates noise(seed);
+    for (int i = 0; i < 600; ++i) {
+      const double at = i * 6 * period / 599, late = std::max(0.0, at - 5 * period);
+      t.push_back(at);
+      y.push_back(std::exp(-rate * at - more * late) * std::cos(2 * M_PI / period * at) +
+                  2e-3 * noise.next());
+    }
+  }
+  LawFit fit(double last, std::size_t samples = 600) const {
+    Record record = Record{t, y}.first(samples);
+    record.handled_last = last;
+    return fit_law(record, {});
+  }
+};
+
+TEST(HandledEnds, WhatASwingLessWouldChangeIsInTheUncertainties) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Held held(seed, 0.1);
+    const Estimate sharp = held.fit(0).decay_rate(), wide = held.fit(period).decay_rate(),
+                   without = held.fit(0, 500).decay_rate();
+    EXPECT_EQ(sharp.value, wide.value);
+    EXPECT_GT(std::abs(sharp.value - rate), 3 * sharp.standard_error);
+    EXPECT_LT(std::abs(wide.value - rate), 2 * wide.standard_error);
+    const double moved = std::sqrt(std::pow(wide.standard_error, 2) - std::pow(sharp.standard_error, 2));
+    EXPECT_NEAR(moved, std::abs(without.value - wide.value), 0.1 * moved);
+  }
+}
+
+TEST(HandledEnds, OfAFreeSwingMoveLittle) {
+  double wider = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Held free(seed, 0);
+    wider += free.fit(period).decay_rate().standard_error / free.fit(0).decay_rate().standard_error / 10;
+  }
+  EXPECT_LT(wider, 1.5);
+}
+
+}  // namespace
+}  // namespace cromer::core
