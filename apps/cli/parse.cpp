@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include "completions.h"
 #include "cromer/base/ascii.h"
@@ -36,9 +37,10 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   const std::string_view bare =
       std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
   const std::string_view name = bare.substr(0, bare.find('='));
-  if (syntax.refusal)
+  const bool has_one_dash = std::find(names.begin(), names.end(), name) != names.end();
+  if (syntax.refusal && !has_one_dash)
     if (const Notice why = syntax.refusal(name, ""); !why.empty()) return refuse(Error{why});
-  if (const std::string_view owner = option_owner(name); !owner.empty())
+  if (const std::string_view owner = option_owner(name); !owner.empty() && !has_one_dash)
     return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
                               owner, syntax.command, syntax.command));
   const std::string near = nearest(name, names);
@@ -64,7 +66,20 @@ bool is_there(const std::string& path) {
   return std::filesystem::exists(path, none);
 }
 
-/// The refusal of a value in several words: `--mass 217.6 g` without its quotes.
+bool is_of_unit(const Option& option) { return !option.unit.empty() && !option.is_text(); }
+
+/// A text of one's own, or a name that stands in a file; not one of a list.
+bool may_be_words(const Option& option) {
+  static constexpr std::string_view own[] = {"author", "column", "course", "text", "title"};
+  return std::find(std::begin(own), std::end(own), option.name) != std::end(own);
+}
+
+/// No file, and not named like one.
+bool is_word(const std::string& argument) {
+  return !is_option(argument) && !is_there(argument) && argument.find_first_of("./\\") == argument.npos;
+}
+
+/// The refusal of a value in several words: `--mass 217.6 g`, `--author A. Student` without its quotes.
 std::string value_without_quotes(const Syntax& syntax, const Arguments& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::size_t equals = arguments[i].find('=');
@@ -72,18 +87,32 @@ std::string value_without_quotes(const Syntax& syntax, const Arguments& argument
     const auto option = std::find_if(syntax.options.begin(), syntax.options.end(), [&](const Option& each) {
       return name == "--" + std::string(each.name);
     });
-    if (option == syntax.options.end() || option->unit.empty() || option->is_text()) continue;
+    if (option == syntax.options.end() || !(may_be_words(*option) || is_of_unit(*option))) continue;
+    const bool is_quantity = is_of_unit(*option);
     std::size_t next = i + 1;
     std::string value = equals < name.npos        ? arguments[i].substr(equals + 1)
                         : next < arguments.size() ? arguments[next++]
                                                   : "";
-    std::string whole;  // the most words that make a quantity
-    for (; next < arguments.size() && !is_option(arguments[next]) && !is_there(arguments[next]); ++next) {
+    std::string whole;  // the most words that make a value
+    const bool goes_on = next < arguments.size() && (is_quantity || is_word(arguments[next]));
+    for (; goes_on && next < arguments.size() && !is_option(arguments[next]) && !is_there(arguments[next]);
+         ++next) {
       value += " " + arguments[next];
-      if (parse_quantity(value, option->unit)) whole = value;
+      if (!is_quantity || parse_quantity(value, option->unit)) whole = value;
     }
     if (!whole.empty())
       return fmt::format("{0} {1}: put a value of several words in quotes: {0} \"{1}\"", name, whole);
+  }
+  return "";
+}
+
+/// The refusal of a value that stands where files do: `"217.6 g"` without --mass.
+std::string value_without_option(const Syntax& syntax, const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (is_there(file) || parse_quantity(file, "1")) continue;
+    for (const Option& option : syntax.options)
+      if (is_of_unit(option) && parse_quantity(file, option.unit))
+        return fmt::format("{}: there is no such file; did you mean --{} \"{}\"?", file, option.name, file);
   }
   return "";
 }
@@ -156,6 +185,7 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   }
   if (!files.empty())
     if (const std::string why = value_without_quotes(syntax, arguments); !why.empty()) return refuse(why);
+  if (const std::string why = value_without_option(syntax, files); !why.empty()) return refuse(why);
   if (syntax.files.empty() && !files.empty())
     return refuse(fmt::format("{} takes no file, but \"{}\" is given", syntax.command, files.front()));
   if (!syntax.files.empty() && files.empty())

@@ -205,6 +205,12 @@ export interface AmplitudeRate {
   confidence_95: [Maybe, Maybe]
   /** [1/s] rate at which the fitted law's amplitude falls there, averaged over a cycle */
   law_rate: Maybe
+  /** [rad/s] angular frequency of that sinusoid */
+  angular_frequency: Maybe
+  /** [rad/s] its standard error */
+  angular_frequency_standard_error: Maybe
+  /** [rad/s] angular frequency of the fitted law's swings of that amplitude */
+  law_angular_frequency: Maybe
   /** [s] where the stretch begins */
   from: number
   /** [s] where it ends */

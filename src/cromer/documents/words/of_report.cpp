@@ -348,10 +348,10 @@ constexpr Entry entries[] = {
     {"report_share", clause, "share of the variance", "Anteil an der Varianz"},
     {"report_flow", clause, "The air around the disc", "Die Luft um die Scheibe"},
     {"report_reynolds", clause,
-     "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last half second it "
-     "reaches {last}.",
-     "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten halben Sekunde "
-     "erreicht sie {last}."},
+     "The Reynolds number Re = *v D*/*ν* is {largest} at its largest, at {t}; in the last whole half second "
+     "it reaches {last}.",
+     "Die Reynolds-Zahl Re = *v D*/*ν* ist höchstens {largest}, bei {t}; in der letzten ganzen halben "
+     "Sekunde erreicht sie {last}."},
     {"report_not_stokes", clause,
      "A drag in proportion to the velocity (Stokes) needs Re well below 1: at its fastest, no swing of this "
      "recording is so slow.",
