@@ -37,10 +37,10 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   const std::string_view bare =
       std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
   const std::string_view name = bare.substr(0, bare.find('='));
-  const bool has_one_dash = std::find(names.begin(), names.end(), name) != names.end();
-  if (syntax.refusal && !has_one_dash)
+  const bool is_right_but_for_dashes = std::find(names.begin(), names.end(), name) != names.end();
+  if (syntax.refusal && !is_right_but_for_dashes)
     if (const Notice why = syntax.refusal(name, ""); !why.empty()) return refuse(Error{why});
-  if (const std::string_view owner = option_owner(name); !owner.empty() && !has_one_dash)
+  if (const std::string_view owner = option_owner(name); !owner.empty() && !is_right_but_for_dashes)
     return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
                               owner, syntax.command, syntax.command));
   const std::string near = nearest(name, names);
@@ -74,9 +74,11 @@ bool may_be_words(const Option& option) {
   return std::find(std::begin(own), std::end(own), option.name) != std::end(own);
 }
 
-/// No file, and not named like one.
+/// No option, no file, and not named like one: the dot of "B." is an initial's.
 bool is_word(const std::string& argument) {
-  return !is_option(argument) && !is_there(argument) && argument.find_first_of("./\\") == argument.npos;
+  const std::size_t mark = argument.find_first_of("./\\");
+  const bool is_initial = mark + 1 == argument.size() && argument.back() == '.';
+  return !is_option(argument) && !is_there(argument) && (mark == argument.npos || is_initial);
 }
 
 /// The refusal of a value in several words: `--mass 217.6 g`, `--author A. Student` without its quotes.
@@ -94,9 +96,10 @@ std::string value_without_quotes(const Syntax& syntax, const Arguments& argument
                         : next < arguments.size() ? arguments[next++]
                                                   : "";
     std::string whole;  // the most words that make a value
-    const bool goes_on = next < arguments.size() && (is_quantity || is_word(arguments[next]));
-    for (; goes_on && next < arguments.size() && !is_option(arguments[next]) && !is_there(arguments[next]);
-         ++next) {
+    const auto goes_on = [&](const std::string& word) {
+      return is_quantity ? !is_option(word) && !is_there(word) : is_word(word);
+    };
+    for (; next < arguments.size() && goes_on(arguments[next]); ++next) {
       value += " " + arguments[next];
       if (!is_quantity || parse_quantity(value, option->unit)) whole = value;
     }

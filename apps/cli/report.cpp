@@ -151,9 +151,14 @@ std::optional<int> fit_swings(const std::vector<std::string>& files, const Repor
   const auto found = recording_files(files);
   if (!found) return refuse(found.error());
   // A page without one of them is not what was asked for.
+  bool are_there = true;
   for (const std::string& file : found->files)
     if (std::error_code none; file != "-" && !std::filesystem::exists(file, none))
-      if (const auto bytes = read_file(file); !bytes) return refuse(bytes.error());
+      if (const auto bytes = read_file(file); !bytes) {
+        are_there = false;
+        refuse(bytes.error());
+      }
+  if (!are_there) return wrong_input;
   auto fits = fit_all(*found, options.fit, watch);
   if (fits) own.recordings = report_of(*std::move(fits), options, watch);
   clear_progress();

@@ -189,7 +189,8 @@ TEST(ChooseLaw, TakesTheTermsThatAreThere) {
       const LawChoice choice = choose_law(record.record(), {});
       EXPECT_GE(choice.candidates.size(), 21u);
       const Law chosen = choice.chosen.law;
-      const int kin = 2 * (chosen.has<Drag>() + chosen.has<Cubic>());
+      // A second bend is tried beside the first.
+      const int kin = 2 * (chosen.has<Drag>() + chosen.has<Cubic>()) + has_bent_spring(chosen);
       more += choice.candidates.size() > 21u + static_cast<unsigned>(kin);
       right += to_text(choice.chosen.law) == law;
     }

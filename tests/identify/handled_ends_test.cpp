@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cromer/identify/diagnose/undisturbed.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/model/sensor.h"
 
@@ -22,7 +23,7 @@ struct Held {
       const double at = i * 6 * period / 599, late = std::max(0.0, at - 5 * period);
       t.push_back(at);
       y.push_back(std::exp(-rate * at - more * late) * std::cos(2 * M_PI / period * at) +
-                  2e-3 * noise.next());
+                  1e-3 * noise.next());
     }
   }
   LawFit fit(double last, std::size_t samples = 600) const {
@@ -52,6 +53,31 @@ TEST(HandledEnds, OfAFreeSwingMoveLittle) {
     wider += free.fit(period).decay_rate().standard_error / free.fit(0).decay_rate().standard_error / 10;
   }
   EXPECT_LT(wider, 1.5);
+}
+
+// A viscous law alone would describe a few swings of these.
+TEST(FreeSwing, IsTakenWholeWhereDragOrABentSpringChangeIt) {
+  for (const bool bent : {false, true}) {
+    NormalDeviates noise(3);
+    std::vector<double> t, y;
+    double x = 0.1, v = 0;
+    const double h = 1e-3;
+    for (int i = 0; i < 50'000; ++i) {
+      const double at = i * h;
+      if (i % 20 == 0) {
+        t.push_back(at);
+        y.push_back((at < 5 || at >= 40 ? 0.05 * std::cos(2.1 * at + std::sin(at)) : x) +
+                    2e-4 * noise.next());
+      }
+      if (at < 5 || at >= 40) continue;
+      v -= h * (25 * x + (bent ? 750 * x * x * x + 0.1 * v : 0.6 * v * std::abs(v)));
+      x += h * v;
+    }
+    const auto found = find_free_swing({t, y});
+    ASSERT_TRUE(found && found->to) << bent;
+    EXPECT_NEAR(found->from, 5, 0.7) << bent;
+    EXPECT_NEAR(*found->to, 40, 0.7) << bent;
+  }
 }
 
 }  // namespace

@@ -574,7 +574,7 @@ TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
               HasSubstr("The decay rate of parts of the recording, each fitted by itself, is"));
   EXPECT_THAT(lab.page.summary, HasSubstr("a free swing, at first at 0.9"));
   EXPECT_THAT(lab_report(lab.recordings, {}, {}),
-              HasSubstr("What the nearest law gives, without uncertainties"));
+              HasSubstr("What the chosen law gives, without uncertainties"));
   EXPECT_THAT(lab.page.summary, Not(HasSubstr("falls")));
   EXPECT_THAT(lab.text(), AllOf(HasSubstr("decay rate of the first part"), Not(HasSubstr("assumed")),
                                 Not(HasSubstr("quality factor: ")), Not(HasSubstr("are widened"))));

@@ -186,6 +186,37 @@ TEST(DecayByAmplitude, TellsTheFrequencyToo) {
   EXPECT_GT(std::sqrt(squares / count), 0.6);
 }
 
+// A velocity falls faster than the displacement where the frequency falls with the amplitude.
+TEST(DecayByAmplitude, OfAVelocityIsThatOfTheDisplacement) {
+  double squares = 0, count = 0;
+  for (const double bend : {3600.0, -1800.0})
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      NormalDeviates noise(seed);
+      const double h = 1e-3, g = 0.03;
+      std::vector<double> t, y;
+      double x = 0.1, v = 0;
+      for (int i = 0; i < 60'000; ++i) {
+        if (i % 20 == 0) {
+          t.push_back(i * h);
+          y.push_back(v + 2e-3 * noise.next());
+        }
+        v -= 0.5 * h * (36 * x + bend * x * x * x + 2 * g * v);
+        x += h * v;
+        v = (v - 0.5 * h * (36 * x + bend * x * x * x)) / (1 + g * h);
+      }
+      const Record record{t, y, 0, 1};
+      LawFitOptions options;
+      options.law = law_of("viscous+cubic");
+      const auto stretches = decay_by_amplitude(record, fit_law(record, options));
+      ASSERT_GT(stretches.size(), 4u);
+      for (const AmplitudeRate& each : stretches) {
+        squares += std::pow((each.rate.value - each.law_rate) / each.rate.standard_error, 2);
+        ++count;
+      }
+    }
+  EXPECT_LT(std::sqrt(squares / count), 1.4);
+}
+
 // What swings along moves the rate of a stretch that holds less than a few beats by far more than its error,
 // and that of others by as much as is in their errors.
 TEST(DecayByAmplitude, AStretchHoldsSomeBeats) {

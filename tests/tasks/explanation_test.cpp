@@ -29,7 +29,8 @@ CompareResult compared() {
 
 TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   CompareResult both = compared();
-  const std::string left = "with one rate 2.00\u00a0cm (rms) are left and the amplitude at the end is ";
+  const std::string left =
+      "with one rate for all damping 2.00\u00a0cm (rms) are left and the amplitude at the end is ";
   const std::string end = ", with viscous+drag 1.00\u00a0cm. Quote the law instead.";
   EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
@@ -68,10 +69,11 @@ TEST(Explanation, PartsWithOtherRatesSpeakWhereNoLawDescribesTheWhole) {
       ". One decay rate is not enough, whatever the law: parts of the recording, each fitted by itself, "
       "have ";
   EXPECT_THAT(rates(0.4, 0.2, 0.03),
-              testing::HasSubstr(parts + "0.40\u00a0±\u00a00.03\u00a01/s at an amplitude of 50.0\u00a0cm and "
-                                         "0.20\u00a0±\u00a00.03\u00a01/s at "
-                                         "25.0\u00a0cm; with one rate 2.00\u00a0cm (rms) are left, with "
-                                         "viscous+drag 1.00\u00a0cm."));
+              testing::HasSubstr(
+                  parts + "0.40\u00a0±\u00a00.03\u00a01/s at an amplitude of 50.0\u00a0cm and "
+                          "0.20\u00a0±\u00a00.03\u00a01/s at "
+                          "25.0\u00a0cm; with one rate for all damping 2.00\u00a0cm (rms) are left, with "
+                          "viscous+drag 1.00\u00a0cm."));
   EXPECT_THAT(rates(0.2, 0.4, 0.03), testing::HasSubstr(parts));
   EXPECT_THAT(rates(0.4, 0.2, 0.05), testing::HasSubstr("No verdict on the damping"));
   // Two swings that beat have parts with other rates, too.
@@ -110,10 +112,10 @@ TEST(Explanation, SaysWhereOneRateIsEnough) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
   both.curves[0].amplitude_ratio_end = 0.97;
-  EXPECT_EQ(
-      in_words(explanation(both)),
-      "One decay rate is enough: with one rate 2.00\u00a0cm (rms) are left, and the amplitude at the end is "
-      "3.0\u00a0% too small.");
+  EXPECT_EQ(in_words(explanation(both)),
+            "One decay rate is enough: with one rate for all damping 2.00\u00a0cm (rms) are left, and the "
+            "amplitude at the end is "
+            "3.0\u00a0% too small.");
   both.curves[0].measured_at_rest = both.curves[0].at_rest = true;
   EXPECT_THAT(in_words(explanation(both)),
               testing::EndsWith(", and the swing has died down where the measured one has."));
@@ -133,7 +135,8 @@ TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
   both.recording.decay_by_amplitude = {stretch(-0.13, 0.02), stretch(0.15, 0.02), stretch(-0.06, 0.02)};
   EXPECT_EQ(
       in_words(explanation(both)),
-      "No law that was tried tells more than one decay rate: with one rate 2.00\u00a0cm (rms) are left. But "
+      "No law that was tried tells more than one decay rate: with one rate for all damping 2.00\u00a0cm "
+      "(rms) are left. But "
       "the rates of single stretches lie between −0.13 and 0.15\u00a01/s, far more apart than their own "
       "uncertainties: something else takes part.");
   both.recording.decay_by_amplitude = {stretch(0.06, 0.02), stretch(0.04, 0.02), stretch(0.07, 0.02)};
@@ -143,14 +146,15 @@ TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
 TEST(Explanation, OneRateIsNotEnoughWhereItsEndIsFarOff) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
-  EXPECT_EQ(
-      in_words(explanation(both)),
-      "No law that was tried tells more than one decay rate: with one rate 2.00\u00a0cm (rms) are left, but "
-      "the amplitude at the end is 10\u00a0% too small.");
+  EXPECT_EQ(in_words(explanation(both)),
+            "No law that was tried tells more than one decay rate: with one rate for all damping "
+            "2.00\u00a0cm (rms) are left, but "
+            "the amplitude at the end is 10\u00a0% too small.");
   both.curves[1].law = both.curves[0].law = law_of("viscous+cubic");
   EXPECT_EQ(
       in_words(explanation(both)),
-      "No law that was tried tells more than viscous damping alone: with one rate 2.00\u00a0cm (rms) are "
+      "No law that was tried tells more than viscous damping alone: with one rate for all damping "
+      "2.00\u00a0cm (rms) are "
       "left, but the amplitude at the end is 10\u00a0% too small. The amplitude's own rate goes from 0.400 "
       "to 0.200\u00a01/s, as the restoring force is not proportional to the displacement.");
   both.curves[0].measured_at_rest = true;
@@ -173,12 +177,13 @@ TEST(Explanation, AnAmplitudeWithinTheNoiseIsRight) {
 
 TEST(Explanation, AConstantRateLeavesTheFrequency) {
   CompareResult both = compared();
-  std::string numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm.";
+  std::string numbers =
+      "with one rate for all damping 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm.";
   both.recording.decay_by_amplitude[1].law_rate = 0.393;
   // A spring that is not bent has one frequency.
   EXPECT_EQ(in_words(explanation(both)), "One decay rate is not enough: " + numbers);
   both.curves[1].law = law_of("viscous+cubic");
-  numbers = "with one rate 2.00\u00a0cm (rms) are left, with viscous+cubic 1.00\u00a0cm.";
+  numbers = "with one rate for all damping 2.00\u00a0cm (rms) are left, with viscous+cubic 1.00\u00a0cm.";
   EXPECT_EQ(in_words(explanation(both)), "One decay rate describes the amplitude, but not the motion: " +
                                              numbers + " The frequency changes as the swing dies down.");
   both.recording.decay_by_amplitude[1].law_rate = 0.391;
@@ -191,14 +196,14 @@ TEST(Explanation, AConstantRateLeavesTheFrequency) {
 TEST(Explanation, ADoubtIsNoVerdict) {
   CompareResult both = compared();
   both.doubts = {Notice{"the sensor is coarse"}, Notice{"another"}};
-  EXPECT_EQ(
-      in_words(explanation(both)),
-      "The sensor is coarse. No verdict on the damping: with one rate 2.00\u00a0cm (rms) are left, with "
-      "viscous+drag 1.00\u00a0cm.");
+  EXPECT_EQ(in_words(explanation(both)),
+            "The sensor is coarse. No verdict on the damping: with one rate for all damping 2.00\u00a0cm "
+            "(rms) are left, with "
+            "viscous+drag 1.00\u00a0cm.");
   both.doubts = {Notice{"äon"}};
   both.curves[1].law = law_of("viscous");
   EXPECT_EQ(in_words(explanation(both)),
-            "äon. No verdict on the damping: with one rate 2.00\u00a0cm (rms) are left.");
+            "äon. No verdict on the damping: with one rate for all damping 2.00\u00a0cm (rms) are left.");
 }
 
 TEST(Explanation, AMethodThatRunsAwayIsNoWordOnTheLaw) {

@@ -195,10 +195,10 @@ std::vector<double> slip_of_a_second(const Record& record, std::span<const doubl
   return added;
 }
 
-// Moves the estimates by what they would change without the samples from one place to another: Jᵀ J and Jᵀ r
-// of the rest alone. Where a part that is said to be free begins and ends is not sharp.
-void add_without(EstimateNoise& known, std::size_t from, std::size_t to, const DescribedMinimum& minimum,
-                 std::span<const double> jacobian) {
+// Adds to the covariance what the estimates would change without the samples [from, to): by Jᵀ J and Jᵀ r of
+// the rest. Nothing where the rest does not tell them.
+void add_change_without(EstimateNoise& known, std::size_t from, std::size_t to,
+                        const DescribedMinimum& minimum, std::span<const double> jacobian) {
   const int k = minimum.fitted.count;
   SquareMatrix rest = minimum.matrix;
   Parameters along{};
@@ -227,9 +227,10 @@ void add_common_errors(EstimateNoise& known, const Record& record, const Describ
                                     record.t.begin());
   };
   if (record.handled_first > 0)
-    add_without(known, 0, place(record.t.front() + record.handled_first), minimum, jacobian);
+    add_change_without(known, 0, place(record.t.front() + record.handled_first), minimum, jacobian);
   if (record.handled_last > 0)
-    add_without(known, place(record.t.back() - record.handled_last), record.t.size(), minimum, jacobian);
+    add_change_without(known, place(record.t.back() - record.handled_last), record.t.size(), minimum,
+                       jacobian);
   if (record.scale_error > 0) {
     Parameters along = weighed(record.y, k, jacobian);
     for (double& each : along) each *= record.scale_error;

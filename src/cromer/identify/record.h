@@ -28,6 +28,8 @@ struct Record {
     Record some = *this;
     some.t = t.subspan(from, samples);
     some.y = y.subspan(from, samples);
+    if (from > 0) some.handled_first = 0;
+    if (from + samples < t.size()) some.handled_last = 0;
     return some;
   }
   Record first(std::size_t samples) const { return part(0, samples); }

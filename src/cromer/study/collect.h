@@ -43,7 +43,7 @@ void collect(const std::string& id, const FittedNetwork& fitted, Results& result
 /// damping_ratio. Columns mode, frequency, damping_ratio.
 void collect(const std::string& id, const ModesResult& found, Results& results);
 
-/// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last,
+/// "id": the entries of a fit's description; mass, spring_mass, disc_diameter, damping_mean, reynolds_last,
 /// air_temperature, air_density, air_viscosity (with reynolds), other_stiffness (with .rms), common_decay
 /// (beside rival laws), first_rate, last_rate, stretches, first_stretch, last_stretch (with .amplitude,
 /// .frequency); simulate.OPTION (the law as options of simulate). Columns t, since_start, measured;

@@ -447,7 +447,8 @@ class Part : public LabTold {
     figure.x_unit = readable_unit(units_.displacement, largest->amplitude);
     figure.x_name =
         with_unit(words("report_amplitude"), figure.x_unit.empty() ? units_.displacement : figure.x_unit);
-    figure.x_from_zero = smallest->amplitude < 0.5 * largest->amplitude;
+    constexpr double worth_a_zero = 0.5;  // else an axis from 0 is half empty
+    figure.x_from_zero = smallest->amplitude < worth_a_zero * largest->amplitude;
     figure.curves = {
         {.of = id_, .role = "fitted", .name = words("report_law_curve"), .x = "law_amplitude", .y = law},
         {.of = id_, .role = "measured", .x = "bar_amplitude", .y = bar},

@@ -143,12 +143,12 @@ struct Described<AmplitudeRate> {
                     "amplitude in the middle of the stretch")
                   .known(),
               estimated("rate", &AmplitudeRate::rate, "1/s",
-                        "decay rate of one sinusoid fitted to this stretch alone")
+                        "decay rate by a fit to this stretch alone, beside the law's course within it")
                   .with_interval(),
               field("law_rate", &AmplitudeRate::law_rate, "1/s",
                     "rate at which the fitted law's amplitude falls there, averaged over a cycle"),
               estimated("angular_frequency", &AmplitudeRate::angular_frequency, "rad/s",
-                        "angular frequency of that sinusoid")
+                        "angular frequency by that fit")
                   .with_error("angular_frequency_standard_error"),
               field("law_angular_frequency", &AmplitudeRate::law_angular_frequency, "rad/s",
                     "angular frequency of the fitted law's swings of that amplitude"),
@@ -363,7 +363,7 @@ struct Described<FittedRecording> {
                 "mean decay rate of the segments; null without segments")
           .with_error("decay_rate_mean_standard_error"),
       field("decay_by_amplitude", &Fitted::decay_by_amplitude, "",
-            "decay rate against amplitude, stretch by stretch")
+            "decay rate and frequency against amplitude, stretch by stretch")
           .not_in_study(),
       group_if(
           "reynolds", "Reynolds numbers; null without a disc",

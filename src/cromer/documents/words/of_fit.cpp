@@ -131,12 +131,10 @@ constexpr Entry entries[] = {
      "{value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} von "
      "{samples} Messwerten; mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"cut_tops_aside", worth_knowing,
-     "the motion's peaks are cut off at the same value again and again, as when a sensor is out of its "
-     "range: {samples} samples there, the first at {first:.6g} s, are set aside",
-     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten, wie wenn ein Sensor "
-     "außerhalb "
-     "seines Bereichs ist: {samples:Messwert|Messwerte} dort, der erste bei {first:.6g} s, "
-     "{samples?ist|sind} beiseitegelegt"},
+     "the motion's peaks are cut off at the same value again and again: {samples} samples there, the first "
+     "at {first:.6g} s, are set aside",
+     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: {samples} Messwerte dort, "
+     "der erste bei {first:.6g} s, sind beiseitegelegt"},
     {"drop_outs_aside", detail,
      "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
      "drop-outs of the sensor and set aside",
@@ -284,12 +282,11 @@ constexpr Entry entries[] = {
      "{radius:n} des Bogens passt"},
     {"arc_beside_pendulum", worth_knowing,
      "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², {off:.2g} % "
-     "{which} than the radius {radius:n} of the arc: the bob's mass may not lie at the point that was "
-     "followed, the film's scale be off, or a short arc tell its radius badly",
+     "{which} than the radius {radius:n} of the arc: perhaps the bob's centre of mass is not at the "
+     "tracked point, the film's scale is wrong, or the arc is too short to give its radius well",
      "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, {off:.2g} % "
-     "{which} als der Radius {radius:n} des Bogens: die Masse des Pendels liegt vielleicht nicht an dem "
-     "verfolgten Punkt, der Maßstab des Films ist falsch, oder ein kurzer Bogen zeigt seinen Radius "
-     "schlecht"},
+     "{which} als der Radius {radius:n} des Bogens: vielleicht liegt der Schwerpunkt nicht am verfolgten "
+     "Punkt, stimmt der Maßstab des Films nicht, oder ist der Bogen zu kurz für seinen Radius"},
     {"longer", clause, "longer", "länger"},
     {"shorter", clause, "shorter", "kürzer"},
     {"beats_at_first", detail,

@@ -308,11 +308,12 @@ constexpr Entry entries[] = {
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,
-     "the residual oscillates at {frequency:.5g} Hz{when} with an amplitude of {amplitude:.2g}{unit: } "
+     "the residual oscillates at {frequency:.5g} Hz{when} an amplitude of {amplitude:.2g}{unit: } "
      "({percent:.2g} % of the swing's): {what}",
-     "der Rest schwingt mit {frequency:.5g} Hz{when} mit einer Amplitude von {amplitude:.2g}{unit: } "
+     "der Rest schwingt mit {frequency:.5g} Hz{when} einer Amplitude von {amplitude:.2g}{unit: } "
      "({percent:.2g} % der Schwingung): {what}"},
-    {"comma_at_first", clause, ", at first", ", anfangs"},
+    {"at_first_with", clause, ", at first with", ", anfangs mit"},
+    {"lasting_with", clause, " with", " und"},
     {"second_harmonic", clause,
      "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from "
      "a restoring force or a sensor that is not symmetric",
@@ -336,10 +337,8 @@ constexpr Entry entries[] = {
      "a second mode, as from a coupled or a sideways swing, or something that shakes the mount",
      "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},
     {"line_beside_drive", worth_knowing,
-     "the residual oscillates at {frequency:.5g} Hz{when} with an amplitude of {amplitude:.2g}{unit: }: "
-     "{what}",
-     "der Rest schwingt mit {frequency:.5g} Hz{when} mit einer Amplitude von {amplitude:.2g}{unit: }: "
-     "{what}"},
+     "the residual oscillates at {frequency:.5g} Hz{when} an amplitude of {amplitude:.2g}{unit: }: {what}",
+     "der Rest schwingt mit {frequency:.5g} Hz{when} einer Amplitude von {amplitude:.2g}{unit: }: {what}"},
     {"harmonic_of_drive", clause,
      "{order} times the drive's frequency, as from a spring or a sensor that is not linear",
      "das {order}-Fache der Antriebsfrequenz, wie von einer Feder oder einem Sensor, die nicht linear sind"},

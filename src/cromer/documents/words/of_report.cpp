@@ -239,9 +239,9 @@ constexpr Entry entries[] = {
     {"report_to", clause, "to", "bis"},
     {"report_decay_title", clause, "Decay rate against amplitude", "Abklingrate gegen Amplitude"},
     {"report_decay_caption", clause,
-     "The decay rate of {stretches} stretches of the recording, each fitted by itself (± one standard "
+     "The decay rate of {stretches} stretches of the recording, each by a fit of its own (± one standard "
      "error), against the amplitude; the line is the law's.",
-     "Die Abklingrate von {stretches} Abschnitten der Aufnahme, jeder für sich angepasst (± ein "
+     "Die Abklingrate von {stretches} Abschnitten der Aufnahme, jede durch eine eigene Anpassung (± ein "
      "Standardfehler), gegen die Amplitude; die Linie ist die des Gesetzes."},
     {"report_frequencies_title", clause, "Frequency against amplitude", "Frequenz gegen Amplitude"},
     {"report_frequencies_caption", clause,

@@ -102,8 +102,9 @@ bool lasts(const Mode& mode, const Mode& other, double duration) {
   return g * duration < 0.1 && g < 0.05 * other.decay_rate.value;
 }
 
-// The smaller line is a harmonic of the larger.
+// The smaller line is a harmonic of the larger, which it is not where it decays and the larger lasts.
 bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
+  if (modes[1].decays() && lasts(modes[0], modes[1], duration)) return false;
   const Estimate &larger = modes[0].angular_frequency, &smaller = modes[1].angular_frequency;
   return harmonic_of(smaller.value, smaller.standard_error,
                      {larger.value, larger.value, larger.standard_error}, duration) > 0;

@@ -349,9 +349,9 @@ Notice not_described(const LawFit& fit, double noise, bool only_law) {
 }  // namespace
 
 bool may_rise(const Record& record, double period) {
-  constexpr double at_all = 0.02;  // of the largest amplitude
+  constexpr double least = 0.02;  // of the largest amplitude
   const Rise rise = largest_rise(record, period);
-  return rise.height() > at_all * rise.largest;
+  return rise.height() > least * rise.largest;
 }
 
 std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_law, std::string_view unit) {

@@ -63,8 +63,9 @@ bool exceeds_noise(std::span<const double> y, double resolution, double rms, dou
 /// How many times the noise from sample to sample such residuals are.
 double times_noise(double rms, double noise);
 
-/// Whether the amplitude rises at all from an earlier part of a record to a later: else it does so in no part
-/// of it, and no drive makes it beat.
+/// Whether the amplitude rises from one window to a later one by more than 2 % of the largest, a fifth of
+/// what counts as a rise: else no part of the record has one, and no drive makes it beat. False of fewer than
+/// three windows.
 bool may_rise(const Record& record, double period);
 
 /// What speaks against the fit; empty where nothing is suspicious. Looked for are the departures above, an

@@ -106,10 +106,7 @@ Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
                 {{"order", line.harmonic}, {"swing", swing / two_pi}, {"frequencies", varies ? 2 : 1}}};
 }
 
-NoticeValue at_first(const ResidualLine& line) {
-  if (line.lasts) return {"when", ""};
-  return {"when", Notice{"comma_at_first"}};
-}
+Notice at_first(const ResidualLine& line) { return Notice{line.lasts ? "lasting_with" : "at_first_with"}; }
 
 // How far the skirts of a line reach on either side, [rad/s].
 double skirt_of(double duration, const LawFit& fit) {
@@ -177,7 +174,7 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   });
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
-  constexpr double hardly = 0.3;  // e-folds
+  constexpr double hardly = 0.3;  // e-folds within the record: its amplitude is then right to 15 % throughout
   for (ResidualLine& line : distinct) {
     measure({residuals.t, residuals.y, 0}, line);
     line.lasts = line.decay_rate * duration < hardly;
@@ -225,7 +222,7 @@ std::vector<Notice> second_drives(const Record& residuals, double drive, std::st
         drive > 0 ? harmonic_of(line.angular_frequency, line.frequency_error, {drive, drive}, duration) : 0;
     found.push_back(Notice{"line_beside_drive",
                            {{"frequency", line.angular_frequency / two_pi},
-                            at_first(line),
+                            {"when", at_first(line)},
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"what", harmonic > 0 ? Notice{"harmonic_of_drive", {{"order", harmonic}}}
@@ -251,7 +248,7 @@ std::vector<Notice> second_modes(const std::vector<ResidualLine>& lines, const L
   for (const ResidualLine& line : lines) {
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
-                            at_first(line),
+                            {"when", at_first(line)},
                             {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"percent", 100 * line.amplitude / swing},

@@ -23,7 +23,7 @@ bool is_as_the_rest(const LawFit& swing, const Record& record, double from, doub
   return squares < rms * rms * samples;
 }
 
-// A part of the record that one viscous law describes.
+// A part of the record that one law describes.
 struct Part {
   std::size_t first = 0, end = 0;  // one past the last sample
   int from = 0, out = 0;           // what is left out before and after it, in eightieths of the record
@@ -32,6 +32,8 @@ struct Part {
 
   std::size_t samples() const { return end - first; }
 };
+
+constexpr double alike = 1.15;  // times the least rms residual
 
 std::optional<Part> described_part(const Record& record, std::size_t first, std::size_t end, int from_part,
                                    int parts_out, const Watch& watch) {
@@ -49,11 +51,45 @@ std::optional<Part> described_part(const Record& record, std::size_t first, std:
   return Part{first, end, from_part, parts_out, swing.residual.rms, period};
 }
 
+// A viscous law holds only while rate and frequency hardly change. Extends the longest part that it describes
+// as far on either side as drag and a cubic spring leave an rms residual at most `alike` times as large;
+// place(part) is the first sample of a part of the record, one of `parts`.
+template <class Place>
+Part extended(Part best, const Record& record, int parts, const Place& place, const Watch& watch) {
+  LawFitOptions options;
+  options.law = law_of("viscous+drag+cubic");
+  const auto end_of = [&](int out) { return out == 0 ? record.t.size() : place(parts - out); };
+  const auto part_of = [&](int from, int out) {
+    const std::size_t first = place(from);
+    return record.part(first, end_of(out) - first);
+  };
+  const LawFit known = fit_law(part_of(best.from, best.out), options, watch);
+  if (!known.is_usable()) return best;
+  const auto follows = [&](int from, int out) {
+    const Record part = part_of(from, out);
+    const LawFit swing = fit_law(part, options, watch);
+    return swing.is_usable() && !watch.interrupted() && swing.residual.rms <= alike * known.residual.rms &&
+           is_as_the_rest(swing, part, part.t.front(), part.t.front() + best.period) &&
+           is_as_the_rest(swing, part, part.t.back() - best.period, HUGE_VAL);
+  };
+  // The least of a number down to `least` for which it still follows: taken to do so above once it does.
+  const auto lowest = [&](int sure, int least, const auto& still_follows) {
+    int failed = least - 1;
+    for (int next = least; sure - failed > 1; next = failed + (sure - failed) / 2)
+      (still_follows(next) ? sure : failed) = next;
+    return sure;
+  };
+  best.from = lowest(best.from, 1, [&](int from) { return follows(from, best.out); });
+  best.out = lowest(best.out, 0, [&](int out) { return follows(best.from, out); });
+  best.first = place(best.from);
+  best.end = end_of(best.out);
+  return best;
+}
+
 }  // namespace
 
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch) {
   constexpr int finer = 4, parts = 20 * finer, latest = 8 * finer, most_out = 8 * finer;
-  constexpr double alike = 1.15;  // times the least rms residual
   const std::size_t n = record.t.size();
   if (n < 64) return std::nullopt;
   const auto place = [&](int part) {
@@ -83,7 +119,7 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
   for (int out = 1 - finer; out < finer; ++out)
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
-  const Part best = *longest();
+  const Part best = extended(*longest(), record, parts, place, watch);
   return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt,
                    best.period};
 }

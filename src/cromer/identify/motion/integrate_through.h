@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <span>
+#include <type_traits>
 #include <utility>
 
 #include "cromer/base/function_ref.h"
@@ -16,15 +18,14 @@
 
 namespace cromer::core {
 
-// The laws that have code of their own: a measured choice. Every other law shares the code with the fewest
-// columns that serves it, where each term is asked for.
+// The laws that have code of their own: a measured choice. Every other law uses the code with the fewest
+// columns that serves it; code of more than six terms asks which of them are present.
 
 inline constexpr Law every_term_but_hysteresis = smooth_terms.with(law_with<Friction>);
 inline constexpr Law every_term = every_term_but_hysteresis.with(law_with<Hysteresis>);
 
 #ifdef CROMER_PAGE
-inline constexpr LawCode free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"),
-                                        every_term_but_hysteresis, every_term};
+inline constexpr LawCode free_laws[] = {law_of("viscous+drag"), {every_term_but_hysteresis, 6}, every_term};
 inline constexpr LawCode driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"),
                                           every_term};
 #else
@@ -169,7 +170,8 @@ void integrate_under_force(const Motion& motion, const ForceRecord& force, std::
   }
 }
 
-/// The place among `codes` of the one with the fewest columns that serves a law; the first of equals.
+/// The place among `codes` of the one with the fewest columns that serves a law; the first of equals, and
+/// codes.size() if none does.
 constexpr std::size_t code_for(std::span<const LawCode> codes, Law law) {
   std::size_t best = codes.size();
   for (std::size_t i = 0; i < codes.size(); ++i)

@@ -185,13 +185,14 @@ class CoefficientColumns {
   std::size_t count_ = 0;
 };
 
-/// Code of its own: for a law; or, shared, for all whose terms are among the law's and whose coefficients
-/// find `room` in its columns.
+/// Code compiled for a law. It serves every law whose terms are among that law's and whose coefficients fit
+/// in `room` columns.
 struct LawCode {
   Law law;
   std::size_t room;
 
-  constexpr LawCode(Law of) : law(of), room(CoefficientColumns(of).count()) {}  // NOLINT: as laws are
+  constexpr LawCode(Law of)
+      : law(of), room(CoefficientColumns(of).count()) {}  // NOLINT: implicit, so that lists name laws
   constexpr LawCode(Law all, std::size_t room_for) : law(all), room(room_for) {}
 
   constexpr bool serves(Law other) const {

@@ -15,7 +15,6 @@
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/base/state.h"
-#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/slip.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/motion/damped_phasor.h"

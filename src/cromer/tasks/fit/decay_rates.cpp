@@ -21,45 +21,56 @@ constexpr std::size_t most_stretches = 60;
 constexpr std::size_t fewest_samples = 12;  // of a stretch
 constexpr double beats = 3;                 // in a stretch: what swings along then moves its rate little
 
-/// The amplitude after `duration`, by the averaged law in small steps.
-double carried_on(const AmplitudeDecay& decay, double amplitude, double duration) {
-  constexpr int steps = 32;
-  for (int i = 0; i < steps && amplitude > 0; ++i)
-    amplitude *= std::exp(-std::min(5.0, decay.rate(amplitude) * duration / steps));
-  return amplitude;
-}
+/// A stretch freed of what the law itself makes of the swing: one lasting sinusoid where the law is right.
+struct Levelled {
+  std::vector<double> t;  // [s] as the law's phase goes on, in units of time in the middle
+  std::vector<double> y;  ///< about the equilibrium, over the law's amplitude, which is 1 in the middle
+  double rate = 0;        // [1/s] the law's in the middle
+  double end = 0;         ///< the law's amplitude at the end
+  double power = 1;       ///< with what power of the displacement's amplitude that of the record goes
+};
 
-/// The times of a stretch that begins at this amplitude, as the phase of a law's swing goes on, in units of
-/// time in the stretch's middle: in them a frequency that follows the amplitude is constant. Empty where it
-/// changes little, or is not known.
-std::vector<double> times_of_phase(std::span<const double> t, const LawFit& fit, double amplitude) {
+/// From this amplitude on. Empty where the swing ends within the stretch.
+std::optional<Levelled> level(std::span<const double> t, std::span<const double> y, int derivative,
+                              const LawFit& fit, double amplitude) {
   constexpr std::size_t nodes = 32;
-  constexpr int points = 24;       // of a swing: good to the little that counts
-  constexpr double little = 1e-4;  // of the frequency
+  constexpr int points = 24;  // of a swing: good to 1e-6 up to 2 rad of a pendulum
   const Swing<double> swing = swing_of(fit);
-  if (!swing.is_bent()) return {};
   const AmplitudeDecay decay = amplitude_decay(fit);
-  const double each = (t.back() - t.front()) / nodes;
-  std::array<double, nodes + 1> w{};
-  for (double& here : w) {
-    here = swing.angular_frequency(amplitude, points);
-    amplitude *= std::exp(-std::min(5.0, decay.rate(amplitude) * each));
+  const double each = (t.back() - t.front()) / nodes, w0 = fit.motion.angular_frequency();
+  std::array<double, nodes + 1> A{}, w{}, phase{};
+  for (std::size_t i = 0; i <= nodes; ++i) {
+    A[i] = amplitude;
+    w[i] = swing.is_bent() ? swing.angular_frequency(amplitude, points) : w0;
+    if (!std::isfinite(w[i])) w[i] = w0;
+    if (i > 0) phase[i] = phase[i - 1] + 0.5 * each * (w[i - 1] + w[i]);
+    // Two steps of the averaged law: by the rate in the middle.
+    const double half = amplitude * std::exp(-std::min(5.0, 0.5 * each * decay.rate(amplitude)));
+    amplitude *= std::exp(-std::min(5.0, each * decay.rate(half)));
   }
-  const double middle = w[nodes / 2];
-  if (!std::isfinite(std::accumulate(w.begin(), w.end(), 0.0)) ||
-      std::abs(w.back() - w.front()) < little * middle)
-    return {};
-  std::array<double, nodes + 1> phase{};  // [rad]
-  for (std::size_t i = 0; i < nodes; ++i) phase[i + 1] = phase[i] + 0.5 * each * (w[i] + w[i + 1]);
-  std::vector<double> times;
-  for (const double at : t) {
-    const double place = (at - t.front()) / each;
+  constexpr double gone = 0.1;  // of the amplitude at its beginning: the rest of a stretch is then noise
+  const double at_rest = 2 * fit.motion.per_mass.friction / (w0 * w0);  // a half swing before it
+  if (!(A.back() > std::max(gone * A.front(), at_rest))) return std::nullopt;
+  const double middle = w[nodes / 2], mean = fit.motion.equilibrium;
+  const auto size = [&](std::size_t i) {
+    return std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
+  };
+  Levelled levelled;
+  levelled.rate = decay.rate(A[nodes / 2]);
+  levelled.end = A.back();
+  if (swing.is_bent() && A.front() != A.back())
+    levelled.power += derivative * std::log(w.front() / w.back()) / std::log(A.front() / A.back());
+  constexpr double least_power = 0.2;  // below it the record's amplitude hardly tells the displacement's
+  if (!(levelled.power > least_power)) return std::nullopt;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double place = (t[k] - t.front()) / each;
     const std::size_t i = std::min(static_cast<std::size_t>(place), nodes - 1);
-    const double within = (place - static_cast<double>(i)) * each;
-    times.push_back(t.front() +
-                    (phase[i] + within * (w[i] + 0.5 * within / each * (w[i + 1] - w[i]))) / middle);
+    const double share = place - static_cast<double>(i);
+    const double within = each * share * (w[i] + 0.5 * share * (w[i + 1] - w[i]));
+    levelled.t.push_back(swing.is_bent() ? t.front() + (phase[i] + within) / middle : t[k]);
+    levelled.y.push_back(mean + (y[k] - mean) * std::exp(-(size(i) + share * (size(i + 1) - size(i)))));
   }
-  return times;
+  return levelled;
 }
 
 /// Of a swing between its turning points, the amplitude of its fundamental over half the way between these:
@@ -113,13 +124,12 @@ class StretchLength {
   double length_ = 0, shortest_ = 0, longest_ = 0;
 };
 
-/// Fits one decaying sinusoid, with a frequency near `w`, which is then set to the fitted one.
-std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g) {
+/// Fits one sinusoid that hardly decays, with a frequency near `w`, which is then set to the fitted one.
+std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w) {
   const DampedPhasor model(part);
-  const DampedPhasor::Linear linear = model.best_linear(w, g);
+  const DampedPhasor::Linear linear = model.best_linear(w, 0);
   Parameters start{};
   start[DampedPhasor::angular_frequency] = w;
-  start[DampedPhasor::decay_rate] = g;
   start[DampedPhasor::equilibrium] = linear.equilibrium;
   start[DampedPhasor::cosine] = linear.cosine;
   start[DampedPhasor::sine] = linear.sine;
@@ -166,6 +176,12 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
 Estimate widened(const Estimate& e, double times) {
   return {e.value, times * e.standard_error, e.value - times * (e.value - e.low),
           e.value + times * (e.high - e.value)};
+}
+
+/// The law's rate and what is measured beside it, of this power of the amplitude.
+Estimate beside(double rate, const Estimate& more, double power) {
+  return {rate + more.value / power, more.standard_error / power, rate + more.low / power,
+          rate + more.high / power};
 }
 
 /// Adds to the errors what the line, r times as large, moves rate and frequency by: at most r D, D how far
@@ -339,16 +355,16 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
     const std::size_t n = next - first;
     if (n >= fewest_samples) {
       const std::span<const double> times = t.subspan(first, n);
-      const std::vector<double> of_phase = times_of_phase(times, fit, at);
-      const Record part{of_phase.empty() ? times : std::span<const double>(of_phase),
-                        record.y.subspan(first, n), record.resolution};
-      auto found = fit_stretch(part, w, decay.rate(at));
-      at = carried_on(decay, at, times.back() - times.front());
+      const auto levelled = level(times, record.y.subspan(first, n), record.derivative, fit, at);
+      if (!levelled) break;
+      auto found = fit_stretch({levelled->t, levelled->y, record.resolution}, w);
+      at = levelled->end;
       stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
       if (found) {
         found->from = times.front();
         found->to = times.back();
         for (const ResidualLine& line : lines) widen_beside(line, t.front(), *found);
+        found->rate = beside(levelled->rate, found->rate, levelled->power);
         found->amplitude /= std::pow(w, record.derivative);
         found->amplitude /= share_of_fundamental(swing_of(fit), found->amplitude);
         found->law_rate = decay.rate(found->amplitude);

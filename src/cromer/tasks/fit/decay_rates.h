@@ -33,7 +33,7 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
 struct AmplitudeRate {
   double from, to;               // [s] the stretch
   double amplitude;              ///< in its middle, unit of the displacement
-  Estimate rate;                 // [1/s] of one decaying sinusoid fitted to the stretch alone
+  Estimate rate;                 // [1/s] by a fit to the stretch alone, beside the law's course
   Estimate angular_frequency;    // [rad/s] of that sinusoid
   double law_rate;               // [1/s] the law's at that amplitude, averaged over a cycle
   double law_angular_frequency;  // [rad/s] the law's there
@@ -66,16 +66,16 @@ Swing<double> swing_of(const LawFit& fit);
 /// law: its force does not follow from the state.
 double first_amplitude(const LawFit& fit);
 
-/// The decay rate and the frequency of stretches of the record against their amplitude, in the phase of the
-/// law's own swing where its frequency changes within a stretch. A stretch holds at least two periods
-/// and twelve samples; beside something else that swings, one of these `lines`, three beats. It is
-/// as long as its rate takes to be known to 5 %, but at most a sixth of the record, or the time in which the
-/// swing halves; there are at most 60. A stretch whose error exceeds its rate is left out. Empty if
-/// first_amplitude is NaN. `fit` must have values. Errors, of rate and frequency, are widened for the
-/// correlation of the stretch's own residuals and for the lines, and, of eight stretches or more, multiplied
-/// by the rms of the second differences of what is measured less the law's, in units of their errors and
-/// without the largest, where that exceeds 1 by more than chance: noise that is slower than a stretch does
-/// not show within it.
+/// The decay rate and the frequency of stretches of the record against their amplitude, each beside
+/// what the law makes of the swing's phase and amplitude within the stretch. A stretch holds at least two
+/// periods and twelve samples; beside something else that swings, one of these `lines`, three beats. It is as
+/// long as its rate takes to be known to 5 %, but at most a sixth of the record, or the time in which the
+/// swing halves; there are at most 60. A stretch whose error exceeds both its rate and the law's is left out.
+/// Empty if first_amplitude is NaN. `fit` must have values. Errors, of rate and frequency, are widened for
+/// the correlation of the stretch's own residuals and for the lines, and, of eight stretches or more,
+/// multiplied by the rms of the second differences of what is measured less the law's, in units of their
+/// errors and without the largest, where that exceeds 1 by more than chance: noise that is slower than a
+/// stretch does not show within it.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const std::vector<ResidualLine>& lines = {},
                                               const Watch& watch = {});

@@ -178,16 +178,19 @@ bool radians_are_assumed(const Series& series) {
   });
 }
 
-// How long a pendulum is by its frequency, beside how far from the pivot it was seen.
+// How long a pendulum is by its frequency, beside how far from the pivot it was seen. Only a bent law tells
+// the frequency of small swings from that of those recorded.
 Notice arc_beside_pendulum(const FittedRecording& fitted) {
   const Estimate* w = fitted.find("angular_frequency");
   const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
-  if (!w || !(radius > 0)) return {};
+  if (!w || !(radius > 0) || is_linear(fitted.fit.law)) return {};
   const Estimate length = pendulum_length(*w).estimate;
   constexpr double gravity = 0.003;  // of g, over the Earth
+  constexpr double agrees = 2;       // standard errors
   const double off = std::abs(length.value - radius);
-  Notice told{off < 2 * std::hypot(error, length.standard_error, gravity * radius) ? "arc_as_pendulum"
-                                                                                   : "arc_beside_pendulum"};
+  Notice told{off < agrees * std::hypot(error, length.standard_error, gravity * radius)
+                  ? "arc_as_pendulum"
+                  : "arc_beside_pendulum"};
   told.values = {{"length", format_quantity({length.value, length.standard_error}, "m")},
                  {"radius", format_quantity({radius, error}, "m")},
                  {"off", 100 * off / radius},
@@ -389,6 +392,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     return result;
   }
   result.doubts = doubts(record, result.fit, law_is_chosen(options), unit);
+  // Without its peaks a swing seems smaller than later, where none are cut off.
+  if (result.says("cut_tops_aside"))
+    std::erase_if(result.doubts, [](const Notice& each) { return each.code == "amplitude_rises"; });
   result.notices.insert(result.notices.end(), result.doubts.begin(), result.doubts.end());
   // Beside a law that leaves much there is no telling what else swings.
   constexpr double well = 0.9;  // of the variance
@@ -399,6 +405,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
   drop_what_no_longer_holds(result.notices, result.fit.message);
+  drop_what_no_longer_holds(result.doubts, result.fit.message);
   if constexpr (is_reported)
     if (result.says("rival_laws")) result.common_decay = common_decay(record, result.fit, choice->candidates);
   if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())

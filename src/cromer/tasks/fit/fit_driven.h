@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {

@@ -62,7 +62,7 @@ extern const std::span<const std::string_view> derived_names;
 /// Quantities that do not exist are NaN. A hysteretic law has none: its loops depend on the motion before. An
 /// overdamped driven law has damping_ratio, quality_factor and at_amplitude alone. A swing that negative
 /// damping feeds has limit_cycle_amplitude, where it sustains itself, in place of the quality factor. A
-/// pendulum has pendulum_length [m], that of the simple one of as fast small swings under standard_gravity. A
+/// pendulum has pendulum_length [m], that of the simple pendulum with the same frequency of small swings. A
 /// body without a spring has mass = 1/force_gain [unit of force per unit of acceleration] alone. `observed`,
 /// `derivative` and `force_unit` are as in law_parameters.
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,

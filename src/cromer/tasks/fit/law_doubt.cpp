@@ -6,6 +6,7 @@
 
 #include "cromer/base/at_once.h"
 #include "cromer/identify/choose/criterion.h"
+#include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/lab_quantities.h"

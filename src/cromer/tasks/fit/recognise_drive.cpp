@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "cromer/base/for_page.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
@@ -182,7 +183,7 @@ bool beats_under_viscous_damping(const FittedRecording& driven, const Series& mo
          judged(*free, driven, frequency_known).kind == MotionKind::driven;
 }
 
-bool amplitude_may_rise(const Series& motion, const FitOptions& options) {
+[[maybe_unused]] bool amplitude_may_rise(const Series& motion, const FitOptions& options) {
   const Result<Series> used = samples_in_use(motion, options);
   if (!used) return false;
   const FittedSamples samples = without_outliers(*used);
@@ -198,7 +199,9 @@ std::optional<FittedRecording> fit_beats(const Series& motion, std::string_view 
   // Of longer ones laws are compared on a part, and a fit to the whole costs more than it saves.
   constexpr std::size_t most = 200'000;
   if (!may_recognise(options) || motion.t.size() > most) return std::nullopt;
-  if (!amplitude_may_rise(motion, options)) return std::nullopt;
+  // Saves a fit; the page must be small.
+  if constexpr (!for_page)
+    if (!amplitude_may_rise(motion, options)) return std::nullopt;
   FitOptions viscous;
   viscous.law = "viscous";
   viscous.from = options.from;
