@@ -52,9 +52,10 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
 TEST(Explanation, OfAVelocityTheAmplitudeIsALength) {
   CompareResult both = compared();
   both.recording.series.quantity = "velocity";
-  EXPECT_THAT(in_words(explanation(both)),
-              testing::HasSubstr("as the swing dies down from 50.0\u00a0cm to 25.0\u00a0cm; with one rate "
-                                 "0.0200\u00a0m/s (rms)"));
+  EXPECT_THAT(
+      in_words(explanation(both)),
+      testing::HasSubstr("as the swing dies down from 50.0\u00a0cm to 25.0\u00a0cm; with one rate for all "
+                         "damping 0.0200\u00a0m/s (rms)"));
 }
 
 TEST(Explanation, PartsWithOtherRatesSpeakWhereNoLawDescribesTheWhole) {
@@ -137,7 +138,7 @@ TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
       in_words(explanation(both)),
       "No law that was tried tells more than one decay rate: with one rate for all damping 2.00\u00a0cm "
       "(rms) are left. But "
-      "the rates of single stretches lie between −0.13 and 0.15\u00a01/s, far more apart than their own "
+      "the rates of single stretches lie between −0.13 and 0.15\u00a01/s, more apart than their own "
       "uncertainties: something else takes part.");
   both.recording.decay_by_amplitude = {stretch(0.06, 0.02), stretch(0.04, 0.02), stretch(0.07, 0.02)};
   EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("One decay rate is enough"));

@@ -173,13 +173,22 @@ Parameters weighed(std::span<const double> errors, int k, std::span<const double
   return along;
 }
 
-// The estimates move together by what one standard error, of which `along` is Jᵀ d, moves them.
-void add_common_error(EstimateNoise& known, const Parameters& along, int k, const SquareMatrix& inverse) {
+// What errors move the estimates by, of which `along` is Jᵀ d.
+Parameters moved_by(const Parameters& along, int k, const SquareMatrix& inverse) {
   Parameters moved{};
   for (int a = 0; a < k; ++a)
     for (int b = 0; b < k; ++b) moved[a] += inverse[a][b] * along[b];
+  return moved;
+}
+
+// The estimates move together, by so much for one standard error.
+void add_moved(EstimateNoise& known, const Parameters& moved, int k) {
   for (int a = 0; a < k; ++a)
     for (int b = 0; b < k; ++b) known.covariance[a][b] += moved[a] * moved[b];
+}
+
+void add_common_error(EstimateNoise& known, const Parameters& along, int k, const SquareMatrix& inverse) {
+  add_moved(known, moved_by(along, k, inverse), k);
 }
 
 // What a slip of one second adds to each sample after it: minus the motion's derivative.
@@ -209,7 +218,12 @@ void add_change_without(EstimateNoise& known, std::size_t from, std::size_t to,
       for (int b = 0; b < k; ++b) rest[a][b] -= row[a] * row[b];
     }
   }
-  if (ScaledCholesky(rest, k, 0, all_free).ok()) add_common_error(known, along, k, inverse(rest, k));
+  if (!ScaledCholesky(rest, k, 0, all_free).ok()) return;
+  Parameters moved = moved_by(along, k, inverse(rest, k));
+  // Where the motion begins is seen, whatever a hand does later.
+  for (int i = 0; i < k; ++i)
+    if (is_of_the_start(minimum.fitted.of[i].name)) moved[i] = 0;
+  add_moved(known, moved, k);
 }
 
 // Errors common to many samples: of the unit of the values, as of a motion that is larger by as much (all),

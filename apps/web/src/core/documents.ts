@@ -197,7 +197,7 @@ export interface DecaySegment {
 export interface AmplitudeRate {
   /** [of the displacement] amplitude in the middle of the stretch */
   amplitude: number
-  /** [1/s] decay rate of one sinusoid fitted to this stretch alone */
+  /** [1/s] decay rate by a fit to this stretch alone, beside the law's course within it */
   rate: Maybe
   /** [1/s] its standard error */
   standard_error: Maybe
@@ -205,7 +205,7 @@ export interface AmplitudeRate {
   confidence_95: [Maybe, Maybe]
   /** [1/s] rate at which the fitted law's amplitude falls there, averaged over a cycle */
   law_rate: Maybe
-  /** [rad/s] angular frequency of that sinusoid */
+  /** [rad/s] angular frequency by that fit */
   angular_frequency: Maybe
   /** [rad/s] its standard error */
   angular_frequency_standard_error: Maybe
@@ -363,7 +363,7 @@ export interface FittedRecording {
   decay_rate_mean: Maybe
   /** [1/s] its standard error */
   decay_rate_mean_standard_error: Maybe
-  /** decay rate against amplitude, stretch by stretch */
+  /** decay rate and frequency against amplitude, stretch by stretch */
   decay_by_amplitude: AmplitudeRate[]
   /** Reynolds numbers; null without a disc */
   reynolds: {

@@ -276,15 +276,19 @@ constexpr Entry entries[] = {
      "das des Winkels, und ein Gesetz von {column} allein gilt nur ungefähr; {|{--column} \"angle(x,y)\" "
      "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
     {"arc_as_pendulum", worth_knowing,
-     "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², which agrees with the "
+     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
+     "which agrees with the "
      "arc's radius {radius:n}",
-     "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, was zum Radius "
+     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
+     "m/s² ist, was zum Radius "
      "{radius:n} des Bogens passt"},
     {"arc_beside_pendulum", worth_knowing,
-     "a simple pendulum of this frequency is {length:n} long where g is 9.80665 m/s², {off:.2g} % "
+     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
+     "{off:.2g} % "
      "{which} than the radius {radius:n} of the arc: perhaps the bob's centre of mass is not at the "
      "tracked point, the film's scale is wrong, or the arc is too short to give its radius well",
-     "ein mathematisches Pendel dieser Frequenz ist {length:n} lang, wo g 9,80665 m/s² ist, {off:.2g} % "
+     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
+     "m/s² ist, {off:.2g} % "
      "{which} als der Radius {radius:n} des Bogens: vielleicht liegt der Schwerpunkt nicht am verfolgten "
      "Punkt, stimmt der Maßstab des Films nicht, oder ist der Bogen zu kurz für seinen Radius"},
     {"longer", clause, "longer", "länger"},
@@ -519,10 +523,10 @@ constexpr Entry entries[] = {
      "proportional ist.{method}"},
     {"one_rate_while_stretches_scatter", clause,
      "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches "
-     "lie between {least:n} and {largest:n}\u00a01/s, far more apart than their own uncertainties: "
+     "lie between {least:n} and {largest:n}\u00a01/s, more apart than their own uncertainties: "
      "something else takes part.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte "
-     "liegen aber zwischen {least:n} und {largest:n}\u00a01/s, viel weiter auseinander als ihre "
+     "liegen aber zwischen {least:n} und {largest:n}\u00a01/s, weiter auseinander als ihre "
      "Unsicherheiten: etwas anderes wirkt mit.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},

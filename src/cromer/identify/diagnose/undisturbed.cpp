@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cromer/base/for_page.h"
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
@@ -55,7 +56,7 @@ std::optional<Part> described_part(const Record& record, std::size_t first, std:
 // as far on either side as drag and a cubic spring leave an rms residual at most `alike` times as large;
 // place(part) is the first sample of a part of the record, one of `parts`.
 template <class Place>
-Part extended(Part best, const Record& record, int parts, const Place& place, const Watch& watch) {
+[[maybe_unused]] Part extended(Part best, const Record& record, int parts, const Place& place, const Watch& watch) {
   LawFitOptions options;
   options.law = law_of("viscous+drag+cubic");
   const auto end_of = [&](int out) { return out == 0 ? record.t.size() : place(parts - out); };
@@ -119,7 +120,9 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
   for (int out = 1 - finer; out < finer; ++out)
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
-  const Part best = extended(*longest(), record, parts, place, watch);
+  Part best = *longest();
+  // The page, which must be small, takes what a viscous law describes.
+  if constexpr (!for_page) best = extended(best, record, parts, place, watch);
   return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt,
                    best.period};
 }

@@ -56,10 +56,10 @@ std::optional<std::pair<double, double>> rates_at_the_ends(const FittedRecording
   return std::pair{start->estimate.value, end->estimate.value};
 }
 
-/// The least and the largest decay rate of single stretches, where they scatter about the law's far beyond
-/// the uncertainties that each has by itself: three of them, root mean square.
+/// The least and the largest decay rate of single stretches, where they scatter about the law's by more than
+/// the uncertainties that each has by itself and chance make: three standard deviations of their mean square.
 std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& recording) {
-  constexpr double far = 3;
+  constexpr double surely = 3;
   const auto& rates = recording.decay_by_amplitude;
   if (rates.size() < 3) return std::nullopt;
   double squares = 0, least = HUGE_VAL, largest = -HUGE_VAL;
@@ -69,7 +69,7 @@ std::optional<std::pair<double, double>> scattered_rates(const FittedRecording& 
     least = std::min(least, each.rate.value);
     largest = std::max(largest, each.rate.value);
   }
-  if (!(squares > far * far)) return std::nullopt;
+  if (!(squares > 1 + surely * std::sqrt(2 / static_cast<double>(rates.size())))) return std::nullopt;
   return std::pair{least, largest};
 }
 

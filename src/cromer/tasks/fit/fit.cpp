@@ -180,7 +180,7 @@ bool radians_are_assumed(const Series& series) {
 
 // How long a pendulum is by its frequency, beside how far from the pivot it was seen. Only a bent law tells
 // the frequency of small swings from that of those recorded.
-Notice arc_beside_pendulum(const FittedRecording& fitted) {
+[[maybe_unused]] Notice arc_beside_pendulum(const FittedRecording& fitted) {
   const Estimate* w = fitted.find("angular_frequency");
   const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
   if (!w || !(radius > 0) || is_linear(fitted.fit.law)) return {};
@@ -313,7 +313,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   FittedRecording result = row_to_fit(series, *std::move(used), file, options);
   FittedSamples samples = without_outliers(result.series);
-  if (!options.from && !options.to) begin_where_free(result.series, samples, result.notices);
+  // Without its peaks a swing seems to keep its amplitude.
+  const bool has_all_peaks = !result.says("cut_tops_aside");
+  if (!options.from && !options.to && has_all_peaks) begin_where_free(result.series, samples, result.notices);
   if (!options.to) end_where_caught(result.series, samples, result.notices);
   // The law's motion begins at the first sample that the fit sees; so must the series.
   if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
@@ -392,8 +394,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     return result;
   }
   result.doubts = doubts(record, result.fit, law_is_chosen(options), unit);
-  // Without its peaks a swing seems smaller than later, where none are cut off.
-  if (result.says("cut_tops_aside"))
+  if (!has_all_peaks)
     std::erase_if(result.doubts, [](const Notice& each) { return each.code == "amplitude_rises"; });
   result.notices.insert(result.notices.end(), result.doubts.begin(), result.doubts.end());
   // Beside a law that leaves much there is no telling what else swings.
@@ -403,7 +404,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.notices.insert(result.notices.end(), modes.begin(), modes.end());
   }
   if (!slip.empty()) result.notices.push_back(std::move(slip));
-  if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
+  if constexpr (is_reported)
+    if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
   drop_what_no_longer_holds(result.notices, result.fit.message);
   drop_what_no_longer_holds(result.doubts, result.fit.message);
   if constexpr (is_reported)
