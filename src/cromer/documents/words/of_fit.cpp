@@ -275,24 +275,6 @@ constexpr Entry entries[] = {
      "x und y des Punkts liegen auf einem Bogen: hängt er an einem Faden oder einer Stange, ist sein Gesetz "
      "das des Winkels, und ein Gesetz von {column} allein gilt nur ungefähr; {|{--column} \"angle(x,y)\" "
      "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
-    {"arc_as_pendulum", worth_knowing,
-     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
-     "which agrees with the "
-     "arc's radius {radius:n}",
-     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
-     "m/s² ist, was zum Radius "
-     "{radius:n} des Bogens passt"},
-    {"arc_beside_pendulum", worth_knowing,
-     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
-     "{off:.2g} % "
-     "{which} than the radius {radius:n} of the arc: perhaps the bob's centre of mass is not at the "
-     "tracked point, the film's scale is wrong, or the arc is too short to give its radius well",
-     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
-     "m/s² ist, {off:.2g} % "
-     "{which} als der Radius {radius:n} des Bogens: vielleicht liegt der Schwerpunkt nicht am verfolgten "
-     "Punkt, stimmt der Maßstab des Films nicht, oder ist der Bogen zu kurz für seinen Radius"},
-    {"longer", clause, "longer", "länger"},
-    {"shorter", clause, "shorter", "kürzer"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
      "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",

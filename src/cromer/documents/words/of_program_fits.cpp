@@ -5,8 +5,24 @@ namespace {
 
 using enum Use;
 
-// What only the program's fits say: of recorded forces, and of times that slip.
+// What only the program's fits say: of recorded forces, of times that slip, and of a pendulum's arc.
 constexpr Entry entries[] = {
+    {"arc_as_pendulum", worth_knowing,
+     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
+     "which agrees with the arc's radius {radius:n}",
+     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
+     "m/s² ist, was zum Radius {radius:n} des Bogens passt"},
+    {"arc_beside_pendulum", worth_knowing,
+     "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
+     "{off:.2g} % {which} than the radius {radius:n} of the arc: perhaps the bob's centre of mass is not at "
+     "the "
+     "tracked point, the film's scale is wrong, or the arc is too short to give its radius well",
+     "ein mathematisches Pendel mit dieser Frequenz kleiner Schwingungen ist {length:n} lang, wo g 9,80665 "
+     "m/s² ist, {off:.2g} % "
+     "{which} als der Radius {radius:n} des Bogens: vielleicht liegt der Schwerpunkt nicht am verfolgten "
+     "Punkt, stimmt der Maßstab des Films nicht, oder ist der Bogen zu kurz für seinen Radius"},
+    {"longer", clause, "longer", "länger"},
+    {"shorter", clause, "shorter", "kürzer"},
     // A recorded force
     {"no_spring_without_force", error,
      "{--no-spring} needs {--force-column}: a body without a spring does not swing, and only a recorded "

@@ -21,6 +21,27 @@ constexpr std::size_t most_stretches = 60;
 constexpr std::size_t fewest_samples = 12;  // of a stretch
 constexpr double beats = 3;                 // in a stretch: what swings along then moves its rate little
 
+/// Of a swing between its turning points, the amplitude of its fundamental over half the way between these:
+/// cos(theta) at its times, as Swing::angular_frequency has them.
+double share_of_fundamental(const Swing<double>& swing, double amplitude) {
+  if (!swing.is_bent()) return 1;
+  constexpr int points = 48;  // of half a cycle
+  const double c = swing.middle(amplitude);
+  std::array<double, points> cosine{}, lasts{};
+  for (int i = 0; i < points; ++i) {
+    cosine[i] = std::cos((i + 0.5) * pi / points);
+    lasts[i] = 1 / swing.turning(c, amplitude, cosine[i]);
+  }
+  const double half = std::accumulate(lasts.begin(), lasts.end(), 0.0);
+  double sum = 0, time = 0;
+  for (int i = 0; i < points; ++i) {
+    sum += cosine[i] * std::cos(pi * (time + 0.5 * lasts[i]) / half) * lasts[i];
+    time += lasts[i];
+  }
+  const double share = 2 * sum / half;
+  return std::isfinite(share) ? share : 1;
+}
+
 /// A stretch freed of what the law itself makes of the swing: one lasting sinusoid where the law is right.
 struct Levelled {
   std::vector<double> t;  // [s] as the law's phase goes on, in units of time in the middle
@@ -52,12 +73,18 @@ std::optional<Levelled> level(std::span<const double> t, std::span<const double>
   const double at_rest = 2 * fit.motion.per_mass.friction / (w0 * w0);  // a half swing before it
   if (!(A.back() > std::max(gone * A.front(), at_rest))) return std::nullopt;
   const double middle = w[nodes / 2], mean = fit.motion.equilibrium;
+  // The record sees the fundamental, of which a wide swing has another share.
+  double own = 1;  // its power of the amplitude
+  if (swing.is_bent() && A.front() != A.back())
+    own += std::log(share_of_fundamental(swing, A.front()) / share_of_fundamental(swing, A.back())) /
+           std::log(A.front() / A.back());
   const auto size = [&](std::size_t i) {
-    return std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
+    return own * std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
   };
   Levelled levelled;
   levelled.rate = decay.rate(A[nodes / 2]);
   levelled.end = A.back();
+  levelled.power = own;
   if (swing.is_bent() && A.front() != A.back())
     levelled.power += derivative * std::log(w.front() / w.back()) / std::log(A.front() / A.back());
   constexpr double least_power = 0.2;  // below it the record's amplitude hardly tells the displacement's
@@ -71,27 +98,6 @@ std::optional<Levelled> level(std::span<const double> t, std::span<const double>
     levelled.y.push_back(mean + (y[k] - mean) * std::exp(-(size(i) + share * (size(i + 1) - size(i)))));
   }
   return levelled;
-}
-
-/// Of a swing between its turning points, the amplitude of its fundamental over half the way between these:
-/// cos(theta) at its times, as Swing::angular_frequency has them.
-double share_of_fundamental(const Swing<double>& swing, double amplitude) {
-  if (!swing.is_bent()) return 1;
-  constexpr int points = 48;  // of half a cycle
-  const double c = swing.middle(amplitude);
-  std::array<double, points> cosine{}, lasts{};
-  for (int i = 0; i < points; ++i) {
-    cosine[i] = std::cos((i + 0.5) * pi / points);
-    lasts[i] = 1 / swing.turning(c, amplitude, cosine[i]);
-  }
-  const double half = std::accumulate(lasts.begin(), lasts.end(), 0.0);
-  double sum = 0, time = 0;
-  for (int i = 0; i < points; ++i) {
-    sum += cosine[i] * std::cos(pi * (time + 0.5 * lasts[i]) / half) * lasts[i];
-    time += lasts[i];
-  }
-  const double share = 2 * sum / half;
-  return std::isfinite(share) ? share : 1;
 }
 
 /// The length of the stretches. Each error shows how long the next stretch must be, by sd(b) = sqrt(24 h/T^3)
