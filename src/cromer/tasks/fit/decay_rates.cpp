@@ -42,11 +42,12 @@ double share_of_fundamental(const Swing<double>& swing, double amplitude) {
   return std::isfinite(share) ? share : 1;
 }
 
-/// A stretch freed of what the law itself makes of the swing: one lasting sinusoid where the law is right.
+/// A stretch freed of how the law itself changes rate and frequency in it: one decaying sinusoid where the
+/// law is right. The noise stays about as even as it is.
 struct Levelled {
   std::vector<double> t;  // [s] as the law's phase goes on, in units of time in the middle
-  std::vector<double> y;  ///< about the equilibrium, over the law's amplitude, which is 1 in the middle
-  double rate = 0;        // [1/s] the law's in the middle
+  std::vector<double> y;  ///< about the equilibrium
+  double rate = 0;        // [1/s] of the record's amplitude in the middle, by the law
   double end = 0;         ///< the law's amplitude at the end
   double power = 1;       ///< with what power of the displacement's amplitude that of the record goes
 };
@@ -82,20 +83,23 @@ std::optional<Levelled> level(std::span<const double> t, std::span<const double>
     return own * std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
   };
   Levelled levelled;
-  levelled.rate = decay.rate(A[nodes / 2]);
   levelled.end = A.back();
   levelled.power = own;
   if (swing.is_bent() && A.front() != A.back())
     levelled.power += derivative * std::log(w.front() / w.back()) / std::log(A.front() / A.back());
   constexpr double least_power = 0.2;  // below it the record's amplitude hardly tells the displacement's
   if (!(levelled.power > least_power)) return std::nullopt;
+  levelled.rate = levelled.power * decay.rate(A[nodes / 2]);
+  const double middle_time = t.front() + (swing.is_bent() ? phase[nodes / 2] / middle : each * nodes / 2);
   for (std::size_t k = 0; k < t.size(); ++k) {
     const double place = (t[k] - t.front()) / each;
     const std::size_t i = std::min(static_cast<std::size_t>(place), nodes - 1);
     const double share = place - static_cast<double>(i);
     const double within = each * share * (w[i] + 0.5 * share * (w[i + 1] - w[i]));
     levelled.t.push_back(swing.is_bent() ? t.front() + (phase[i] + within) / middle : t[k]);
-    levelled.y.push_back(mean + (y[k] - mean) * std::exp(-(size(i) + share * (size(i + 1) - size(i)))));
+    const double by_law = size(i) + share * (size(i + 1) - size(i)),
+                 evenly = -levelled.rate * (levelled.t.back() - middle_time);
+    levelled.y.push_back(mean + (y[k] - mean) * std::exp(evenly - by_law));
   }
   return levelled;
 }
@@ -130,12 +134,13 @@ class StretchLength {
   double length_ = 0, shortest_ = 0, longest_ = 0;
 };
 
-/// Fits one sinusoid that hardly decays, with a frequency near `w`, which is then set to the fitted one.
-std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w) {
+/// Fits one decaying sinusoid, with a frequency near `w`, which is then set to the fitted one.
+std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g) {
   const DampedPhasor model(part);
-  const DampedPhasor::Linear linear = model.best_linear(w, 0);
+  const DampedPhasor::Linear linear = model.best_linear(w, g);
   Parameters start{};
   start[DampedPhasor::angular_frequency] = w;
+  start[DampedPhasor::decay_rate] = g;
   start[DampedPhasor::equilibrium] = linear.equilibrium;
   start[DampedPhasor::cosine] = linear.cosine;
   start[DampedPhasor::sine] = linear.sine;
@@ -184,10 +189,9 @@ Estimate widened(const Estimate& e, double times) {
           e.value + times * (e.high - e.value)};
 }
 
-/// The law's rate and what is measured beside it, of this power of the amplitude.
-Estimate beside(double rate, const Estimate& more, double power) {
-  return {rate + more.value / power, more.standard_error / power, rate + more.low / power,
-          rate + more.high / power};
+/// That of the displacement, of which the record's amplitude goes with this power.
+Estimate of_displacement(const Estimate& rate, double power) {
+  return {rate.value / power, rate.standard_error / power, rate.low / power, rate.high / power};
 }
 
 /// Adds to the errors what the line, r times as large, moves rate and frequency by: at most r D, D how far
@@ -363,14 +367,14 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
       const std::span<const double> times = t.subspan(first, n);
       const auto levelled = level(times, record.y.subspan(first, n), record.derivative, fit, at);
       if (!levelled) break;
-      auto found = fit_stretch({levelled->t, levelled->y, record.resolution}, w);
+      auto found = fit_stretch({levelled->t, levelled->y, record.resolution}, w, levelled->rate);
       at = levelled->end;
       stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
       if (found) {
         found->from = times.front();
         found->to = times.back();
         for (const ResidualLine& line : lines) widen_beside(line, t.front(), *found);
-        found->rate = beside(levelled->rate, found->rate, levelled->power);
+        found->rate = of_displacement(found->rate, levelled->power);
         found->amplitude /= std::pow(w, record.derivative);
         found->amplitude /= share_of_fundamental(swing_of(fit), found->amplitude);
         found->law_rate = decay.rate(found->amplitude);
