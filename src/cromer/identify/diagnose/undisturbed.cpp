@@ -53,10 +53,11 @@ std::optional<Part> described_part(const Record& record, std::size_t first, std:
 }
 
 // A viscous law holds only while rate and frequency hardly change. Extends the longest part that it describes
-// as far on either side as drag and a cubic spring leave an rms residual at most `alike` times as large;
-// place(part) is the first sample of a part of the record, one of `parts`.
+// as far on either side as drag and a cubic spring leave hardly more; place(part) is the first sample of a
+// part of the record, one of `parts`.
 template <class Place>
-[[maybe_unused]] Part extended(Part best, const Record& record, int parts, const Place& place, const Watch& watch) {
+[[maybe_unused]] Part extended(Part best, const Record& record, int parts, const Place& place,
+                               const Watch& watch) {
   LawFitOptions options;
   options.law = law_of("viscous+drag+cubic");
   const auto end_of = [&](int out) { return out == 0 ? record.t.size() : place(parts - out); };
@@ -65,11 +66,16 @@ template <class Place>
     return record.part(first, end_of(out) - first);
   };
   const LawFit known = fit_law(part_of(best.from, best.out), options, watch);
-  if (!known.is_usable()) return best;
+  // What leaves more than noise would follow a hand's first touch, too.
+  constexpr double smooth = 0.5;  // of residuals, from sample to sample
+  if (!known.is_usable() || known.residual.autocorrelation > smooth) return best;
+  // By chance, two standard deviations.
+  const double hardly_more = 1 + std::sqrt(2 / static_cast<double>(best.samples()));
   const auto follows = [&](int from, int out) {
     const Record part = part_of(from, out);
     const LawFit swing = fit_law(part, options, watch);
-    return swing.is_usable() && !watch.interrupted() && swing.residual.rms <= alike * known.residual.rms &&
+    return swing.is_usable() && !watch.interrupted() &&
+           swing.residual.rms <= hardly_more * known.residual.rms &&
            is_as_the_rest(swing, part, part.t.front(), part.t.front() + best.period) &&
            is_as_the_rest(swing, part, part.t.back() - best.period, HUGE_VAL);
   };

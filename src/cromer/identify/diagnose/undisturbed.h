@@ -18,8 +18,8 @@ struct FreeSwing {
 /// fifths before, of which a viscous law accounts for 95 % over four periods or more and is no worse in the
 /// first and the last one: the rms residual there is less than twice the part's, and that no larger than 1.15
 /// times the least of all parts. In steps of a twentieth of the record, then of an eightieth about the
-/// longest. The part is then extended on either side as far as a law with drag and a cubic spring leaves an
-/// rms residual at most 1.15 times that within the part. Empty where there is none.
+/// longest. Where a law with drag and a cubic spring leaves noise alone, the part is then extended on either
+/// side as far as it leaves no more than by chance. Empty where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core
