@@ -10,7 +10,7 @@ import { measure as en } from '../../src/words/en/measure'
 
 const interval = (value: number, error: number): [number, number] => [value - 1.96 * error, value + 1.96 * error]
 const piece = (amplitude: number, rate: number, standard_error = 0.0005) =>
-  ({ amplitude, rate, standard_error, confidence_95: interval(rate, standard_error), law_rate: rate, from: 0, to: 1 })
+  ({ amplitude, rate, standard_error, confidence_95: interval(rate, standard_error), law_rate: rate, angular_frequency: 20, angular_frequency_standard_error: 0.001, law_angular_frequency: 20, from: 0, to: 1 })
 const estimate = (value: number, standard_error: number, unit: string) =>
   ({ value, standard_error, confidence_95: interval(value, standard_error), unit })
 

@@ -23,6 +23,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
+#include "cromer/tasks/fit/arc_beside_pendulum.h"
 #include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/fit_options.h"
@@ -176,26 +177,6 @@ bool radians_are_assumed(const Series& series) {
     return notice.code == "unit_assumed" && std::find(notice.values.begin(), notice.values.end(),
                                                       NoticeValue{"unit", "rad"}) != notice.values.end();
   });
-}
-
-// How long a pendulum is by its frequency, beside how far from the pivot it was seen. Only a bent law tells
-// the frequency of small swings from that of those recorded.
-[[maybe_unused]] Notice arc_beside_pendulum(const FittedRecording& fitted) {
-  const Estimate* w = fitted.find("angular_frequency");
-  const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
-  if (!w || !(radius > 0) || is_linear(fitted.fit.law)) return {};
-  const Estimate length = pendulum_length(*w).estimate;
-  constexpr double gravity = 0.003;  // of g, over the Earth
-  constexpr double agrees = 2;       // standard errors
-  const double off = std::abs(length.value - radius);
-  Notice told{off < agrees * std::hypot(error, length.standard_error, gravity * radius)
-                  ? "arc_as_pendulum"
-                  : "arc_beside_pendulum"};
-  told.values = {{"length", format_quantity({length.value, length.standard_error}, "m")},
-                 {"radius", format_quantity({radius, error}, "m")},
-                 {"off", 100 * off / radius},
-                 {"which", Notice{length.value > radius ? "longer" : "shorter"}}};
-  return told;
 }
 
 // What only a report tells is not found for the page.

@@ -1,0 +1,28 @@
+#include "cromer/tasks/fit/arc_beside_pendulum.h"
+
+#include <cmath>
+
+#include "cromer/base/quantity.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
+
+namespace cromer::core {
+
+Notice arc_beside_pendulum(const FittedRecording& fitted) {
+  const Estimate* w = fitted.find("angular_frequency");
+  const double radius = fitted.series.arc_radius, error = radius * fitted.series.scale_error;
+  if (!w || !(radius > 0) || is_linear(fitted.fit.law)) return {};
+  const Estimate length = pendulum_length(*w).estimate;
+  constexpr double gravity = 0.003;  // of g, over the Earth
+  constexpr double agrees = 2;       // standard errors
+  const double off = std::abs(length.value - radius);
+  Notice told{off < agrees * std::hypot(error, length.standard_error, gravity * radius)
+                  ? "arc_as_pendulum"
+                  : "arc_beside_pendulum"};
+  told.values = {{"length", format_quantity({length.value, length.standard_error}, "m")},
+                 {"radius", format_quantity({radius, error}, "m")},
+                 {"off", 100 * off / radius},
+                 {"which", Notice{length.value > radius ? "longer" : "shorter"}}};
+  return told;
+}
+
+}  // namespace cromer::core
