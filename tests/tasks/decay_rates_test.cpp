@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cromer/base/state.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/model/sensor.h"
@@ -148,23 +149,33 @@ TEST(DecayByAmplitude, NoStretchIsMuchLongerThanTheSwingTakesToHalve) {
   for (const AmplitudeRate& each : stretches) EXPECT_LT((each.to - each.from) * 0.15, 1.6 * std::log(2));
 }
 
+/// The states of x'' = -pull(x) - 2 g x' from rest at x, fifty a second.
+template <class Pull>
+std::vector<State<double>> damped_swing(const Pull& pull, double g, double x, int samples) {
+  constexpr double h = 1e-3;
+  std::vector<State<double>> states;
+  double v = 0;
+  for (int i = 0; i < 20 * samples; ++i) {
+    if (i % 20 == 0) states.push_back({x, v});
+    v -= 0.5 * h * (pull(x) + 2 * g * v);
+    x += h * v;
+    v = (v - 0.5 * h * pull(x)) / (1 + g * h);
+  }
+  return states;
+}
+
 // A pendulum's: w = w0/(1 + A^2/16 + 11 A^4/3072 + 173 A^6/737280 + 22931 A^8/1321205760 + ...). Within the
 // first stretches it changes by percents.
 TEST(DecayByAmplitude, TellsTheFrequencyToo) {
   double squares = 0, count = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     NormalDeviates noise(seed);
-    const double h = 1e-3, w0 = 6, g = 0.03;
+    constexpr double w0 = 6;
     std::vector<double> t, y;
-    double x = 1.5, v = 0;
-    for (int i = 0; i < 40'000; ++i) {
-      if (i % 20 == 0) {
-        t.push_back(i * h);
-        y.push_back(x + 3e-3 * noise.next());
-      }
-      v -= 0.5 * h * (w0 * w0 * std::sin(x) + 2 * g * v);
-      x += h * v;
-      v = (v - 0.5 * h * w0 * w0 * std::sin(x)) / (1 + g * h);
+    for (const State<double>& at :
+         damped_swing([](double x) { return w0 * w0 * std::sin(x); }, 0.03, 1.5, 2000)) {
+      t.push_back(0.02 * static_cast<double>(t.size()));
+      y.push_back(at.x + 3e-3 * noise.next());
     }
     const Record record{t, y, 0};
     LawFitOptions options;
@@ -192,17 +203,11 @@ TEST(DecayByAmplitude, OfAVelocityIsThatOfTheDisplacement) {
   for (const double bend : {3600.0, -1800.0})
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       NormalDeviates noise(seed);
-      const double h = 1e-3, g = 0.03;
+      const auto pull = [&](double x) { return 36 * x + bend * x * x * x; };
       std::vector<double> t, y;
-      double x = 0.1, v = 0;
-      for (int i = 0; i < 60'000; ++i) {
-        if (i % 20 == 0) {
-          t.push_back(i * h);
-          y.push_back(v + 2e-3 * noise.next());
-        }
-        v -= 0.5 * h * (36 * x + bend * x * x * x + 2 * g * v);
-        x += h * v;
-        v = (v - 0.5 * h * (36 * x + bend * x * x * x)) / (1 + g * h);
+      for (const State<double>& at : damped_swing(pull, 0.03, 0.1, 3000)) {
+        t.push_back(0.02 * static_cast<double>(t.size()));
+        y.push_back(at.v + 2e-3 * noise.next());
       }
       const Record record{t, y, 0, 1};
       LawFitOptions options;

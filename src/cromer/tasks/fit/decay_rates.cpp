@@ -76,17 +76,16 @@ std::optional<Levelled> level(std::span<const double> t, std::span<const double>
   const double middle = w[nodes / 2], mean = fit.motion.equilibrium;
   // The record sees the fundamental, of which a wide swing has another share.
   double own = 1;  // its power of the amplitude
-  if (swing.is_bent() && A.front() != A.back())
-    own += std::log(share_of_fundamental(swing, A.front()) / share_of_fundamental(swing, A.back())) /
-           std::log(A.front() / A.back());
+  Levelled levelled;
+  if (swing.is_bent() && A.front() != A.back()) {
+    const double fallen = std::log(A.front() / A.back());
+    own += std::log(share_of_fundamental(swing, A.front()) / share_of_fundamental(swing, A.back())) / fallen;
+    levelled.power = own + derivative * std::log(w.front() / w.back()) / fallen;
+  }
   const auto size = [&](std::size_t i) {
     return own * std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
   };
-  Levelled levelled;
   levelled.end = A.back();
-  levelled.power = own;
-  if (swing.is_bent() && A.front() != A.back())
-    levelled.power += derivative * std::log(w.front() / w.back()) / std::log(A.front() / A.back());
   constexpr double least_power = 0.2;  // below it the record's amplitude hardly tells the displacement's
   if (!(levelled.power > least_power)) return std::nullopt;
   levelled.rate = levelled.power * decay.rate(A[nodes / 2]);
