@@ -63,6 +63,29 @@ TEST(LevenbergMarquardt, StaysWithinItsBoundsAndFindsTheMinimumThere) {
   EXPECT_NEAR(summary.parameters[0], mean, 1e-9);  // the best constant
 }
 
+// A line through points on a parabola, its slope bounded from below: where the slope stops at its bound, the
+// intercept must go where it does best beside that slope. The two are strongly correlated.
+TEST(LevenbergMarquardt, LeavesNoParameterBehindThatMeetsItsBound) {
+  const auto line = [](const Parameters& p) {
+    NormalEquations e;
+    e.size = 2;
+    for (int i = 0; i < 10; ++i) {
+      const double x = 10 + 0.1 * i;
+      e.add_row(std::array{1.0, x}, 3 - 2 * x - p[0] - p[1] * x);
+    }
+    return e;
+  };
+  LeastSquaresOptions options;
+  options.residuals = 10;
+  options.lower[1] = 0;
+  options.along_bounds = true;
+  const LeastSquaresSummary summary = minimise(line, {0, 1}, options);
+  EXPECT_EQ(summary.reason, LeastSquaresReason::converged);
+  EXPECT_EQ(summary.parameters[1], 0);
+  EXPECT_NEAR(summary.parameters[0], 3 - 2 * 10.45, 1e-9);
+  EXPECT_LE(summary.iterations, 3);
+}
+
 TEST(LevenbergMarquardt, SaysWhenTheLimitIsReached) {
   LeastSquaresOptions options;
   options.residuals = 50;

@@ -293,6 +293,12 @@ TEST_F(ReadFile, OfAnySizeIsReadWhole) {
 TEST_F(ReadFile, WhatIsNoFileIsNamed) {
   EXPECT_EQ(in_words(read_file(path("none")).error()),
             path("none") + ": cannot be read: No such file or directory");
+  std::ofstream(path("swing.csv")) << "1\n";
+  EXPECT_EQ(in_words(read_file(path("swng.csv")).error()),
+            path("swng.csv") + ": cannot be read: No such file or directory; did you mean " +
+                path("swing.csv") + "?");
+  EXPECT_EQ(in_words(read_file(path("no/swing.csv")).error()),
+            path("no/swing.csv") + ": cannot be read: No such file or directory");
   EXPECT_EQ(in_words(read_file(folder_.string()).error()),
             folder_.string() + ": is a folder; name a file in it");
 }

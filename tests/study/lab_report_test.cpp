@@ -580,6 +580,16 @@ TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
                                 Not(HasSubstr("quality factor: ")), Not(HasSubstr("are widened"))));
 }
 
+TEST(LabReport, SaysWhichTermMakesTheRateChange) {
+  const double w = 6;
+  const Motion by_friction = [=](double t) { return 0.05 * std::max(0.0, 1 - t / 60) * std::cos(w * t); },
+               by_drag = [=](double t) { return 0.05 / (1 + t / 15) * std::cos(w * t); };
+  EXPECT_THAT(report({{"lab.csv", recorded(by_friction, 40)}}).text(),
+              HasSubstr("it rises because dry friction"));
+  EXPECT_THAT(report({{"lab.csv", recorded(by_drag, 40)}}).text(), HasSubstr("it falls because drag"));
+  EXPECT_THAT(report({{"lab.csv", recorded(decaying(0.05), 40)}}).text(), Not(HasSubstr("because d")));
+}
+
 TEST(LabReport, GivesTheRateThatLawsOfOtherTrendsHaveInCommon) {
   Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {});
   lab.recordings.front().fitted.common_decay = Estimate{0.05, 0.004, 0.042, 0.058};

@@ -99,6 +99,9 @@ TEST(LawDoubt, OfALawThatIsFarLikelierIsItsDifference) {
   EXPECT_NEAR(at(6.01) / at(5.99), 1, 0.02);
   EXPECT_GT(at(7.9), 0);
   EXPECT_EQ(at(8), 0);
+  // The spring beside a hysteretic force does not tell how fast small swings are.
+  other.law = law_of("friction+hysteresis");
+  EXPECT_EQ(at(0), 0);
 }
 
 // Bends of a spring are the first terms of a series: the last one shows how far the rest may go.

@@ -66,6 +66,50 @@ TEST(Axis, OfTwoThatSwingAlikeNoneIsCalledClearer) {
   EXPECT_THAT(said, testing::Not(HasSubstr("most clearly")));
 }
 
+// A phone that spins about z sees what does not spin with it come round, in x and in y a quarter turn later.
+TEST(Axis, OfAPhoneThatSpinsNeitherAxisHasASwingOfItsOwn) {
+  for (const double spin : {4.1, 0.0}) {
+    std::string text = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)\n";
+    NormalDeviates noise(3);
+    for (int i = 0; i < 1500; ++i) {
+      const double t = 0.01 * i;
+      text += shortest(t) + "," + shortest(2 * std::cos(4.1 * t) + 0.05 * noise.next()) + "," +
+              shortest(1.9 * std::sin(4.1 * t) + 0.05 * noise.next()) + "," +
+              shortest(spin + 0.3 * std::sin(2 * t) + 0.05 * noise.next()) + "\n";
+    }
+    const auto series = take_motion(*read_recording(text, "gyro.csv", {}), "", 1, {});
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
+    EXPECT_EQ(series->column, "Gyroscope x (rad/s)");
+    const auto told = testing::Contains(HasSubstr("\"Gyroscope z (rad/s)\" turns on at 4.1 rad/s"));
+    if (spin > 0)
+      EXPECT_THAT(in_words(series->notices), told);
+    else
+      EXPECT_THAT(in_words(series->notices), testing::Not(told));
+  }
+}
+
+// Of columns without names the first is taken: another may be the same motion, its velocity, or across it.
+TEST(Axis, AColumnThatSwingsAcrossIsSaid) {
+  const std::pair<const char*, double> kinds[] = {
+      {"again", 0}, {"across", 1.2}, {"rate", 0.5 * std::numbers::pi}};
+  for (const auto& [kind, phase] : kinds) {
+    std::string text;
+    NormalDeviates noise(4);
+    for (int i = 0; i < 1200; ++i) {
+      const double t = 0.05 * i;
+      text += shortest(t) + " " + shortest(0.7 * std::cos(3.8 * t) + 2e-3 * noise.next()) + " " +
+              shortest(0.2 * std::cos(3.8 * t + phase) + 2e-3 * noise.next()) + "\n";
+    }
+    const auto series = take_motion(*read_recording(text, "lab.txt", {}), "", 1, {});
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
+    const auto told = testing::Contains(HasSubstr("\"column 3\" swings at the same frequency"));
+    if (std::string_view(kind) == "across")
+      EXPECT_THAT(in_words(series->notices), told);
+    else
+      EXPECT_THAT(in_words(series->notices), testing::Not(told)) << kind;
+  }
+}
+
 // The swing dies down, the phone is picked up at the end; x is noisy.
 TEST(Axis, AHandAtTheEndIsNoSwing) {
   std::string text = std::string(of_phyphox) + "\n";
@@ -184,6 +228,30 @@ TEST(Axis, OfAPendulumOnFilmBothLengthsAreCompared) {
                   testing::Contains(HasSubstr("which agrees with the arc's radius 0.8")));
     else
       EXPECT_THAT(in_words(fitted->front().notices), told);
+  }
+}
+
+// Of a swing that hardly bends the law may take a cubic: whether that is a pendulum's is said.
+TEST(Axis, TheCubicOfAnAngleStandsBesideThatOfAPendulum) {
+  const double w = 3.4;
+  for (const bool straight : {false, true}) {
+    std::vector<double> swing = pendulum_swing(0.5, w, 0.03, 1 / 30.0, 600);
+    if (straight)
+      for (std::size_t i = 0; i < swing.size(); ++i) {
+        const double t = static_cast<double>(i) / 30;
+        swing[i] = 0.5 * std::exp(-0.03 * t) * std::cos(w * t);
+      }
+    std::string text = "t (s)\tangle (rad)\n";
+    NormalDeviates noise(2);
+    for (std::size_t i = 0; i < swing.size(); ++i)
+      text += shortest(static_cast<double>(i) / 30) + "\t" + shortest(swing[i] + 2e-4 * noise.next()) + "\n";
+    FitOptions options;
+    options.law = "viscous+cubic";
+    const auto fitted = fit(*read_recording(text, "angle.txt", {}), options);
+    ASSERT_TRUE(fitted.ok()) << in_words(fitted.error());
+    EXPECT_THAT(in_words(fitted->front().notices),
+                testing::Contains(HasSubstr(straight ? "lies outside the 95 % interval of the fitted one"
+                                                     : "it may be a pendulum")));
   }
 }
 

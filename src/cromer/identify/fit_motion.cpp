@@ -11,6 +11,7 @@
 
 #include "cromer/analysis/swing.h"
 #include "cromer/base/at_once.h"
+#include "cromer/base/extent.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
@@ -47,6 +48,7 @@ class Problem {
   LeastSquaresOptions settings(const Record& part) const {
     LeastSquaresOptions settings = least_squares_options(part, options_);
     settings.lower = fitted_.lower_bounds();
+    settings.along_bounds = !is_recorded(options_.drive.kind);
     return settings;
   }
 
@@ -147,16 +149,24 @@ class StepLength {
     const Record& record = problem.record();
     const double w0 = first.angular_frequency();
     w_ = std::max(w0, first.drive_frequency);
-    // A spring that hardens swings faster where it swings far.
-    if (const double far = std::hypot(first.position, first.velocity / w0);
+    // A spring that hardens swings faster where it swings far: at the start, or later where the swing grows.
+    const auto [low, high] = extent_of(record.y);
+    const double widest = 0.5 * (high - low) / std::pow(w0, record.derivative);
+    if (const double far = std::max(widest, std::hypot(first.position, first.velocity / w0));
         problem.options().drive.kind == DriveKind::none && std::isfinite(far) && !first.law.has<Pendulum>())
       if (const double w = Swing<double>{first.per_mass}.angular_frequency(far); std::isfinite(w))
         w_ = std::max(w_, std::min(w, fastest_seen(record, w0)));
-    const double duration = record.t.back() - record.t.front();
-    duration_ = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
-    amplitude_ = std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative);
-    if (problem.options().drive.kind != DriveKind::none)
-      amplitude_ = std::max(amplitude_, sinusoid_amplitude(record.y));
+    amplitude_ = std::max(sinusoid_amplitude(record.y),
+                          std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative));
+    // The phase goes wrong with the time, and each moment counts by its amplitude.
+    const double mean =
+        std::accumulate(record.y.begin(), record.y.end(), 0.0) / static_cast<double>(record.y.size());
+    double squares = 0;
+    for (std::size_t i = 0; i < record.t.size(); ++i) {
+      const double gone = (record.t[i] - record.t.front()) * (record.y[i] - mean);
+      squares += gone * gone;
+    }
+    lag_ = std::sqrt(2 * squares / static_cast<double>(record.t.size())) / amplitude_;
   }
 
   bool recorded() const { return is_recorded(problem_.options().drive.kind); }
@@ -165,7 +175,7 @@ class StepLength {
   // The first step; under a recorded force, one that is off by less than a two-hundredth in the record's
   // beginning.
   double coarse(const Parameters& start) const {
-    if (!recorded()) return coarsest * period();
+    if (!recorded()) return rough(start, problem_.options().rms_to_beat);
     double h = recorded_step(problem_.options().drive.force.spacing, w_);
     const Record& record = problem_.record();
     const double enough = 0.005 * centred_norm(record.y) / std::sqrt(static_cast<double>(record.t.size()));
@@ -174,16 +184,23 @@ class StepLength {
     return h;
   }
 
+  // As fine as it takes to compare laws at a residual of this rms.
+  double rough(const Parameters& at, double rms) const {
+    // Where there is hardly any noise the method's error at coarse steps hides which law is right. This share
+    // of a standard error changes the Bayesian criterion by about four.
+    constexpr double share = 2;
+    return std::min(coarsest * period(), for_share(at, rms, share));
+  }
+
   // The method's error may move a parameter by a twentieth of its standard error, under a recorded force by a
   // tenth. `measured`: found by halving, as it is under a recorded force; else by the formula for a sinusoid.
   double fine(const LeastSquaresSummary& at, double samples, double h, bool measured) const {
     const double n = static_cast<double>(problem_.record().t.size());
-    constexpr double least = 1e-6;  // of the motion: no record is better
-    const double rms = std::max(std::sqrt(at.equations.sum_of_squares / samples),
-                                least * centred_norm(problem_.record().y) / std::sqrt(n));
+    const double rms = rms_of(at, samples);
     if (!recorded()) {
-      h = motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
-      return measured ? halved(at.parameters, h, 0.0025 * rms * rms / n, 0) : h;
+      h = for_share(at.parameters, rms, 0.05);
+      constexpr double shortest = 1.0 / 1000;  // of a period: what needs less does not belong to the record
+      return measured ? halved(at.parameters, h, 0.0025 * rms * rms / n, shortest * period()) : h;
     }
     // A standard error moves the motion by one residual's rms in all. Steps shorter than this are not tried:
     // such a motion does not belong to the record.
@@ -192,7 +209,27 @@ class StepLength {
                   shortest * recorded_step(problem_.options().drive.force.spacing, w_));
   }
 
+  double rms_of(const LeastSquaresSummary& at, double samples) const {
+    constexpr double least = 1e-6;  // of the motion: no record is better
+    return std::max(std::sqrt(at.equations.sum_of_squares / samples),
+                    least * centred_norm(problem_.record().y) /
+                        std::sqrt(static_cast<double>(problem_.record().t.size())));
+  }
+
  private:
+  // Where the method's error moves the motion by this share of what a standard error does.
+  double for_share(const Parameters& at, double rms, double share) const {
+    const double n = static_cast<double>(problem_.record().t.size());
+    return motion_step(w_, time_gone_wrong(at), share * rms / (std::sqrt(n) * amplitude_));
+  }
+
+  // The time [s] over which the phase goes wrong, an rms weighted by the amplitude. What a drive keeps up
+  // forgets after 1/g.
+  double time_gone_wrong(const Parameters& at) const {
+    if (problem_.options().drive.kind == DriveKind::none) return lag_;
+    return std::min(lag_, 1 / std::max(1e-300, problem_.fitted().unpack(at).decay_rate()));
+  }
+
   // Down to a step whose mean square error is small enough.
   double halved(const Parameters& at, double h, double enough, double least_step) const {
     for (int halvings = 0; halvings < 6 && h > least_step; ++halvings, h /= 2) {
@@ -203,7 +240,7 @@ class StepLength {
   }
 
   const Problem& problem_;
-  double w_ = 0, duration_ = 0, amplitude_ = 0;
+  double w_ = 0, lag_ = 0, amplitude_ = 0;
 };
 
 // Where the iteration ended, and with steps of which length.
@@ -213,6 +250,16 @@ struct FoundMinimum {
   int iterations = 0;
   bool refined = true;  // else it was left where it could not beat `rms_to_beat`
 };
+
+// Whether friction stops the motion after so few half swings that the next number of them may be the right
+// one: a search seldom changes it.
+bool may_rest_elsewhere(const Problem& problem, const Parameters& parameters, double h) {
+  const LawFitOptions& options = problem.options();
+  if (options.drive.kind != DriveKind::none || !options.law.has<Friction>()) return false;
+  constexpr int few = 30;
+  const Rest rest = rest_of(problem.fitted(), parameters, problem.record(), h);
+  return rest.first < problem.record().t.size() && rest.half_swings <= few;
+}
 
 // Most of the way in coarse steps and on few samples, then as fine as the residuals ask for.
 FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool roughly) {
@@ -226,7 +273,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   const Thinned thinned(record, steps.period(), options.drive.kind);
   LeastSquaresOptions coarse = settings;
   coarse.error_tolerance = roughly || steps.recorded() ? 1e-2 : 1e-1;
-  if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
+  if (roughly) coarse.iteration_limit = std::min(20, options.iteration_limit);
   coarse.residuals = static_cast<int>(thinned.record.t.size());
   const Grown start = grow(problem, known, found.h, steps.period());
   // A law that is given up is described at the parameters that it has.
@@ -239,26 +286,36 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     return found;
   };
   if (start.hopeless) return as_it_is(start.parameters, LeastSquaresReason::iteration_limit);
-  const LeastSquaresSummary summary =
-      minimise(problem.model(thinned.record, found.h), start.parameters, coarse);
+  LeastSquaresSummary summary = minimise(problem.model(thinned.record, found.h), start.parameters, coarse);
   found.iterations = summary.iterations;
+  for (int round = 0; round < 4 && !steps.recorded(); ++round) {
+    const double finer = steps.rough(summary.parameters, steps.rms_of(summary, coarse.residuals));
+    if (finer > 0.8 * found.h) break;
+    found.h = finer;
+    summary = minimise(problem.model(thinned.record, found.h), summary.parameters, coarse);
+    found.iterations += summary.iterations;
+  }
   const auto leaves = [&](double times) {
     const double most = times * options.rms_to_beat;
     return summary.equations.sum_of_squares > most * most * static_cast<double>(coarse.residuals);
   };
-  constexpr double close = 1.2;
-  const bool beaten = leaves(close);
-  const bool settled = summary.reason == LeastSquaresReason::converged;
-  if (leaves(given_up) || (roughly && beaten && settled)) return as_it_is(summary.parameters, summary.reason);
-  if (roughly || beaten) {
+  constexpr double close = 1.2, of_another_rest = 4;
+  if (leaves(close) && (leaves(of_another_rest) || !may_rest_elsewhere(problem, summary.parameters, found.h)))
+    return as_it_is(summary.parameters, summary.reason);
+  if (roughly) {
     settings.error_tolerance = 1e-2;
-    found.minimum = minimise_both(problem.model(found.h), summary.parameters, settings);
+    settings.iteration_limit = std::min(20, options.iteration_limit);
+    found.minimum.bounded = found.minimum.free =
+        minimise(problem.model(found.h), summary.parameters, settings);
     found.iterations += found.minimum.bounded.iterations;
     return found;
   }
   if (steps.recorded()) settings.error_tolerance = 1e-3;
-  // What feeds itself swings in bursts, of which a formula for sinusoids knows nothing, or grows.
-  const bool in_bursts = options.law.has<VanDerPol>() || options.may_grow;
+  // Corners that fall between steps, now here, now there, make the sum of squares rough.
+  if (options.law.has<Hysteresis>() && options.drive.kind == DriveKind::none) settings.roughness = 0.1;
+  // What feeds itself swings in bursts, or grows, and a hysteretic force has corners: a formula for sinusoids
+  // knows nothing of either.
+  const bool measured = options.law.has<VanDerPol>() || options.law.has<Hysteresis>() || options.may_grow;
   found.h = steps.fine(summary, coarse.residuals, found.h, false);
   Parameters from = summary.parameters;
   for (int round = 0; round < 4; ++round) {
@@ -266,7 +323,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     found.iterations += found.minimum.bounded.iterations;
     from = found.minimum.bounded.parameters;
     if (!std::isfinite(found.minimum.bounded.equations.sum_of_squares)) break;
-    const double finer = steps.fine(found.minimum.bounded, n, found.h, in_bursts);
+    const double finer = steps.fine(found.minimum.bounded, n, found.h, measured);
     if (finer > 0.8 * found.h) break;
     found.h = finer;
   }
@@ -396,28 +453,34 @@ std::vector<Motion> closest_of_each(const std::vector<Motion>& starts, const Pro
   return best;
 }
 
-// The one of several starts from which a few steps lead furthest down.
-KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem) {
-  KnownMotion best = known;
-  double least = HUGE_VAL;
+// The one of several starts from which some steps lead furthest down. Of many not all go on after the first
+// few steps, but the `followed` lowest.
+KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem,
+                       std::size_t followed) {
   const std::size_t samples = std::min<std::size_t>(problem.record().t.size(), 4000);
   const Record part = problem.record().first(samples);
   LeastSquaresOptions settings = problem.settings(part);
-  settings.iteration_limit = 25;
   settings.error_tolerance = 0.1;
   std::vector<LeastSquaresSummary> tried(starts.size());
-  at_once(starts.size(), [&](std::size_t i) {
-    const StepLength steps(problem, {starts[i], samples, 0});
-    const Parameters p = problem.fitted().pack(starts[i]);
-    tried[i] = minimise(problem.model(part, steps.coarse(p)), p, settings);
-  });
-  for (const LeastSquaresSummary& summary : tried) {
-    if (!(summary.equations.sum_of_squares < least)) continue;
-    least = summary.equations.sum_of_squares;
-    best.motion = problem.fitted().unpack(summary.parameters);
-    best.samples = samples;
+  for (std::size_t i = 0; i < starts.size(); ++i) tried[i].parameters = problem.fitted().pack(starts[i]);
+  constexpr int few = 8, all = 25;
+  for (const int limit :
+       followed < starts.size() ? std::vector<int>{few, all - few} : std::vector<int>{all}) {
+    settings.iteration_limit = limit;
+    at_once(tried.size(), [&](std::size_t i) {
+      const Parameters p = tried[i].parameters;
+      if (tried[i].reason == LeastSquaresReason::converged) return;
+      const StepLength steps(problem, {problem.fitted().unpack(p), samples, 0});
+      tried[i] = minimise(problem.model(part, steps.coarse(p)), p, settings);
+    });
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const LeastSquaresSummary& a, const LeastSquaresSummary& b) {
+                       return a.equations.sum_of_squares < b.equations.sum_of_squares;
+                     });
+    tried.resize(std::min(tried.size(), followed));
   }
-  return best;
+  if (!std::isfinite(tried.front().equations.sum_of_squares)) return known;
+  return {problem.fitted().unpack(tried.front().parameters), samples, known.decay_rate};
 }
 
 }  // namespace
@@ -541,7 +604,10 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
     const double amplitude = amplitude_of(record, known.motion.angular_frequency());
-    from = best_start(hysteretic_starts(known.motion, options, amplitude), known, problem);
+    const std::vector<Motion> starts = hysteretic_starts(known.motion, options, amplitude);
+    // A driven motion shows late which start is the right one.
+    const bool is_free = options.drive.kind == DriveKind::none;
+    from = best_start(starts, known, problem, is_free ? 3 : starts.size());
   }
   // More than a fifth of the amplitude is lost in a period: friction may stop it within a few half swings.
   const bool may_stop_early = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
@@ -555,7 +621,8 @@ LawFit fit_holding(const HeldParameters& held, const Record& record, const LawFi
     std::vector<Motion> starts =
         closest_of_each(friction_starts(known.motion, record), beginning, coarsest * two_pi / w);
     starts.push_back(known.motion);
-    from = {best_start(starts, known, beginning).motion, record.t.size(), known.decay_rate};
+    from = {best_start(starts, known, beginning, (starts.size() + 1) / 2).motion, record.t.size(),
+            known.decay_rate};
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
   Minimum& minimum = found.minimum;
@@ -610,9 +677,12 @@ LawFit fit_of_either_zero(const Record& record, const LawFitOptions& options, co
   const HeldParameters held = held_parameters(record, options.law, options.drive.kind);
   LawFit fit = fit_holding(held, record, options, known, watch, roughly);
   if (options.drive.kind == DriveKind::none && !watch.interrupted())
-    fit = or_growing(std::move(fit), options, [&](const LawFitOptions& growing) {
-      return fit_holding(held, record, growing, known, watch, roughly);
-    });
+    fit = or_growing(
+        std::move(fit), options,
+        [&](const LawFitOptions& growing) {
+          return fit_holding(held, record, growing, known, watch, roughly);
+        },
+        known.decay_rate < 0);
   const bool by_convention = held.equilibrium && record.derivative == 0 && options.law.shares(springs);
   if (!by_convention || !tells_its_origin(options.law)) return fit;
   // The zero may lie amid the motion by chance: the record tells.

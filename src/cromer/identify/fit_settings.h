@@ -72,12 +72,12 @@ Minimum minimise_both(const Model& model, const Parameters& start, const LeastSq
   return minimum;
 }
 
-/// The fit or, where it ends at no damping at all and a negative one clearly does better, that of the swing
-/// that grows: `fit_again(options)`, which takes a negative decay rate.
+/// The fit or, where it ends at no damping at all, or the swing is known to grow, and a negative one clearly
+/// does better, that of the swing that grows: `fit_again(options)`, which takes a negative decay rate.
 template <class FitAgain>
-LawFit or_growing(LawFit fit, LawFitOptions options, const FitAgain& fit_again) {
+LawFit or_growing(LawFit fit, LawFitOptions options, const FitAgain& fit_again, bool known_to_grow = false) {
   const Estimate* found = fit.find(Viscous::coefficients[0].parameter);
-  if (options.may_grow || !may_grow(fit.law) || !found || found->value > 0) return fit;
+  if (options.may_grow || !may_grow(fit.law) || !found || (found->value > 0 && !known_to_grow)) return fit;
   options.may_grow = true;
   LawFit growing = fit_again(options);
   constexpr double surely = 3;  // standard errors

@@ -1,10 +1,16 @@
 #include "cromer/report/file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <map>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "cromer/base/nearest.h"
 #include "cromer/os/file.h"
 #include "cromer/os/process.h"
 #include "cromer/os/replacement.h"
@@ -81,8 +87,29 @@ Error cannot_read(const std::string& path, Notice why) {
   return Error{"in_file", {{"file", path}, {"what", std::move(why)}}};
 }
 
+/// Where a file is not there: the one beside it whose name, but for the extension, is nearest; "" if none is.
+std::string file_meant(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::map<std::string, std::string> by_stem;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (std::filesystem::directory_iterator each(folder, failed), end; !failed && each != end;
+       each.increment(failed)) {
+    std::error_code unknown;
+    const std::filesystem::path& beside = each->path();
+    if (each->is_regular_file(unknown))
+      by_stem.try_emplace(beside.stem().string(), beside.filename().string());
+  }
+  std::vector<std::string_view> stems;
+  for (const auto& [stem, name] : by_stem) stems.push_back(stem);
+  const std::string near = nearest(path.stem().string(), stems);
+  return near.empty() ? "" : (path.parent_path() / by_stem.at(near)).string();
+}
+
 Error cannot_read(const std::string& path, int number) {
-  return cannot_read(path, Notice{"cannot_be_read", {{"why", std::strerror(number)}}});
+  const std::string meant = number == ENOENT ? file_meant(path) : "";
+  return cannot_read(
+      path, meant.empty() ? Notice{"cannot_be_read", {{"why", std::strerror(number)}}}
+                          : Notice{"cannot_be_read_but", {{"why", std::strerror(number)}, {"near", meant}}});
 }
 
 }  // namespace

@@ -74,8 +74,15 @@ class Part : public LabTold {
   /// The lines of the summary.
   std::vector<std::string> summary() const {
     if (!fitted_.succeeded()) return {no_law()};
-    if (is_poorly_described())
-      return {words("report_poorly_described", {{"file", verbatim(title())}, {"rms", rms()}})};
+    if (is_poorly_described()) {
+      constexpr std::string_view round = "sensor_turns_round";
+      const auto found = std::find_if(fitted_.notices.begin(), fitted_.notices.end(),
+                                      [&](const Notice& notice) { return notice.code == round; });
+      const std::string why = found == fitted_.notices.end()
+                                  ? words("report_perhaps_a_part")
+                                  : " " + verbatim(words("report_sentence", {{"what", *found}}));
+      return {words("report_poorly_described", {{"file", verbatim(title())}, {"rms", rms()}, {"why", why}})};
+    }
     std::vector<std::string> lines;
     const auto add = [&](std::string_view code, std::vector<NoticeValue> values) {
       lines.push_back(words(code, std::move(values)));
@@ -416,6 +423,7 @@ class Part : public LabTold {
       paragraph(first_doubt().empty()
                     ? ends
                     : verbatim(words("report_sentence", {{"what", first_doubt()}})) + " " + ends);
+    if (const std::string why = why_the_rate_changes(); !why.empty()) paragraph(why);
     if (!fitted_.segments.empty()) segments();
     if (stretches.size() > 2) stretches_figures();
     if (several) compare_figure();
@@ -807,7 +815,8 @@ class Part : public LabTold {
     std::string text;
     for (const Notice& notice : worst_first(notices))
       if (severity(notice) != Severity::detail)
-        text += (text.empty() ? "" : "\n\n") + words("report_sentence", {{"what", notice}});
+        text += (text.empty() ? "" : "\n\n") +
+                words("report_sentence", {{"what", without_uncertainties(notice)}});
     return text;
   }
 

@@ -93,9 +93,10 @@ class LabTold {
 
   /// Why the numbers may not mean what they seem to mean; empty if they do.
   Notice first_doubt() const {
-    if (compared_) return compared_->doubts.empty() ? Notice{} : compared_->doubts.front();
+    if (compared_)
+      return compared_->doubts.empty() ? Notice{} : without_uncertainties(compared_->doubts.front());
     for (const Notice& notice : fitted_.notices)
-      if (severity(notice) == Severity::wrong_if_ignored) return notice;
+      if (severity(notice) == Severity::wrong_if_ignored) return without_uncertainties(notice);
     return {};
   }
 
@@ -107,8 +108,10 @@ class LabTold {
 
   /// Whether no law that was tried describes the recording: what follows from the law may be far off.
   bool lacks_a_law() const {
-    const std::string code = first_doubt().code;
-    return code == "no_law_describes" || code == "law_does_not_describe";
+    const std::vector<Notice>& all = compared_ ? compared_->doubts : fitted_.notices;
+    return std::any_of(all.begin(), all.end(), [](const Notice& notice) {
+      return notice.code == "no_law_describes" || notice.code == "law_does_not_describe";
+    });
   }
 
   /// In braces; where no law describes the recording without its uncertainty, to so many digits.
@@ -119,12 +122,36 @@ class LabTold {
   /// Whether more is known of the recording's parts than of the whole.
   bool has_only_parts() const { return lacks_a_law() && fitted_.decay_by_amplitude.size() > 1; }
 
-  /// Of the first or the last stretch by itself.
+  /// Of the first, the last or the middle stretch by itself.
   std::string amplitude_of(std::string_view stretch) const {
     const auto& all = fitted_.decay_by_amplitude;
-    const double size = stretch == "first_stretch" ? all.front().amplitude : all.back().amplitude;
+    const double size = stretch == "first_stretch"  ? all.front().amplitude
+                        : stretch == "last_stretch" ? all.back().amplitude
+                                                    : beyond_ends(all)->amplitude;
     const std::string unit = readable_unit(units_.displacement, size);
     return in_braces(fmt::format("{}.amplitude, {}3", stretch, unit.empty() ? "" : unit + ", "));
+  }
+
+  /// Of the stretch between the first and the last whose rate is beyond both; "" where there is none.
+  std::string rate_between() const {
+    if (!beyond_ends(fitted_.decay_by_amplitude)) return "";
+    return words("report_rate_between",
+                 {{"rate", in_braces("middle_stretch")}, {"amplitude", amplitude_of("middle_stretch")}});
+  }
+
+  /// Why the rate changes, under the law; "" where it does not for sure, or by no one term.
+  std::string why_the_rate_changes() const {
+    const Parameter *start = named(fitted_.headline, "decay_rate_start"),
+                    *end = named(fitted_.headline, "decay_rate_end");
+    if (!first_doubt().empty() || !start || !end || !are_apart(start->estimate, end->estimate)) return "";
+    const auto is_sure = [&](std::string_view term) {
+      const Estimate* found = fitted_.find(term);
+      return found && found->low > 0;
+    };
+    const bool rises = end->estimate.value > start->estimate.value;
+    if (rises && is_sure("friction")) return words("report_friction_makes_it_rise");
+    if (!rises && is_sure("drag")) return words("report_drag_makes_it_fall");
+    return "";
   }
 
   /// Whether rival laws leave open how the rate changes as the swing dies down.
@@ -163,7 +190,8 @@ class LabTold {
       return words("report_rate_of_stretches", {{"first", in_braces("first_stretch")},
                                                 {"first_amplitude", amplitude_of("first_stretch")},
                                                 {"last", in_braces("last_stretch")},
-                                                {"last_amplitude", amplitude_of("last_stretch")}});
+                                                {"last_amplitude", amplitude_of("last_stretch")},
+                                                {"between", rate_between()}});
     if (has_only_a_common_rate()) return words("report_rate_common", {{"rate", in_braces("common_decay")}});
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;

@@ -8,6 +8,8 @@ using enum Use;
 constexpr Entry entries[] = {
     // Files read.
     {"cannot_be_read", clause, "cannot be read: {why}", "lässt sich nicht lesen: {why}"},
+    {"cannot_be_read_but", clause, "cannot be read: {why}; did you mean {near}?",
+     "lässt sich nicht lesen: {why}; ist {near} gemeint?"},
     {"reads_no_folder", clause, "is a folder; name a file in it",
      "ist ein Ordner; bitte eine Datei darin nennen"},
     {"reads_no_device", clause, "is a device, not a file; - reads standard input",

@@ -504,12 +504,12 @@ constexpr Entry entries[] = {
      "Amplitude selbst geht von {first:n} auf {last:n}\u00a01/s, da die Rückstellkraft der Auslenkung nicht "
      "proportional ist.{method}"},
     {"one_rate_while_stretches_scatter", clause,
-     "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches "
-     "lie between {least:n} and {largest:n}\u00a01/s, more apart than their own uncertainties: "
+     "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches, "
+     "{least:n} to {largest:n}\u00a01/s, scatter about it by more than their own uncertainties allow: "
      "something else takes part.{method}",
-     "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte "
-     "liegen aber zwischen {least:n} und {largest:n}\u00a01/s, weiter auseinander als ihre "
-     "Unsicherheiten: etwas anderes wirkt mit.{method}"},
+     "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte, "
+     "{least:n} bis {largest:n}\u00a01/s, streuen aber weiter um sie, als ihre Unsicherheiten zulassen: "
+     "etwas anderes wirkt mit.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",
@@ -520,9 +520,11 @@ constexpr Entry entries[] = {
      "Eine Abklingrate beschreibt die Amplitude, aber nicht die Bewegung: {one_rate}, {with_law}. Die "
      "Frequenz ändert sich, während die Schwingung abklingt.{method}"},
     {"rate_changes_with_amplitude", clause,
-     "One decay rate is not enough. It {goes} from {first:n} to {last:n}\u00a01/s as the swing {swing} from "
+     "One decay rate is not enough. By the law it {goes} from {first:n} to {last:n}\u00a01/s as the swing "
+     "{swing} from "
      "{from:n} to {to:n}; {one_rate} and {end}, {with_law}. Quote the law instead.{method}",
-     "Eine Abklingrate genügt nicht. Sie {goes} von {first:n} auf {last:n}\u00a01/s, während die Schwingung "
+     "Eine Abklingrate genügt nicht. Nach dem Gesetz {goes} sie von {first:n} auf {last:n}\u00a01/s, während "
+     "die Schwingung "
      "von {from:n} auf {to:n} {swing}; {one_rate}, und {end}, {with_law}. Bitte das Gesetz angeben.{method}"},
     {"falls", clause, "falls", "fällt"},
     {"rises", clause, "rises", "steigt"},

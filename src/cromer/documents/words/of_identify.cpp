@@ -198,16 +198,20 @@ constexpr Entry entries[] = {
      "alle angepasst"},
     {"rival_laws", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
-     "is right; those of frequency, spring constant and decay rate also cover how far these laws differ. "
+     "is right; those of frequency and decay rate, and of a spring constant, also cover how far these laws "
+     "differ. "
      "Known whichever law is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
-     "nur, wenn {law} stimmt; die von Frequenz, Federkonstante und Abklingrate enthalten auch, wie weit "
+     "nur, wenn {law} stimmt; die von Frequenz und Abklingrate, und einer Federkonstante, enthalten auch, "
+     "wie weit "
      "diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
-     "is right; those of frequency, spring constant and decay rate also cover how far these laws differ",
+     "is right; those of frequency and decay rate, and of a spring constant, also cover how far these laws "
+     "differ",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
-     "nur, wenn {law} stimmt; die von Frequenz, Federkonstante und Abklingrate enthalten auch, wie weit "
+     "nur, wenn {law} stimmt; die von Frequenz und Abklingrate, und einer Federkonstante, enthalten auch, "
+     "wie weit "
      "diese Gesetze auseinanderliegen"},
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
@@ -255,16 +259,20 @@ constexpr Entry entries[] = {
      "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}{unit: }: die Frequenz folgt "
      "daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten "
      "ist nicht zu trauen; bitte feiner messen"},
-    {"law_does_not_describe", wrong_if_ignored,
+    {"law_does_not_describe", wrong_if_ignored, "{what}, and the uncertainties cannot be trusted",
+     "{what}, und den Unsicherheiten ist nicht zu trauen"},
+    {"no_law_describes", wrong_if_ignored, "{what}, and the uncertainties cannot be trusted",
+     "{what}, und den Unsicherheiten ist nicht zu trauen"},
+    {"law_leaves_much", clause,
      "the law {law} does not describe this recording: the residual is {times:.0f} times the noise from "
-     "sample to sample, and the uncertainties cannot be trusted",
+     "sample to sample",
      "das Gesetz {law} beschreibt diese Aufnahme nicht: die Reste sind das {times:.0f}-Fache des Rauschens "
-     "von Messwert zu Messwert, und den Unsicherheiten ist nicht zu trauen"},
-    {"no_law_describes", wrong_if_ignored,
+     "von Messwert zu Messwert"},
+    {"every_law_leaves_much", clause,
      "no law tried describes this recording: the residual is {times:.0f} times the noise from sample to "
-     "sample, and the uncertainties cannot be trusted",
+     "sample",
      "kein versuchtes Gesetz beschreibt diese Aufnahme: die Reste sind das {times:.0f}-Fache des Rauschens "
-     "von Messwert zu Messwert, und den Unsicherheiten ist nicht zu trauen"},
+     "von Messwert zu Messwert"},
     {"zero_drifts", wrong_if_ignored,
      "the zero drifts, by {drift:.3g}{unit: } over the record: remove the drift, or choose a shorter part",
      "der Nullpunkt wandert, um {drift:.3g}{unit: } in der ganzen Aufnahme: bitte die Drift abziehen oder "

@@ -5,7 +5,8 @@ namespace {
 
 using enum Use;
 
-// What only the program's fits say: of recorded forces, of times that slip, and of a pendulum's arc.
+// What only the program's fits say: of recorded forces, of times that slip, of pendulums, and of a motion
+// that does not lie along one column.
 constexpr Entry entries[] = {
     {"arc_as_pendulum", worth_knowing,
      "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
@@ -21,6 +22,31 @@ constexpr Entry entries[] = {
      "m/s² ist, {off:.2g} % "
      "{which} als der Radius {radius:n} des Bogens: vielleicht liegt der Schwerpunkt nicht am verfolgten "
      "Punkt, stimmt der Maßstab des Films nicht, oder ist der Bogen zu kurz für seinen Radius"},
+    {"cubic_of_a_pendulum", worth_knowing,
+     "the cubic of a simple pendulum with this frequency of small swings, −ω0²/6 = −{size:.4g} 1/(rad² s²), "
+     "lies within the 95 % interval of the fitted one: it may be a pendulum",
+     "der kubische Beiwert eines mathematischen Pendels mit dieser Frequenz kleiner Schwingungen, −ω0²/6 = "
+     "−{size:.4g} 1/(rad² s²), liegt im 95-%-Intervall des gefundenen: es kann ein Pendel sein"},
+    {"cubic_of_no_pendulum", worth_knowing,
+     "the cubic of a simple pendulum with this frequency of small swings, −ω0²/6 = −{size:.4g} 1/(rad² s²), "
+     "lies outside the 95 % interval of the fitted one: it is no simple pendulum, or the angle's scale is "
+     "off",
+     "der kubische Beiwert eines mathematischen Pendels mit dieser Frequenz kleiner Schwingungen, −ω0²/6 = "
+     "−{size:.4g} 1/(rad² s²), liegt außerhalb des 95-%-Intervalls des gefundenen: es ist kein "
+     "mathematisches Pendel, oder der Maßstab des Winkels stimmt nicht"},
+    {"sensor_turns_round", wrong_if_ignored,
+     "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
+     "turn what does not turn with it; what they record is then no swing of its own",
+     "„{axis}“ dreht sich mit {mean:.2g} rad/s weiter: der Sensor selbst dreht sich, und seine beiden "
+     "anderen "
+     "Achsen sehen abwechselnd, was sich nicht mitdreht; was sie aufzeichnen, ist dann keine eigene "
+     "Schwingung"},
+    {"swings_alongside", worth_knowing,
+     "\"{other}\" swings at the same frequency, and is neither \"{column}\" again nor its rate of change: "
+     "the motion may not lie along \"{column}\" alone, and its decay not be that of one free swing",
+     "„{other}“ schwingt mit derselben Frequenz und ist weder „{column}“ noch einmal noch deren "
+     "Änderungsrate: die Bewegung verläuft vielleicht nicht nur entlang „{column}“, und ihr Abklingen ist "
+     "dann nicht das einer freien Schwingung"},
     {"longer", clause, "longer", "länger"},
     {"shorter", clause, "shorter", "kürzer"},
     // A recorded force

@@ -22,11 +22,12 @@ constexpr Entry entries[] = {
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
     {"report_poorly_described", clause,
      "{file}: no law that was tried describes this motion. The nearest leaves {rms} (root mean square), "
-     "more than a tenth of the swing: its numbers are not those of the motion. A part that swings freely "
-     "may have a law ({--from}, {--to}).",
+     "more than a tenth of the swing: its numbers are not those of the motion.{why}",
      "{file}: kein Gesetz, das geprüft wurde, beschreibt diese Bewegung. Das nächste lässt {rms} "
-     "(Effektivwert) übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der Bewegung. "
-     "Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
+     "(Effektivwert) übrig, mehr als ein Zehntel der Schwingung: seine Zahlen sind nicht die der "
+     "Bewegung.{why}"},
+    {"report_perhaps_a_part", clause, " A part that swings freely may have a law ({--from}, {--to}).",
+     " Ein Teil, der frei schwingt, kann ein Gesetz haben ({--from}, {--to})."},
     {"report_swings_at", clause, "{file}: a free swing at {frequency}.",
      "{file}: eine freie Schwingung mit {frequency}."},
     {"report_swings_at_first", clause,
@@ -78,9 +79,23 @@ constexpr Entry entries[] = {
      "Nach diesem Gesetz wäre die Abklingrate {start} am Anfang und {end} am Ende."},
     {"report_rate_of_stretches", clause,
      "The decay rate of parts of the recording, each fitted by itself, is {first} at an amplitude of "
-     "{first_amplitude} and {last} at {last_amplitude}.",
+     "{first_amplitude} and {last} at {last_amplitude}{between}.",
      "Die Abklingrate von Teilen der Aufnahme, jeder für sich angepasst, ist {first} bei einer Amplitude "
-     "von {first_amplitude} und {last} bei {last_amplitude}."},
+     "von {first_amplitude} und {last} bei {last_amplitude}{between}."},
+    {"report_rate_between", clause, ", with {rate} at {amplitude} between them",
+     ", dazwischen {rate} bei {amplitude}"},
+    {"report_friction_makes_it_rise", clause,
+     "Under this law it rises because dry friction, the same at every amplitude, weighs more in small "
+     "swings.",
+     "Unter diesem Gesetz steigt sie, weil trockene Reibung, die bei jeder Amplitude gleich groß ist, in "
+     "kleinen Schwingungen mehr ausmacht."},
+    {"report_drag_makes_it_fall", clause,
+     "Under this law it falls because drag, which grows with the square of the velocity, weighs more in "
+     "large "
+     "swings.",
+     "Unter diesem Gesetz fällt sie, weil der Luftwiderstand, der mit dem Quadrat der Geschwindigkeit "
+     "wächst, "
+     "in großen Schwingungen mehr ausmacht."},
     {"report_rate_common", clause,
      "The decay rate is {rate} at the record's rms amplitude; how it changes as the swing dies down depends "
      "on which of the laws that fit is right.",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -207,8 +208,9 @@ class LawSearch {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
-  // Each is compared with those four and more before it, also on one thread: with the same ones on every
-  // machine. The progress goes from one share to another.
+  // Those of most terms first: what they leave tells which of the others can be given up. Each is compared
+  // with those four and more before it, also on one thread: with the same ones on every machine. The progress
+  // goes from one share to another.
   template <class Start>
   void try_laws(const std::vector<Law>& wanted, const Start& start_of, double from = 0, double to = 0) {
     constexpr std::size_t few = 4;
@@ -216,14 +218,18 @@ class LawSearch {
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
+    std::vector<std::size_t> order(laws.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return laws[a].size() > laws[b].size(); });
     std::vector<LawFit> fits(laws.size());
     std::vector<char> whole(laws.size());  // not interrupted
     at_once(
         laws.size(),
         [&](std::size_t i) {
           if (quiet_.interrupted()) return;
-          fits[i] =
-              rough_fit(laws[i], start_of(laws[i]), quiet_, std::span(fits).first(i < few ? 0 : i - few + 1));
+          const Law& law = laws[order[i]];
+          fits[i] = rough_fit(law, start_of(law), quiet_, std::span(fits).first(i < few ? 0 : i - few + 1));
           whole[i] = !quiet_.interrupted();
         },
         few,
@@ -231,7 +237,9 @@ class LawSearch {
           const double done = static_cast<double>(i + 1) / static_cast<double>(laws.size());
           if (whole[i] && watch_.progress && to > from) watch_.progress(from + (to - from) * done);
         });
-    for (std::size_t i = 0; i < fits.size(); ++i)
+    std::vector<std::size_t> place(laws.size());
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+    for (const std::size_t i : place)
       if (whole[i]) add(std::move(fits[i]), false);
   }
 

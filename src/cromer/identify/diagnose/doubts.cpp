@@ -342,8 +342,13 @@ bool shows_a_wrong_law(const Record& record, const Residual& left, double noise,
 }
 
 Notice not_described(const LawFit& fit, double noise, bool only_law) {
+  const std::string law = to_text(fit.law);
+  const double times = times_noise(fit.residual.rms, noise);
   return Notice{only_law ? "law_does_not_describe" : "no_law_describes",
-                {{"law", to_text(fit.law)}, {"times", times_noise(fit.residual.rms, noise)}}};
+                {{"law", law},
+                 {"times", times},
+                 {"what", Notice{only_law ? "law_leaves_much" : "every_law_leaves_much",
+                                 {{"law", law}, {"times", times}}}}}};
 }
 
 }  // namespace
@@ -407,7 +412,10 @@ std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::
   std::vector<Notice> found =
       second_drives(left, drive, unit, is_answered ? FrequencyBand{own - reach, own + reach} : no_band);
   const double fastest = std::max(fit.swing_frequency().value, drive);
-  if (!found.empty() && shows_a_wrong_law(record, fit.residual, noise, fastest))
+  // What shakes the mount leaves a few times the noise too.
+  constexpr double far_more = 10;
+  if ((!found.empty() || fit.residual.rms > far_more * noise) &&
+      shows_a_wrong_law(record, fit.residual, noise, fastest))
     found.push_back(not_described(fit, noise, only_law));
   return found;
 }

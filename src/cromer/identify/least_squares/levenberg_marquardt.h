@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "cromer/identify/least_squares/normal_equations.h"
 
@@ -17,6 +18,8 @@ struct LeastSquaresOptions {
   int iteration_limit = 50;        // > 0
   double tolerance = 1e-10;        // of a step, relative to the data's scale; 0 < tolerance < 1
   double error_tolerance = 1e-5;   // of a step, in standard errors; 0 <= error_tolerance < 1
+  double roughness = 0;            // a step of so many standard errors that does not help is the last; >= 0
+  bool along_bounds = false;       // where a minimum may well lie on a bound, not at a far-off start
   double scale = 1;                // Euclidean norm of the data; > 0
   int residuals = 1;               // their number; > 0
   Parameters lower = no_bounds();  // -inf where free
@@ -37,6 +40,41 @@ struct LeastSquaresSummary {
   NormalEquations equations;  ///< at the parameters
 };
 
+/// A step from parameters within their lower bounds. Where it would lead beyond one: cut off there, and with
+/// what then is best for the others.
+struct BoundedStep {
+  Parameters cut_off, along_the_bound;
+  bool meets_a_bound = false;
+};
+
+/// Nothing where the matrix is singular to rounding.
+inline std::optional<BoundedStep> bounded_step(const NormalEquations& equations, const Parameters& at,
+                                               const Parameters& lower, double lambda) {
+  const int n = equations.size;
+  // A parameter on its bound stays there while the data push it outwards.
+  std::array<bool, max_parameters> free{};
+  for (int i = 0; i < n; ++i) free[i] = at[i] > lower[i] || equations.right[i] > 0;
+  BoundedStep step{at, at};
+  for (bool first = true;; first = false) {
+    const ScaledCholesky factor(equations.matrix, n, lambda, free);
+    if (!factor.ok()) return std::nullopt;
+    Parameters right = equations.right;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (!free[j]) right[i] -= equations.matrix[i][j] * (step.along_the_bound[j] - at[j]);
+    const Parameters solved = factor.solve(right);
+    bool all_within = true;
+    for (int i = 0; i < n; ++i) {
+      if (!free[i]) continue;
+      step.along_the_bound[i] = std::max(at[i] + solved[i], lower[i]);
+      if (at[i] + solved[i] < lower[i]) free[i] = all_within = false;
+    }
+    if (first) step.cut_off = step.along_the_bound;
+    if (all_within) return step;
+    step.meets_a_bound = true;
+  }
+}
+
 /// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a
 /// sum_of_squares that is not finite marks parameters that cannot be); the start must lie within the bounds.
 template <class Model>
@@ -55,12 +93,9 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
   double last_motion = 0;
   while (at.iterations < options.iteration_limit) {
     ++at.iterations;
-
-    // A parameter on its bound stays there while the data push it outwards.
-    std::array<bool, max_parameters> free{};
-    for (int i = 0; i < n; ++i) free[i] = at.parameters[i] > options.lower[i] || at.equations.right[i] > 0;
-    const ScaledCholesky factor(at.equations.matrix, n, lambda, free);
-    if (!factor.ok()) {
+    const std::optional<BoundedStep> bounded =
+        bounded_step(at.equations, at.parameters, options.lower, lambda);
+    if (!bounded) {
       if (lambda > 1e12) {
         at.reason = LeastSquaresReason::singular;
         return at;
@@ -68,19 +103,22 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
       lambda = std::max(10 * lambda, 1e-9);
       continue;
     }
-    Parameters step = factor.solve(at.equations.right);
-    Parameters trial = at.parameters;
-    for (int i = 0; i < n; ++i) {
-      trial[i] = std::max(at.parameters[i] + step[i], options.lower[i]);
-      step[i] = trial[i] - at.parameters[i];
-    }
+    const auto step_to = [&](const Parameters& there) {
+      Parameters step{};
+      for (int i = 0; i < n; ++i) step[i] = there[i] - at.parameters[i];
+      return step;
+    };
+    // How far a step moves the model, along another, as a sum of squares.
+    const auto moved = [&](const Parameters& by, const Parameters& other) {
+      double sum = 0;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) sum += by[i] * at.equations.matrix[i][j] * other[j];
+      return sum;
+    };
+    Parameters trial = bounded->cut_off, step = step_to(trial);
 
-    double motion = 0, along = 0;  // how far the step moves the model, as a sum of squares
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        motion += step[i] * at.equations.matrix[i][j] * step[j];
-        along += last[i] * at.equations.matrix[i][j] * step[j];
-      }
+    double motion = moved(step, step);
+    const double along = moved(last, step);
     // Along a bent valley full steps lie on one line, each the last one times the same ratio (below 0 where
     // they go to and fro): all that are to come are taken at once. A. C. Aitken, Proc. R. Soc. Edinb. 46, 289
     // (1926).
@@ -94,11 +132,19 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
     const double enough = std::max(options.tolerance * options.tolerance * options.scale * options.scale,
                                    options.error_tolerance * options.error_tolerance * variance);
 
-    const NormalEquations equations = model(trial);
+    NormalEquations equations = model(trial);
+    const double before = at.equations.sum_of_squares;
+    // Cut off at a bound, a step may lead uphill: the other parameters were to go along with that one.
+    if (options.along_bounds && bounded->meets_a_bound && !(equations.sum_of_squares <= before)) {
+      trial = bounded->along_the_bound;
+      step = step_to(trial);
+      motion = moved(step, step);
+      equations = model(trial);
+    }
     // Where the step moves the model by less than the sum of squares can resolve, the gradient still can:
     // such a step is taken on trust.
-    const double before = at.equations.sum_of_squares;
-    const bool unresolved = motion <= 1e-13 * before;
+    const bool unresolved =
+        motion <= std::max(1e-13 * before, options.roughness * options.roughness * variance);
     const double limit = unresolved ? before * (1 + 1e-13) : before;
     const bool better = std::isfinite(equations.sum_of_squares) && equations.sum_of_squares <= limit;
     last = lambda == 0 && better && !all_at_once ? step : Parameters{};

@@ -61,6 +61,10 @@ inline const FittedRecording& fit_of_run(const CompareResult& result) { return r
 /// first two curves.
 Notice explanation(const CompareResult& comparison);
 
+/// Of a law that does not describe its recording what is said where no uncertainty is printed; every other
+/// notice is returned as it is.
+Notice without_uncertainties(const Notice& notice);
+
 /// Simulates one fitted recording. A run that ended early (diverged, interrupted) has NaN figures and a
 /// notice that says when; a run that grows to ten times its law's motion is said to be unstable. A refused
 /// fit has no curves. Errors: a driven motion, a column that is no position or angle, a method that does not

@@ -122,6 +122,13 @@ Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
 
 }  // namespace
 
+Notice without_uncertainties(const Notice& notice) {
+  if (notice.code == "no_law_describes" || notice.code == "law_does_not_describe")
+    for (const NoticeValue& each : notice.values)
+      if (const auto* what = std::get_if<std::vector<Notice>>(&each.value)) return what->front();
+  return notice;
+}
+
 Notice explanation(const CompareResult& comparison) {
   const auto& curves = comparison.curves;
   if (curves.size() < 2) return {};
@@ -134,12 +141,16 @@ Notice explanation(const CompareResult& comparison) {
                     {{"left", with_unit(one.rms, unit)}}};
   const Notice with_law{"law_leaves", {{"law", to_text(law.law)}, {"left", with_unit(law.rms, unit)}}};
   if (const Notice parts = rates_of_parts(comparison, displacement); !parts.empty())
-    return Notice{
-        "parts_have_other_rates",
-        {{"doubt", comparison.doubts.front()}, {"parts", parts}, {"one_rate", left}, {"with_law", with_law}}};
+    return Notice{"parts_have_other_rates",
+                  {{"doubt", without_uncertainties(comparison.doubts.front())},
+                   {"parts", parts},
+                   {"one_rate", left},
+                   {"with_law", with_law}}};
   if (!comparison.doubts.empty())
     return Notice{viscous ? "no_verdict" : "no_verdict_with_law",
-                  {{"doubt", comparison.doubts.front()}, {"one_rate", left}, {"with_law", with_law}}};
+                  {{"doubt", without_uncertainties(comparison.doubts.front())},
+                   {"one_rate", left},
+                   {"with_law", with_law}}};
 
   const auto& rates = comparison.recording.decay_by_amplitude;
   const double first = rates.empty() ? 0 : rates.front().law_rate,

@@ -83,4 +83,8 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
 /// Whether the first and the last stretch, each by itself, show that the rate falls (sign 1) or rises (-1).
 bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign);
 
+/// The stretch whose rate is farthest below or above those of both the first and the last: by more than three
+/// standard errors from one of them and two from the other. Null where there is none.
+const AmplitudeRate* beyond_ends(const std::vector<AmplitudeRate>& stretches);
+
 }  // namespace cromer::core

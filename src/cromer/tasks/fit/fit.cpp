@@ -23,7 +23,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
-#include "cromer/tasks/fit/arc_beside_pendulum.h"
+#include "cromer/tasks/fit/beside_pendulum.h"
 #include "cromer/tasks/fit/fit_driven.h"
 #include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/fit_options.h"
@@ -368,6 +368,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   const std::vector<ResidualLine> lines = residual_lines(record, result.fit);
   result.decay_by_amplitude = decay_by_amplitude(kept, result.fit, lines, watch);
+  add_doubts_of_stretches(result.law_doubts, result.decay_by_amplitude);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
@@ -386,7 +387,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   }
   if (!slip.empty()) result.notices.push_back(std::move(slip));
   if constexpr (is_reported)
-    if (Notice arc = arc_beside_pendulum(result); !arc.empty()) result.notices.push_back(std::move(arc));
+    for (Notice (*beside)(const FittedRecording&) : {arc_beside_pendulum, cubic_beside_pendulum})
+      if (Notice told = beside(result); !told.empty()) result.notices.push_back(std::move(told));
   drop_what_no_longer_holds(result.notices, result.fit.message);
   drop_what_no_longer_holds(result.doubts, result.fit.message);
   if constexpr (is_reported)

@@ -24,6 +24,8 @@ std::vector<Parameter> common_numbers(const LawFit& fit, const FittedRecording& 
       derived_quantities(fit, unit_of(result.series), derivative,
                          result.driven ? result.driven->states.x : std::vector<double>{}, force_unit);
   for (Parameter& end : decay_rate_ends(fit, t.back() - t.front())) all.push_back(std::move(end));
+  // Beside a hysteretic force the spring's own frequency is not that of small swings.
+  if (fit.law.has<Hysteresis>()) return all;
   const Estimate& w = fit.angular_frequency();
   all.push_back({"angular_frequency", w, "rad/s"});
   if (!named(all, "pendulum_length")) all.push_back(pendulum_length(w));
@@ -113,6 +115,26 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
   }
   add_one_rate(doubts, *chosen);
   return doubts;
+}
+
+void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<AmplitudeRate>& stretches) {
+  if (stretches.size() < 3) return;
+  const AmplitudeRate &first = stretches.front(), &last = stretches.back();
+  const double larger = std::max(std::abs(first.law_rate), std::abs(last.law_rate));
+  if (std::abs(first.law_rate - last.law_rate) <= alike_rates * larger) return;
+  constexpr double by_chance = 2;  // standard errors
+  for (const auto& [name, end] :
+       {std::pair{"decay_rate_start", &first}, std::pair{"decay_rate_end", &last}}) {
+    const double off = end->rate.value - end->law_rate, seen = by_chance * end->rate.standard_error;
+    if (!(std::abs(off) > seen)) continue;
+    const double by = std::sqrt(off * off - seen * seen);
+    const auto known =
+        std::find_if(doubts.begin(), doubts.end(), [&](const LawDoubt& each) { return each.name == name; });
+    if (known == doubts.end())
+      doubts.push_back({name, by});
+    else
+      known->by = std::hypot(known->by, by);
+  }
 }
 
 Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {

@@ -10,6 +10,7 @@
 
 namespace cromer::core {
 
+struct AmplitudeRate;
 struct FittedRecording;
 
 /// What a standard error lacks, in quadrature, because other laws fit as well: how far their numbers are from
@@ -27,6 +28,10 @@ struct LawDoubt {
 /// driven, its motion. `force_unit` as in derived_quantities().
 std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vector<LawFit>& candidates,
                                  std::string_view force_unit = {});
+
+/// Adds what the first and the last stretch, each fitted by itself, speak against the law's rates at the
+/// ends, where these differ: how far they are from it beyond two of their standard errors, in quadrature.
+void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<AmplitudeRate>& stretches);
 
 /// The number with the doubt of its name in standard error and interval, if there is one.
 Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts);

@@ -12,6 +12,7 @@
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
+#include "cromer/base/for_page.h"
 #include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
@@ -136,11 +137,76 @@ void rank(std::vector<Axis>& axes) {
   std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.score > b.score; });
 }
 
+/// Whether a gyroscope turns round steadily about its third axis while the other two swing alike; else empty.
+[[maybe_unused]] Notice turning_round(const std::vector<Axis>& ranked, std::size_t quarter) {
+  if (ranked.size() != 3 || ranked[2].series.quantity != "angular velocity") return {};
+  const Series& third = ranked[2].series;
+  const std::size_t n = third.y.size(), first = quarter * n / quarters, end = (quarter + 1) * n / quarters;
+  double sum = 0, squares = 0;
+  for (std::size_t i = first; i < end; ++i) sum += third.y[i], squares += third.y[i] * third.y[i];
+  const auto count = static_cast<double>(end - first);
+  const double mean = sum / count, spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  constexpr double steadily = 3;
+  if (!(std::abs(mean) > steadily * spread && std::abs(mean) > ranked[0].swings[quarter].amplitude))
+    return {};
+  return Notice{"sensor_turns_round", {{"axis", third.column}, {"mean", mean}}};
+}
+
+double correlation(std::span<const double> a, std::span<const double> b) {
+  const auto n = static_cast<double>(a.size());
+  double sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, both = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum_a += a[i], sum_b += b[i];
+    squares_a += a[i] * a[i], squares_b += b[i] * b[i], both += a[i] * b[i];
+  }
+  const double variances = (squares_a - sum_a * sum_a / n) * (squares_b - sum_b * sum_b / n);
+  return variances > 0 ? (both - sum_a * sum_b / n) / std::sqrt(variances) : 0;
+}
+
+std::vector<double> rate_of_change(const Series& series) {
+  std::vector<double> rates(series.y.size());
+  for (std::size_t i = 1; i + 1 < rates.size(); ++i)
+    rates[i] = (series.y[i + 1] - series.y[i - 1]) / (series.t[i + 1] - series.t[i - 1]);
+  return rates;
+}
+
+/// Of a file without names: another column that swings at the same frequency, and is neither the taken one
+/// written again nor its rate of change. The motion may then not lie along the taken one. Else empty.
+[[maybe_unused]] Notice swings_alongside(const Recording& recording, const Series& taken, int run,
+                                         const ReadOptions& options) {
+  if (recording.named || !(taken.rate > 0) || taken.t.size() < 64) return {};
+  constexpr double clearly = 0.3, the_same = 0.8;  // of the variance, and a correlation
+  const auto line_of = [](const Series& series) {
+    return strongest_line(least_squares_spectrum(series.t, series.y, 1 / series.rate));
+  };
+  const auto line = line_of(taken);
+  if (!line) return {};
+  const std::vector<double> rates = rate_of_change(taken);
+  for (const Column& column : recording.table.columns) {
+    if (column.run != run || !column.quantity.empty() || column_title(column) == taken.column) continue;
+    const auto other = take_series(recording, column_title(column), run, options);
+    if (!other || other->t != taken.t) continue;
+    const auto its_line = line_of(*other);
+    const double resolution = two_pi / (taken.t.back() - taken.t.front());
+    if (!its_line || std::abs(its_line->angular_frequency - line->angular_frequency) > resolution ||
+        swing_in(other->t, other->y, other->rate).share < clearly ||
+        std::abs(correlation(taken.y, other->y)) > the_same ||
+        std::abs(correlation(rates, other->y)) > the_same)
+      continue;
+    return Notice{"swings_alongside", {{"column", taken.column}, {"other", other->column}}};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Series> take_motion(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options) {
   Result<Series> series = take_series(recording, column, run, options);
+  if constexpr (!for_page)
+    if (series && column.empty())
+      if (Notice other = swings_alongside(recording, *series, run, options); !other.empty())
+        series->notices.push_back(std::move(other));
   if (series || !column.empty()) return series;
   const std::vector<const Column*> axes = axes_of(recording, run);
   // A pendulum moves sideways: an arc about a centre beside the swing is a spring's, bent by the camera.
@@ -160,15 +226,17 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
   Series liveliest = std::move(found.front().series);
   const std::string unit = unit_of(liveliest);
   const double amplitude = found[0].swings[quarter].amplitude, other = found[1].swings[quarter].amplitude;
-  liveliest.notices.insert(
-      liveliest.notices.begin(),
-      Notice{std::min(amplitude, other) > alike * std::max(amplitude, other) ? "axes_alike"
-                                                                             : "liveliest_axis_taken",
-             {{"column", liveliest.column},
-              {"amplitude", amplitude},
-              {"other", found[1].series.column},
-              {"less", other},
-              {"unit", unit.empty() ? unit : " " + unit}}});
+  const bool are_alike = std::min(amplitude, other) > alike * std::max(amplitude, other);
+  liveliest.notices.insert(liveliest.notices.begin(),
+                           Notice{are_alike ? "axes_alike" : "liveliest_axis_taken",
+                                  {{"column", liveliest.column},
+                                   {"amplitude", amplitude},
+                                   {"other", found[1].series.column},
+                                   {"less", other},
+                                   {"unit", unit.empty() ? unit : " " + unit}}});
+  if constexpr (!for_page)
+    if (Notice turns = turning_round(found, quarter); are_alike && !turns.empty())
+      liveliest.notices.push_back(std::move(turns));
   return liveliest;
 }
 

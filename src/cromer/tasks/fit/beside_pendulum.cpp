@@ -1,8 +1,9 @@
-#include "cromer/tasks/fit/arc_beside_pendulum.h"
+#include "cromer/tasks/fit/beside_pendulum.h"
 
 #include <cmath>
 
 #include "cromer/base/quantity.h"
+#include "cromer/model/terms/term.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 
 namespace cromer::core {
@@ -23,6 +24,18 @@ Notice arc_beside_pendulum(const FittedRecording& fitted) {
                  {"off", 100 * off / radius},
                  {"which", Notice{length.value > radius ? "longer" : "shorter"}}};
   return told;
+}
+
+Notice cubic_beside_pendulum(const FittedRecording& fitted) {
+  constexpr Law other_odd_terms = law_with<OddQuadratic, Quintic, Pendulum>;
+  const Law& law = fitted.fit.law;
+  const Estimate *w = fitted.find("angular_frequency"), *cubic = fitted.find("cubic");
+  if (!w || !cubic || fitted.driven || !fitted.series.quantity.starts_with("ang") ||
+      law.shares(other_odd_terms) || fitted.says("no_law_describes") || !(cubic->standard_error > 0))
+    return {};
+  const double pendulum = -w->value * w->value / 6;
+  const bool within = cubic->low <= pendulum && pendulum <= cubic->high;
+  return Notice{within ? "cubic_of_a_pendulum" : "cubic_of_no_pendulum", {{"size", -pendulum}}};
 }
 
 }  // namespace cromer::core
