@@ -33,13 +33,15 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
       "with one rate for all damping 2.00\u00a0cm (rms) are left and the amplitude at the end is ";
   const std::string end = ", with viscous+drag 1.00\u00a0cm. Quote the law instead.";
   EXPECT_EQ(in_words(explanation(both)),
-            "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
+            "One decay rate is not enough. By the law it falls from 0.400 to 0.200\u00a01/s as the swing "
+            "dies down from "
             "50.0\u00a0cm to 25.0\u00a0cm; " +
                 left + "10\u00a0% too small" + end);
   both.curves[0].amplitude_ratio_end = 1.1;
   std::swap(both.recording.decay_by_amplitude[0], both.recording.decay_by_amplitude[1]);
   EXPECT_EQ(in_words(explanation(both)),
-            "One decay rate is not enough. It rises from 0.200 to 0.400\u00a01/s as the swing grows from "
+            "One decay rate is not enough. By the law it rises from 0.200 to 0.400\u00a01/s as the swing "
+            "grows from "
             "25.0\u00a0cm to 50.0\u00a0cm; " +
                 left + "10\u00a0% too large" + end);
   both.curves[0].amplitude_ratio_end = 1.0004;
@@ -138,8 +140,8 @@ TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
       in_words(explanation(both)),
       "No law that was tried tells more than one decay rate: with one rate for all damping 2.00\u00a0cm "
       "(rms) are left. But "
-      "the rates of single stretches lie between −0.13 and 0.15\u00a01/s, more apart than their own "
-      "uncertainties: something else takes part.");
+      "the rates of single stretches, −0.13 to 0.15\u00a01/s, scatter about it by more than their own "
+      "uncertainties allow: something else takes part.");
   both.recording.decay_by_amplitude = {stretch(0.06, 0.02), stretch(0.04, 0.02), stretch(0.07, 0.02)};
   EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("One decay rate is enough"));
 }
@@ -189,7 +191,7 @@ TEST(Explanation, AConstantRateLeavesTheFrequency) {
                                              numbers + " The frequency changes as the swing dies down.");
   both.recording.decay_by_amplitude[1].law_rate = 0.391;
   EXPECT_THAT(in_words(explanation(both)),
-              testing::StartsWith("One decay rate is not enough. It falls from"));
+              testing::StartsWith("One decay rate is not enough. By the law it falls from"));
   both.recording.decay_by_amplitude.clear();
   EXPECT_EQ(in_words(explanation(both)), "One decay rate is not enough: " + numbers);
 }

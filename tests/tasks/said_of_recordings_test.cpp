@@ -277,8 +277,11 @@ TEST(SaidOfRecordings, HarmonicsAreNoModes) {
       EXPECT_THAT(fit.modes, IsEmpty()) << g << ' ' << second << ' ' << third;
       EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("two modes"))))
           << g << ' ' << second << ' ' << third;
-      EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("harmonic")))
-          << g << ' ' << second << ' ' << third;
+      // Unless a law takes it up: an odd spring with hysteresis leaves the noise alone.
+      if (fit.fit.residual.rms > 1.5e-4) {
+        EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("harmonic")))
+            << g << ' ' << second << ' ' << third;
+      }
     }
 }
 

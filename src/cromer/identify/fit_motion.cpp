@@ -463,6 +463,9 @@ KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& kno
   settings.error_tolerance = 0.1;
   std::vector<LeastSquaresSummary> tried(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) tried[i].parameters = problem.fitted().pack(starts[i]);
+  const auto is_lower = [](const LeastSquaresSummary& a, const LeastSquaresSummary& b) {
+    return a.equations.sum_of_squares < b.equations.sum_of_squares;
+  };
   constexpr int few = 8, all = 25;
   for (const int limit :
        followed < starts.size() ? std::vector<int>{few, all - few} : std::vector<int>{all}) {
@@ -473,14 +476,11 @@ KnownMotion best_start(const std::vector<Motion>& starts, const KnownMotion& kno
       const StepLength steps(problem, {problem.fitted().unpack(p), samples, 0});
       tried[i] = minimise(problem.model(part, steps.coarse(p)), p, settings);
     });
-    std::stable_sort(tried.begin(), tried.end(),
-                     [](const LeastSquaresSummary& a, const LeastSquaresSummary& b) {
-                       return a.equations.sum_of_squares < b.equations.sum_of_squares;
-                     });
-    tried.resize(std::min(tried.size(), followed));
+    while (tried.size() > followed) tried.erase(std::max_element(tried.begin(), tried.end(), is_lower));
   }
-  if (!std::isfinite(tried.front().equations.sum_of_squares)) return known;
-  return {problem.fitted().unpack(tried.front().parameters), samples, known.decay_rate};
+  const LeastSquaresSummary& lowest = *std::min_element(tried.begin(), tried.end(), is_lower);
+  if (!std::isfinite(lowest.equations.sum_of_squares)) return known;
+  return {problem.fitted().unpack(lowest.parameters), samples, known.decay_rate};
 }
 
 }  // namespace

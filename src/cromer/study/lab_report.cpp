@@ -11,6 +11,7 @@
 #include "cromer/figures/panels.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/simulate/run_law.h"
 

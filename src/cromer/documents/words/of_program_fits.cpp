@@ -27,13 +27,6 @@ constexpr Entry entries[] = {
      "lies within the 95 % interval of the fitted one: it may be a pendulum",
      "der kubische Beiwert eines mathematischen Pendels mit dieser Frequenz kleiner Schwingungen, −ω0²/6 = "
      "−{size:.4g} 1/(rad² s²), liegt im 95-%-Intervall des gefundenen: es kann ein Pendel sein"},
-    {"cubic_of_no_pendulum", worth_knowing,
-     "the cubic of a simple pendulum with this frequency of small swings, −ω0²/6 = −{size:.4g} 1/(rad² s²), "
-     "lies outside the 95 % interval of the fitted one: it is no simple pendulum, or the angle's scale is "
-     "off",
-     "der kubische Beiwert eines mathematischen Pendels mit dieser Frequenz kleiner Schwingungen, −ω0²/6 = "
-     "−{size:.4g} 1/(rad² s²), liegt außerhalb des 95-%-Intervalls des gefundenen: es ist kein "
-     "mathematisches Pendel, oder der Maßstab des Winkels stimmt nicht"},
     {"sensor_turns_round", wrong_if_ignored,
      "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
      "turn what does not turn with it; what they record is then no swing of its own",

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -218,10 +217,13 @@ class LawSearch {
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
-    std::vector<std::size_t> order(laws.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return laws[a].size() > laws[b].size(); });
+    std::vector<std::size_t> order, place(laws.size());
+    for (auto terms = static_cast<int>(term_count); terms > 0; --terms)
+      for (std::size_t i = 0; i < laws.size(); ++i)
+        if (laws[i].size() == terms) {
+          place[i] = order.size();
+          order.push_back(i);
+        }
     std::vector<LawFit> fits(laws.size());
     std::vector<char> whole(laws.size());  // not interrupted
     at_once(
@@ -237,8 +239,6 @@ class LawSearch {
           const double done = static_cast<double>(i + 1) / static_cast<double>(laws.size());
           if (whole[i] && watch_.progress && to > from) watch_.progress(from + (to - from) * done);
         });
-    std::vector<std::size_t> place(laws.size());
-    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
     for (const std::size_t i : place)
       if (whole[i]) add(std::move(fits[i]), false);
   }

@@ -75,6 +75,20 @@ inline std::optional<BoundedStep> bounded_step(const NormalEquations& equations,
   }
 }
 
+/// How far a step moves the model, along another: as a sum of squares.
+inline double moved(const NormalEquations& equations, const Parameters& step, const Parameters& other) {
+  double sum = 0;
+  for (int i = 0; i < equations.size; ++i)
+    for (int j = 0; j < equations.size; ++j) sum += step[i] * equations.matrix[i][j] * other[j];
+  return sum;
+}
+
+inline Parameters difference(const Parameters& to, const Parameters& from) {
+  Parameters step{};
+  for (std::size_t i = 0; i < step.size(); ++i) step[i] = to[i] - from[i];
+  return step;
+}
+
 /// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a
 /// sum_of_squares that is not finite marks parameters that cannot be); the start must lie within the bounds.
 template <class Model>
@@ -103,22 +117,10 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
       lambda = std::max(10 * lambda, 1e-9);
       continue;
     }
-    const auto step_to = [&](const Parameters& there) {
-      Parameters step{};
-      for (int i = 0; i < n; ++i) step[i] = there[i] - at.parameters[i];
-      return step;
-    };
-    // How far a step moves the model, along another, as a sum of squares.
-    const auto moved = [&](const Parameters& by, const Parameters& other) {
-      double sum = 0;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) sum += by[i] * at.equations.matrix[i][j] * other[j];
-      return sum;
-    };
-    Parameters trial = bounded->cut_off, step = step_to(trial);
+    Parameters trial = bounded->cut_off, step = difference(trial, at.parameters);
 
-    double motion = moved(step, step);
-    const double along = moved(last, step);
+    double motion = moved(at.equations, step, step);
+    const double along = moved(at.equations, last, step);
     // Along a bent valley full steps lie on one line, each the last one times the same ratio (below 0 where
     // they go to and fro): all that are to come are taken at once. A. C. Aitken, Proc. R. Soc. Edinb. 46, 289
     // (1926).
@@ -132,14 +134,15 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
     const double enough = std::max(options.tolerance * options.tolerance * options.scale * options.scale,
                                    options.error_tolerance * options.error_tolerance * variance);
 
-    NormalEquations equations = model(trial);
     const double before = at.equations.sum_of_squares;
-    // Cut off at a bound, a step may lead uphill: the other parameters were to go along with that one.
-    if (options.along_bounds && bounded->meets_a_bound && !(equations.sum_of_squares <= before)) {
-      trial = bounded->along_the_bound;
-      step = step_to(trial);
-      motion = moved(step, step);
+    NormalEquations equations;
+    for (bool again = options.along_bounds && bounded->meets_a_bound;; again = false) {
       equations = model(trial);
+      if (!again || equations.sum_of_squares <= before) break;
+      // Cut off at a bound, a step may lead uphill: the other parameters were to go along with that one.
+      trial = bounded->along_the_bound;
+      step = difference(trial, at.parameters);
+      motion = moved(at.equations, step, step);
     }
     // Where the step moves the model by less than the sum of squares can resolve, the gradient still can:
     // such a step is taken on trust.

@@ -34,8 +34,8 @@ Notice cubic_beside_pendulum(const FittedRecording& fitted) {
       law.shares(other_odd_terms) || fitted.says("no_law_describes") || !(cubic->standard_error > 0))
     return {};
   const double pendulum = -w->value * w->value / 6;
-  const bool within = cubic->low <= pendulum && pendulum <= cubic->high;
-  return Notice{within ? "cubic_of_a_pendulum" : "cubic_of_no_pendulum", {{"size", -pendulum}}};
+  if (!(cubic->low <= pendulum && pendulum <= cubic->high)) return {};
+  return Notice{"cubic_of_a_pendulum", {{"size", -pendulum}}};
 }
 
 }  // namespace cromer::core

@@ -10,9 +10,10 @@ namespace cromer::core {
 /// one tells the frequency of small swings from that of those recorded.
 Notice arc_beside_pendulum(const FittedRecording& fitted);
 
-/// Whether the cubic of a simple pendulum with this frequency of small swings, -w0^2/6, the first term of its
-/// sine, lies within the interval of the fitted one. Empty where no angle was fitted, the spring has further
-/// odd terms, or no law describes the recording.
+/// Where the cubic of a simple pendulum with this frequency of small swings, -w0^2/6, the first term of its
+/// sine, lies within the interval of the fitted one. Empty where it does not (of swings so large that further
+/// terms count it need not), no angle was fitted, the spring has further odd terms, or no law describes the
+/// recording.
 Notice cubic_beside_pendulum(const FittedRecording& fitted);
 
 }  // namespace cromer::core

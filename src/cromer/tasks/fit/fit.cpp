@@ -368,7 +368,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   const std::vector<ResidualLine> lines = residual_lines(record, result.fit);
   result.decay_by_amplitude = decay_by_amplitude(kept, result.fit, lines, watch);
-  add_doubts_of_stretches(result.law_doubts, result.decay_by_amplitude);
+  if constexpr (is_reported) add_doubts_of_stretches(result.law_doubts, result.decay_by_amplitude);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;

@@ -123,18 +123,19 @@ void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<Am
   const double larger = std::max(std::abs(first.law_rate), std::abs(last.law_rate));
   if (std::abs(first.law_rate - last.law_rate) <= alike_rates * larger) return;
   constexpr double by_chance = 2;  // standard errors
-  for (const auto& [name, end] :
-       {std::pair{"decay_rate_start", &first}, std::pair{"decay_rate_end", &last}}) {
-    const double off = end->rate.value - end->law_rate, seen = by_chance * end->rate.standard_error;
-    if (!(std::abs(off) > seen)) continue;
+  const auto add = [&](std::string_view name, const AmplitudeRate& end) {
+    const double off = end.rate.value - end.law_rate, seen = by_chance * end.rate.standard_error;
+    if (!(std::abs(off) > seen)) return;
     const double by = std::sqrt(off * off - seen * seen);
     const auto known =
         std::find_if(doubts.begin(), doubts.end(), [&](const LawDoubt& each) { return each.name == name; });
     if (known == doubts.end())
-      doubts.push_back({name, by});
+      doubts.push_back({std::string(name), by});
     else
       known->by = std::hypot(known->by, by);
-  }
+  };
+  add("decay_rate_start", first);
+  add("decay_rate_end", last);
 }
 
 Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {

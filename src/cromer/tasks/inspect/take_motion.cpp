@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
 #include "cromer/base/for_page.h"
+#include "cromer/base/pi.h"
 #include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
@@ -93,7 +93,7 @@ AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double 
 /// Whether an angle goes through a whole turn, which no swing does.
 bool goes_round(const Series& angle) {
   const auto [low, high] = extent_of(angle.y);
-  return high - low >= 2 * std::numbers::pi;
+  return high - low >= two_pi;
 }
 
 constexpr std::size_t quarters = 4;
