@@ -199,7 +199,7 @@ class StepLength {
     const double rms = rms_of(at, samples);
     if (!recorded()) {
       h = for_share(at.parameters, rms, 0.05);
-      constexpr double shortest = 1.0 / 1000;  // of a period: what needs less does not belong to the record
+      constexpr double shortest = 1.0 / 300;  // of a period: what needs less does not belong to the record
       return measured ? halved(at.parameters, h, 0.0025 * rms * rms / n, shortest * period()) : h;
     }
     // A standard error moves the motion by one residual's rms in all. Steps shorter than this are not tried:

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "cromer/base/function_ref.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 
 namespace cromer::core {
@@ -91,9 +92,8 @@ inline Parameters difference(const Parameters& to, const Parameters& from) {
 
 /// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a
 /// sum_of_squares that is not finite marks parameters that cannot be); the start must lie within the bounds.
-template <class Model>
-LeastSquaresSummary minimise(const Model& model, const Parameters& start,
-                             const LeastSquaresOptions& options) {
+inline LeastSquaresSummary minimise(FunctionRef<NormalEquations(const Parameters&)> model,
+                                    const Parameters& start, const LeastSquaresOptions& options) {
   LeastSquaresSummary at;
   at.parameters = start;
   at.equations = model(start);
