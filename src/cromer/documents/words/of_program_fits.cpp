@@ -27,19 +27,6 @@ constexpr Entry entries[] = {
      "lies within the 95 % interval of the fitted one: it may be a pendulum",
      "der kubische Beiwert eines mathematischen Pendels mit dieser Frequenz kleiner Schwingungen, −ω0²/6 = "
      "−{size:.4g} 1/(rad² s²), liegt im 95-%-Intervall des gefundenen: es kann ein Pendel sein"},
-    {"sensor_turns_round", wrong_if_ignored,
-     "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
-     "turn what does not turn with it; what they record is then no swing of its own",
-     "„{axis}“ dreht sich mit {mean:.2g} rad/s weiter: der Sensor selbst dreht sich, und seine beiden "
-     "anderen "
-     "Achsen sehen abwechselnd, was sich nicht mitdreht; was sie aufzeichnen, ist dann keine eigene "
-     "Schwingung"},
-    {"swings_alongside", worth_knowing,
-     "\"{other}\" swings at the same frequency, and is neither \"{column}\" again nor its rate of change: "
-     "the motion may not lie along \"{column}\" alone, and its decay not be that of one free swing",
-     "„{other}“ schwingt mit derselben Frequenz und ist weder „{column}“ noch einmal noch deren "
-     "Änderungsrate: die Bewegung verläuft vielleicht nicht nur entlang „{column}“, und ihr Abklingen ist "
-     "dann nicht das einer freien Schwingung"},
     {"longer", clause, "longer", "länger"},
     {"shorter", clause, "shorter", "kürzer"},
     // A recorded force
