@@ -1,7 +1,9 @@
 // Records whose noise is so small, or whose motion is such, that the steps of the integration decide.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/law_fit.h"
@@ -26,6 +28,23 @@ TEST(HardlyAnyNoise, TheLawIsNotOneTermTooMany) {
     const Law expected = truth.decay_rate() > 0 ? truth.law : truth.law.without(law_with<Viscous>);
     EXPECT_EQ(to_text(choose_law({t, y}, options).chosen.law), to_text(expected));
   }
+}
+
+// A long recording with hardly any noise asks for fine steps: laws are compared on fewer swings of it then.
+TEST(HardlyAnyNoise, ALongRecordingIsComparedOnItsBeginning) {
+  const FreeSwing truth{.angular_frequency = 9.4, .decay_rate = 1e-3, .drag = 0.05, .position = 0.03};
+  const std::vector<double> t = even_times(260'000, 0.008);
+  const std::vector<double> y = noisy(free_motion(truth, t, 0.005).x, 1e-8 * truth.position);
+  const LawFit fit = choose_law({t, y}, {}).chosen;
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  EXPECT_EQ(to_text(fit.law), "viscous+drag");
+  EXPECT_NEAR(fit["drag"].value, 0.05, 1e-6);
+  ASSERT_EQ(fit.notices.at(0).code, "laws_compared_on_a_part");
+  const Notice& said = fit.notices[0];
+  const auto time = std::find_if(said.values.begin(), said.values.end(),
+                                 [](const NoticeValue& each) { return each.name == "time"; });
+  ASSERT_NE(time, said.values.end());
+  EXPECT_LT(std::get<double>(time->value), 500);
 }
 
 // A hysteretic force has corners where the body turns.

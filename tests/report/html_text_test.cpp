@@ -78,6 +78,28 @@ TEST(PageText, EveryUnitStaysWithItsNumber) {
   EXPECT_EQ(inline_html("0 s 9 s"), "0\u00A0s 9\u00A0s");
 }
 
+TEST(PageText, AFormulaStaysOnItsLine) {
+  EXPECT_EQ(inline_html("so k = m / C here"), "so k\u00A0=\u00A0m\u00A0/\u00A0C here");
+  EXPECT_EQ(inline_html("and/or a =b"), "and/or a\u00A0=b");
+}
+
+TEST(PageText, NumbersHaveMinusSignsAndPowersOfTen) {
+  EXPECT_EQ(inline_html("-0.199 N/m (-3)"), "−0.199\u00A0N/m (−3)");
+  EXPECT_EQ(inline_html("3.5e-05 m"), "3.5\u00A0×\u00A010⁻⁵\u00A0m");
+  EXPECT_EQ(inline_html("-2e+10."), "−2\u00A0×\u00A010¹⁰.");
+  for (const char* text :
+       {"2-3", "2026-11-29", "ISO 18431-4", "a-1", "3e5", "3e-5x", "- 3", "-x", "-3rd", "1e-"})
+    EXPECT_EQ(inline_html(text), text);
+  EXPECT_EQ(plain_words("3.5e-05 m"), "3.5\u00A0×\u00A010⁻⁵\u00A0m");
+}
+
+TEST(PageText, AnOptionIsCodeAndStaysOnItsLine) {
+  EXPECT_EQ(inline_html("(--from, --disc-diameter 3 cm)"),
+            "(<code>--from</code>, <code>--disc-diameter</code> 3\u00A0cm)");
+  EXPECT_EQ(inline_html("`cromer fit --mass 3`"), "<code>cromer fit --mass 3</code>");
+  for (const char* text : {"--", "a--b", "-- a"}) EXPECT_EQ(inline_html(text), text);
+}
+
 TEST(PageText, ALineEndIsABlankAndAnEmptyLineAParagraph) {
   EXPECT_EQ(paragraphs_html("a"), "<p>a</p>\n");
   EXPECT_EQ(paragraphs_html("\n\na\r\n b\t\n \t\nc"), "<p>a b</p>\n<p>c</p>\n");

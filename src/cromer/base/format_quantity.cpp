@@ -71,13 +71,6 @@ std::string signed_text(bool negative, const std::string& text) {
 
 bool needs_power(int exponent) { return exponent < -4 || exponent >= 6; }
 
-std::string power_of_ten(int exponent) {
-  std::string text = fmt::format("{0}\u00d7{0}10", no_break_space);
-  for (const char c : std::to_string(exponent))
-    text += c == '-' ? "\u207b" : superscript_digits[static_cast<std::size_t>(c - '0')];
-  return text;
-}
-
 std::string not_finite(double value) {
   if (std::isnan(value)) return "nan";
   return value < 0 ? std::string(true_minus) + "inf" : "inf";
@@ -104,6 +97,13 @@ std::string with_unit(std::string text, std::string_view unit) {
 }
 
 }  // namespace
+
+std::string power_of_ten(int exponent) {
+  std::string text = fmt::format("{0}\u00d7{0}10", no_break_space);
+  for (const char c : std::to_string(exponent))
+    text += c == '-' ? "\u207b" : superscript_digits[static_cast<std::size_t>(c - '0')];
+  return text;
+}
 
 std::string rounded(double value, int digits) {
   if (!std::isfinite(value)) return not_finite(value);

@@ -41,6 +41,9 @@ std::string shortest(double value);
 /// `digits` significant digits, without exponent from 1e-4 to 1e6, true minus sign; for people.
 std::string rounded(double value, int digits);
 
+/// " × 10⁻⁵", as it follows a number.
+std::string power_of_ten(int exponent);
+
 /// An amount of memory: "1.6 GB", "240 TB", three digits with decimal prefixes; bytes >= 0.
 std::string bytes_in_words(double bytes);
 

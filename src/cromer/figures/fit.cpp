@@ -11,6 +11,7 @@
 #include "cromer/figures/motion_curves.h"
 #include "cromer/figures/panels.h"
 #include "cromer/report/enhanced_text.h"
+#include "cromer/tasks/fit/decay_rates.h"
 
 namespace cromer::core {
 namespace {
@@ -83,8 +84,9 @@ Panel decay_panel(const FittedRecording& fitted) {
   points.mark = Mark::dots;
   points.name = "measured";
   points.remark = fmt::format("{} stretches,\n\u00b1 one standard error", points.x.size());
-  panel.x.low = panel.y.low = 0;
-  panel.x.high = 1.05 * largest;
+  panel.y.low = 0;
+  panel.x.logarithmic = span_a_decade(fitted.decay_by_amplitude);
+  if (!panel.x.logarithmic) panel.x.low = 0, panel.x.high = 1.05 * largest;
   panel.y.high = 1.08 * top;
   panel.curves = {std::move(law), std::move(bars), std::move(points)};
   return panel;

@@ -186,10 +186,7 @@ class StepLength {
 
   // As fine as it takes to compare laws at a residual of this rms.
   double rough(const Parameters& at, double rms) const {
-    // Where there is hardly any noise the method's error at coarse steps hides which law is right. This share
-    // of a standard error changes the Bayesian criterion by about four.
-    constexpr double share = 2;
-    return std::min(coarsest * period(), for_share(at, rms, share));
+    return std::min(coarsest * period(), for_share(at, rms, comparing_share));
   }
 
   // The method's error may move a parameter by a twentieth of its standard error, under a recorded force by a
@@ -210,9 +207,8 @@ class StepLength {
   }
 
   double rms_of(const LeastSquaresSummary& at, double samples) const {
-    constexpr double least = 1e-6;  // of the motion: no record is better
     return std::max(std::sqrt(at.equations.sum_of_squares / samples),
-                    least * centred_norm(problem_.record().y) /
+                    least_residual * centred_norm(problem_.record().y) /
                         std::sqrt(static_cast<double>(problem_.record().t.size())));
   }
 
@@ -323,6 +319,8 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     found.iterations += found.minimum.bounded.iterations;
     from = found.minimum.bounded.parameters;
     if (!std::isfinite(found.minimum.bounded.equations.sum_of_squares)) break;
+    // It wanders: of the motions that were recorded none with such a law has.
+    if (measured && found.minimum.bounded.reason == LeastSquaresReason::iteration_limit) break;
     const double finer = steps.fine(found.minimum.bounded, n, found.h, measured);
     if (finer > 0.8 * found.h) break;
     found.h = finer;

@@ -25,6 +25,13 @@ struct Beginning {
 /// says why.
 Beginning begin_fit(const Record& record, const LawFitOptions& options, const Watch& watch);
 
+/// Where laws are compared, steps may move a parameter by this share of its standard error, which changes the
+/// Bayesian criterion by about four: where there is hardly any noise, the error of coarse steps hides which
+/// law is right.
+inline constexpr double comparing_share = 2;
+/// What is left of a record counts as this share of the motion (rms) at least: no record is better.
+inline constexpr double least_residual = 1e-6;
+
 /// Fits options.law from a known motion. If `roughly`, only to a hundredth of the standard errors and in
 /// coarse steps, for comparing laws.
 LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,

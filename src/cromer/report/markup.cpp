@@ -1,10 +1,13 @@
 #include "cromer/report/markup.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/quantity.h"
 
 namespace cromer::core {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 constexpr std::string_view no_break = "\u00A0";
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-bool starts_with(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
+bool is_alnum(char c) { return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z'); }
 
 // The place where the run that `mark` opened before text[from] closes; npos if it does not.
 std::size_t closing(std::string_view text, std::size_t from, std::string_view mark) {
@@ -43,14 +46,13 @@ std::size_t closing_brace(std::string_view text, std::size_t from) {
   return std::string_view::npos;
 }
 
-// A unit or ± after a number stays on the number's line.
+// A unit or ± after a number stays on the number's line, and a formula on one.
 bool keeps_together(std::string_view text, std::size_t blank) {
   if (blank == 0 || blank + 1 >= text.size()) return false;
-  const std::string_view after = text.substr(blank + 1);
-  if (starts_with(after, "±") || starts_with(after, "×") || starts_with(after, "%")) return true;
-  if (starts_with(text.substr(blank >= 2 ? blank - 2 : 0), "±") ||
-      starts_with(text.substr(blank >= 2 ? blank - 2 : 0), "×"))
-    return true;
+  const std::string_view before = text.substr(0, blank), after = text.substr(blank + 1);
+  for (const std::string_view sign : {"±", "×", "=", "/"})
+    if (after.starts_with(sign) || before.ends_with(sign)) return true;
+  if (after.starts_with('%')) return true;
   if (!is_digit(text[blank - 1]) && text[blank - 1] != ')') return false;
   std::size_t end = 0;
   while (end < after.size() && !is_blank(after[end])) ++end;
@@ -71,7 +73,7 @@ class MarkupReader {
 
   std::vector<Piece> read() {
     while (i_ < text_.size())
-      if (!code() && !marked() && !scripts()) character();
+      if (!code() && !option() && !number() && !marked() && !scripts()) character();
     return std::move(pieces_);
   }
 
@@ -84,6 +86,44 @@ class MarkupReader {
     i_ = end + 1;
     return true;
   }
+
+  // Its hyphens are no place to break a line.
+  bool option() {
+    if (!begins_word() || text_.substr(i_, 2) != "--") return false;
+    std::size_t end = i_ + 2;
+    while (end < text_.size() && (is_alnum(text_[end]) || text_[end] == '-')) ++end;
+    if (end == i_ + 2) return false;
+    pieces_.push_back({Piece::Kind::code, std::string(text_.substr(i_, end - i_)), {}});
+    i_ = end;
+    return true;
+  }
+
+  // A minus sign, and a power of ten: -3.5e-05 as −3.5 × 10⁻⁵.
+  bool number() {
+    const bool negative = text_[i_] == '-';
+    const std::size_t first = i_ + (negative ? 1 : 0);
+    if (!begins_word() || !is_digit_at(first)) return false;
+    std::size_t end = first;
+    while (is_digit_at(end) || (end < text_.size() && text_[end] == '.' && is_digit_at(end + 1))) ++end;
+    std::string number(text_.substr(first, end - first));
+    if (end + 2 < text_.size() && text_[end] == 'e' && (text_[end + 1] == '-' || text_[end + 1] == '+')) {
+      int exponent = 0;
+      const char* from = text_.data() + end + (text_[end + 1] == '+' ? 2 : 1);
+      const auto [next, fault] = std::from_chars(from, text_.data() + text_.size(), exponent);
+      if (fault != std::errc()) return false;
+      end = static_cast<std::size_t>(next - text_.data());
+      number += power_of_ten(exponent);
+    } else if (!negative) {
+      return false;
+    }
+    if (end < text_.size() && is_alnum(text_[end])) return false;
+    words((negative ? "−" : "") + number);
+    i_ = end;
+    return true;
+  }
+
+  bool is_digit_at(std::size_t i) const { return i < text_.size() && is_digit(text_[i]); }
+  bool begins_word() const { return i_ == 0 || is_blank(text_[i_ - 1]) || text_[i_ - 1] == '('; }
 
   bool marked() {
     if (text_[i_] != '*') return false;
@@ -122,13 +162,14 @@ class MarkupReader {
     return piece;
   }
 
-  void character() {
+  void words(std::string_view more) {
     if (pieces_.empty() || pieces_.back().kind != Piece::Kind::words)
       pieces_.push_back({Piece::Kind::words, "", {}});
-    if (text_[i_] == ' ' && keeps_together(text_, i_))
-      pieces_.back().text += no_break;
-    else
-      pieces_.back().text += text_[i_];
+    pieces_.back().text += more;
+  }
+
+  void character() {
+    words(text_[i_] == ' ' && keeps_together(text_, i_) ? no_break : text_.substr(i_, 1));
     ++i_;
   }
 

@@ -17,7 +17,8 @@ struct Piece {
 
 /// One paragraph: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as they
 /// come; x_{d}^{2} stands one above the other. A star with a blank at its inner side, or without its partner,
-/// is a star. A number keeps its unit on its line, by a no-break space.
+/// is a star. A number keeps its unit on its line, by a no-break space; it has a true minus sign and a power of
+/// ten for an exponent. An option, --mass, is code.
 std::vector<Piece> pieces_of(std::string_view text);
 
 /// Paragraphs are separated by blank lines; line ends within one are blanks.

@@ -23,12 +23,14 @@ h2 .number{display:inline-block;min-width:14px;margin-right:8px}
 p{margin:0 0 12px}
 .byline{color:var(--text-2);font-size:14.5px;line-height:21px;margin:0 0 24px}
 .summary p{font-size:17.5px;line-height:28px}
-code{font-family:ui-monospace,Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.86em}
+code{font-family:ui-monospace,Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.86em;display:inline-block}
 sub,sup{font-size:.72em;line-height:0}
 .both{display:inline-block;vertical-align:-.36em;line-height:1}
 .both sup,.both sub{display:block;font-size:.66em;line-height:1.06;vertical-align:baseline}
 .key{display:flex;flex-wrap:wrap;border-top:1px solid var(--ink);border-bottom:1px solid var(--line);margin:20px 0 28px;overflow:hidden}
 .key>div{flex:1 1 176px;padding:12px 16px 14px 18px;margin-left:-1px;border-left:1px solid var(--line)}
+.key>div:first-child:nth-last-child(5),.key>div:first-child:nth-last-child(5)~div{flex-basis:30%}
+.key>div:first-child:nth-last-child(5)~div:nth-child(4){padding-left:0}
 .key>div:first-child{padding-left:0}
 .key dt,.key .remark{font-size:13px;line-height:19px;color:var(--text-2)}
 .key dd{margin:0}
@@ -43,6 +45,7 @@ tbody tr:first-child>*{border-top:0}
 th:first-child,td:first-child{padding-left:0}
 th.words,td.words{text-align:left}
 tbody th{font-weight:400}
+td[rowspan]{vertical-align:top}
 td.words{font-size:13.5px;color:var(--text-2);white-space:normal;min-width:120px}
 td.words:first-child,th.words:first-child{white-space:normal;min-width:150px}
 .answer{font-weight:700}
@@ -53,7 +56,7 @@ figcaption{margin:4px 0 0}
 .pair figure{margin:0}
 .pair figure.sole{grid-column:1/-1;max-width:420px}
 pre{background:var(--sunk);border:1px solid var(--line);border-radius:6px;padding:12px 16px;margin:0 0 16px;overflow-x:auto;font-size:13.5px;line-height:20px}
-pre code{font-size:inherit}
+pre code{font-size:inherit;display:inline}
 .skip{position:absolute;left:-9999px}
 .skip:focus{left:24px;top:8px;background:var(--ground);color:var(--ink);padding:4px 8px;outline:2px solid var(--focus);outline-offset:2px}
 :focus-visible{outline:2px solid var(--focus);outline-offset:2px}

@@ -90,7 +90,9 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
   constexpr int points = 200;
   std::vector<double> along, rates, frequencies;
   for (int i = 0; i <= points; ++i) {
-    along.push_back(least + (most - least) * i / points);
+    const double share = static_cast<double>(i) / points;
+    along.push_back(span_a_decade(fitted.decay_by_amplitude) ? least * std::pow(most / least, share)
+                                                             : std::lerp(least, most, share));
     rates.push_back(decay.rate(along.back()));
     frequencies.push_back(law_angular_frequency(fitted.fit, along.back()) / two_pi);
   }
@@ -245,8 +247,15 @@ void collect(const std::string& id, const StaticStiffness& found, Results& resul
     bar.insert(bar.end(), {residual.back() - error, residual.back() + error, none});
   }
   const auto [least, most] = extent_of(mass);
-  results.set_column(id + ".line", {found.line.at(least), found.line.at(most)}, "m", "position");
-  results.set_column(id + ".line_mass", {least, most}, "kg", "mass");
+  const double beyond = 0.05 * (most - least);  // so that no point lies on a figure's frame
+  constexpr int points = 20;  // its name stands beside one of them
+  std::vector<double> along, line;
+  for (int i = 0; i <= points; ++i) {
+    along.push_back(std::lerp(least - beyond, most + beyond, static_cast<double>(i) / points));
+    line.push_back(found.line.at(along.back()));
+  }
+  results.set_column(id + ".line", std::move(line), "m", "position");
+  results.set_column(id + ".line_mass", std::move(along), "kg", "mass");
   results.set_column(id + ".bar_mass", std::move(bar_at), "kg", "mass");
   results.set_column(id + ".bar_residual", std::move(bar), "m", "residual");
   results.set_column(id + ".mass", std::move(mass), "kg", "mass");

@@ -11,6 +11,7 @@
 #include "cromer/figures/panels.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/lab_told.h"
+#include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/simulate/run_law.h"
@@ -457,7 +458,8 @@ class Part : public LabTold {
     figure.x_name =
         with_unit(words("report_amplitude"), figure.x_unit.empty() ? units_.displacement : figure.x_unit);
     constexpr double worth_a_zero = 0.5;  // else an axis from 0 is half empty
-    figure.x_from_zero = smallest->amplitude < worth_a_zero * largest->amplitude;
+    figure.x_logarithmic = span_a_decade(all);
+    figure.x_from_zero = !figure.x_logarithmic && smallest->amplitude < worth_a_zero * largest->amplitude;
     figure.curves = {
         {.of = id_, .role = "fitted", .name = words("report_law_curve"), .x = "law_amplitude", .y = law},
         {.of = id_, .role = "measured", .x = "bar_amplitude", .y = bar},
@@ -542,18 +544,17 @@ class Part : public LabTold {
     for (const Notice& notice : fitted_.notices)
       if (notice.code == "swing_does_not_die_down")
         text += " " + verbatim(words("report_sentence", {{"what", notice}}));
+    if (lacks_a_law()) return paragraph(text);
     double most = 0;
     std::string_view source;
     for (const Contribution& each : fitted_.stiffness_budget)
       if (each.share > most) most = each.share, source = each.quantity;
-    std::size_t known = 0, unknown = 0;
+    std::size_t known = 0;
     for (const Contribution& each : fitted_.stiffness_budget)
-      (each.standard_uncertainty > 0 ? known : unknown)++;
-    if (unknown > 0)
-      for (const Contribution& each : fitted_.stiffness_budget)
-        if (!(each.standard_uncertainty > 0))
-          text += " " + words("report_without_error", {{"quantity", name_of(each.quantity)}});
-    if (lacks_a_law()) return paragraph(text);
+      if (each.standard_uncertainty > 0)
+        ++known;
+      else
+        text += " " + words("report_without_error", {{"quantity", name_of(each.quantity)}});
     if (known > 1 && most > 0.5)
       text += " " + words("report_most_from", {{"quantity", name_of(std::string(source))},
                                                {"share", fmt::format("{:.0f}", 100 * most)}});
@@ -862,7 +863,13 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
   const bool alone = recordings.size() == 1;
   std::vector<std::string> files;
   for (const ReportedRecording& each : recordings) files.push_back(each.fitted.file);
-  const std::vector<std::string> names = short_names(files);
+  std::vector<std::string> names = short_names(files);
+  const std::string first = names.front();
+  const bool of_one_file =
+      !alone && std::all_of(recordings.begin(), recordings.end(), [&](const ReportedRecording& each) {
+        return each.path == recordings.front().path;
+      });
+  if (of_one_file) std::fill(names.begin(), names.end(), "");
   std::vector<Part> parts;
   for (std::size_t i = 0; i < recordings.size(); ++i)
     parts.emplace_back(recordings[i], names[i], task_of(i, recordings.size()), alone, front, page);
@@ -873,14 +880,18 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
     for (const std::string& line : part.summary()) lines += (lines.empty() ? "" : " ") + line;
     summary += (summary.empty() ? "" : "\n\n") + lines;
   }
-  written.begin(alone ? in_words(Notice{"report_title", {{"file", verbatim(parts[0].title())}}}, voice)
-                      : in_words(Notice{"report_title_of_several", {{"count", recordings.size()}}}, voice),
-                summary);
+  const Notice title = alone         ? Notice{"report_title", {{"file", verbatim(parts[0].title())}}}
+                       : of_one_file ? Notice{"report_title_of_runs", {{"file", verbatim(first)}}}
+                                     : Notice{"report_title_of_several", {{"count", recordings.size()}}};
+  written.begin(in_words(title, voice), summary);
   if (alone && recordings[0].fitted.succeeded()) parts[0].key_figures();
   written.own_parts();
   if (!alone) {
     page.table("block");
-    page.text("table", in_words(Notice{"report_recordings"}, voice));
+    std::string caption = in_words(Notice{"report_recordings"}, voice);
+    if (std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.has_only_parts(); }))
+      caption += in_words(Notice{"report_recordings_by_parts"}, voice);
+    page.text("table", caption);
     constexpr const char* codes[] = {"report_recording",     "frequency",          "stiffness",
                                      "report_rate_at_start", "report_rate_at_end", "report_reynolds_max"};
     std::string header;

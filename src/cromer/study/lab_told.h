@@ -54,11 +54,16 @@ class LabTold {
     duration_ = fitted_.series.t.back() - fitted_.series.t.front();
   }
 
+  /// The recording's name; in a report of one file's runs, whose name it then has, the run alone.
   std::string title() const {
+    if (file_.empty()) return say(Notice{"report_run", {{"run", fitted_.series.run}}});
     return fitted_.one_of_several
                ? say(Notice{"report_run_of", {{"file", file_}, {"run", fitted_.series.run}}})
                : file_;
   }
+
+  /// Whether more is known of the recording's parts than of the whole.
+  bool has_only_parts() const { return lacks_a_law() && fitted_.decay_by_amplitude.size() > 1; }
 
  protected:
   /// The steps that a period has in the simulations of the two methods, how many periods they last, and how
@@ -118,9 +123,6 @@ class LabTold {
   std::string as_far_as_known(std::string_view inside, int digits = 3) const {
     return in_braces(lacks_a_law() ? fmt::format("{}, {}", inside, digits) : std::string(inside));
   }
-
-  /// Whether more is known of the recording's parts than of the whole.
-  bool has_only_parts() const { return lacks_a_law() && fitted_.decay_by_amplitude.size() > 1; }
 
   /// Of the first, the last or the middle stretch by itself.
   std::string amplitude_of(std::string_view stretch) const {

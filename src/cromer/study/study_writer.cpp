@@ -91,6 +91,7 @@ void StudyWriter::figure(const FigureLines& figure) {
   text("y_unit", figure.y_unit);
   if (figure.x_from_zero) bare("x_low", "0");
   if (figure.y_from_zero) bare("y_low", "0");
+  if (figure.x_logarithmic) bare("x_logarithmic", "true");
   for (const CurveLines& curve : figure.curves) this->curve(curve);
   table("block");
   text("figure", figure.id);

@@ -35,7 +35,7 @@ struct FigureLines {
   std::string_view size{}, x{}, y{};  ///< all sizes but "wide" take half the page's width
   std::string x_name{}, y_name{};
   std::string x_unit{}, y_unit{};
-  bool x_from_zero = false, y_from_zero = false;
+  bool x_from_zero = false, y_from_zero = false, x_logarithmic = false;
   std::vector<CurveLines> curves{};
 };
 

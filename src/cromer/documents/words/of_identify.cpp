@@ -198,21 +198,17 @@ constexpr Entry entries[] = {
      "alle angepasst"},
     {"rival_laws", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
-     "is right; those of frequency and decay rate, and of a spring constant, also cover how far these laws "
-     "differ. "
+     "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ. "
      "Known whichever law is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
-     "nur, wenn {law} stimmt; die von Frequenz und Abklingrate, und einer Federkonstante, enthalten auch, "
-     "wie weit "
-     "diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
+     "nur, wenn {law} stimmt; die von Frequenz, Abklingrate und etwaiger Federkonstante enthalten auch, "
+     "wie weit diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
-     "is right; those of frequency and decay rate, and of a spring constant, also cover how far these laws "
-     "differ",
+     "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
-     "nur, wenn {law} stimmt; die von Frequenz und Abklingrate, und einer Federkonstante, enthalten auch, "
-     "wie weit "
-     "diese Gesetze auseinanderliegen"},
+     "nur, wenn {law} stimmt; die von Frequenz, Abklingrate und etwaiger Federkonstante enthalten auch, "
+     "wie weit diese Gesetze auseinanderliegen"},
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
 

@@ -8,6 +8,18 @@ using enum Use;
 // What only the program's fits say: of recorded forces, of times that slip, of pendulums, and of a motion
 // that does not lie along one column.
 constexpr Entry entries[] = {
+    {"sensor_turns_round", wrong_if_ignored,
+     "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
+     "turn what does not turn with it; what they record is then no swing of its own",
+     "„{axis}“ dreht sich mit {mean:.2g} rad/s weiter: der Sensor selbst dreht sich, und seine beiden "
+     "anderen Achsen sehen abwechselnd, was sich nicht mitdreht; was sie aufzeichnen, ist dann keine eigene "
+     "Schwingung"},
+    {"swings_alongside", worth_knowing,
+     "\"{other}\" swings at the same frequency, and is neither \"{column}\" again nor its rate of change: "
+     "the motion may not lie along \"{column}\" alone, and its decay not be that of one free swing",
+     "„{other}“ schwingt mit derselben Frequenz und ist weder „{column}“ noch einmal noch deren "
+     "Änderungsrate: die Bewegung verläuft vielleicht nicht nur entlang „{column}“, und ihr Abklingen ist "
+     "dann nicht das einer freien Schwingung"},
     {"arc_as_pendulum", worth_knowing,
      "a simple pendulum with this frequency of small swings is {length:n} long where g is 9.80665 m/s², "
      "which agrees with the arc's radius {radius:n}",

@@ -165,19 +165,6 @@ constexpr Entry entries[] = {
      "far, by {less:.2g}; {|{--column} names another|another one can be chosen}",
      "von den Achsen wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt; „{other}“ schwingt "
      "etwa ebenso weit, um {less:.2g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
-    {"sensor_turns_round", wrong_if_ignored,
-     "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
-     "turn what does not turn with it; what they record is then no swing of its own",
-     "„{axis}“ dreht sich mit {mean:.2g} rad/s weiter: der Sensor selbst dreht sich, und seine beiden "
-     "anderen "
-     "Achsen sehen abwechselnd, was sich nicht mitdreht; was sie aufzeichnen, ist dann keine eigene "
-     "Schwingung"},
-    {"swings_alongside", worth_knowing,
-     "\"{other}\" swings at the same frequency, and is neither \"{column}\" again nor its rate of change: "
-     "the motion may not lie along \"{column}\" alone, and its decay not be that of one free swing",
-     "„{other}“ schwingt mit derselben Frequenz und ist weder „{column}“ noch einmal noch deren "
-     "Änderungsrate: die Bewegung verläuft vielleicht nicht nur entlang „{column}“, und ihr Abklingen ist "
-     "dann nicht das einer freien Schwingung"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",

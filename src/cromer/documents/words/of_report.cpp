@@ -17,6 +17,8 @@ constexpr Entry entries[] = {
     {"report_title", clause, "The law of motion in {file}", "Das Bewegungsgesetz in {file}"},
     {"report_title_of_several", clause, "The laws of motion of {count} recordings",
      "Die Bewegungsgesetze von {count} Aufnahmen"},
+    {"report_title_of_runs", clause, "The laws of motion in {file}", "Die Bewegungsgesetze in {file}"},
+    {"report_run", clause, "Run {run}", "Lauf {run}"},
     {"report_run_of", clause, "{file}, run {run}", "{file}, Lauf {run}"},
     {"report_no_law", clause, "{file}: no law of motion is given. The reason: {why}.",
      "{file}: kein Bewegungsgesetz lässt sich angeben. Der Grund: {why}."},
@@ -118,6 +120,12 @@ constexpr Entry entries[] = {
     {"report_recordings", clause,
      "What the recordings say. The digits in brackets are the standard uncertainty of the last digits.",
      "Was die Aufnahmen sagen. Die Ziffern in Klammern sind die Standardunsicherheit der letzten Stellen."},
+    {"report_recordings_by_parts", clause,
+     " Where no law describes a recording, the frequency is that of its first part, and the decay rates are "
+     "those of its first and its last part, each fitted by itself.",
+     " Wo kein Gesetz eine Aufnahme beschreibt, ist die Frequenz die ihres ersten Teils, und die "
+     "Abklingraten "
+     "sind die ihres ersten und ihres letzten Teils, jeder für sich angepasst."},
     {"report_recording", clause, "recording", "Aufnahme"},
 
     // What its writer adds.

@@ -1,7 +1,9 @@
 #include "cromer/identify/choose/choose_law.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -40,13 +42,30 @@ struct Selection {
   }
 };
 
-// One sample in `stride`, at least sixteen in a period, of as long a beginning of the record as that takes.
-Selection select(const Record& record, double angular_frequency) {
+// As long a beginning of the record as laws are compared on in so many steps, to within the noise that is
+// left from sample to sample: the less of it, the finer the steps, and the sooner laws are told apart.
+double time_to_compare(const Record& record, const LawFit& viscous) {
+  constexpr double most_steps = 50'000;
+  const double amplitude = sinusoid_amplitude(record.y);
+  const double noise = noise_of(motion_residuals(viscous.motion, viscous.drive, record, viscous.step));
+  const double error = comparing_share * std::max(noise / amplitude, least_residual) /
+                       std::sqrt(static_cast<double>(enough_samples));
+  double time = record.t.back() - record.t.front();
+  while (time > most_steps * motion_step(viscous.angular_frequency().value, time, error)) time *= 0.9;
+  return time;
+}
+
+// One sample in `stride`, at least sixteen in a period, of as long a beginning of the record as that takes
+// and as laws are compared on.
+Selection select(const Record& record, const LawFit& viscous) {
   Selection part;
   part.like = record;
-  const std::size_t n = record.t.size();
-  const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
-  const double most = 2 * std::numbers::pi / (angular_frequency * h * samples_per_period);
+  const double end = record.t.front() + time_to_compare(record, viscous);
+  const auto n = std::max(
+      enough_samples,
+      static_cast<std::size_t>(std::upper_bound(record.t.begin(), record.t.end(), end) - record.t.begin()));
+  const double h = (record.t[n - 1] - record.t.front()) / static_cast<double>(n - 1);
+  const double most = 2 * std::numbers::pi / (viscous.angular_frequency().value * h * samples_per_period);
   const std::size_t wanted = (n + enough_samples - 1) / enough_samples;
   part.stride = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(wanted)));
   part.end = std::min(n, part.stride * enough_samples);
@@ -422,18 +441,28 @@ class LawSearch {
     return candidates_[candidate].bic <= candidates_[best_].bic + 30;
   }
 
-  // Fits these as finely as the record asks for.
+  // Fits these as finely as the record asks for. A law whose minimum is not found takes no more than its
+  // share of the steps that are left: the others are to be tried too.
   void refine(std::vector<std::size_t> candidates) {
     std::erase_if(candidates, [&](std::size_t each) { return fine_[each]; });
     std::vector<LawFit> fits(candidates.size());
+    constexpr double share = 0.25;
+    const double steps = watch_.steps_left ? share * *watch_.steps_left : HUGE_VAL;
     at_once(fits.size(), [&](std::size_t k) {
       const LawFit& rough = candidates_[candidates[k]];
       LawFitOptions one = options_;
       one.law = rough.law;
-      fits[k] = fit_motion(record_, one, of_fit(rough, rough.law), k == 0 ? watch_ : quiet_);
+      Watch own = k == 0 ? watch_ : quiet_;
+      own.steps_left = std::make_shared<std::atomic<double>>(steps);
+      fits[k] = fit_motion(record_, one, of_fit(rough, rough.law), own);
+      watch_.take_steps(steps - *own.steps_left);
     });
     for (std::size_t k = 0; k < fits.size(); ++k) {
-      if (fits[k].status == FitStatus::converged) candidates_[candidates[k]] = std::move(fits[k]);
+      LawFit& candidate = candidates_[candidates[k]];
+      if (fits[k].status == FitStatus::converged)
+        candidate = std::move(fits[k]);
+      else if (!watch_.interrupted() && fits[k].status == FitStatus::iteration_limit)
+        candidate.status = FitStatus::iteration_limit;
       fine_[candidates[k]] = true;
     }
   }
@@ -531,7 +560,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   one.law = law_of("viscous");
   const LawFit viscous = fit_law(record, one, watch);
   if (!is_comparable(viscous)) return {viscous, {viscous}};
-  const Selection part = select(record, viscous.angular_frequency().value);
+  const Selection part = select(record, viscous);
   const Record samples = part.record();
   LawChoice choice = LawSearch(samples, options, watch).among_free(0.5);
   if (!is_comparable(choice.chosen) || choice.chosen.law == law_of("viscous")) {

@@ -391,6 +391,13 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   return result;
 }
 
+bool span_a_decade(const std::vector<AmplitudeRate>& stretches) {
+  const auto [smallest, largest] = std::minmax_element(
+      stretches.begin(), stretches.end(),
+      [](const AmplitudeRate& a, const AmplitudeRate& b) { return a.amplitude < b.amplitude; });
+  return smallest != stretches.end() && largest->amplitude > 10 * smallest->amplitude;
+}
+
 const AmplitudeRate* beyond_ends(const std::vector<AmplitudeRate>& stretches) {
   if (stretches.size() < 3) return nullptr;
   const AmplitudeRate* farthest = nullptr;

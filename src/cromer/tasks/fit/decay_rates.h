@@ -87,4 +87,8 @@ bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign);
 /// standard errors from one of them and two from the other. Null where there is none.
 const AmplitudeRate* beyond_ends(const std::vector<AmplitudeRate>& stretches);
 
+/// Whether the largest amplitude is more than ten times the smallest: a linear axis would crowd most
+/// stretches at its lower end.
+bool span_a_decade(const std::vector<AmplitudeRate>& stretches);
+
 }  // namespace cromer::core

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/analysis/spectrum.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/extent.h"
 #include "cromer/base/for_page.h"
@@ -16,6 +15,8 @@
 #include "cromer/read/angle_about_pivot.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
+#include "cromer/tasks/inspect/axis_swing.h"
+#include "cromer/tasks/inspect/beside_the_axis.h"
 
 namespace cromer::core {
 namespace {
@@ -68,28 +69,6 @@ double spread(const Column& column) {
   return n > 0 ? to_si(column).factor * std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) : 0;
 }
 
-/// The strongest line of a stretch of an axis.
-struct AxisSwing {
-  double amplitude = 0;
-  double share = 0;  ///< of the variance
-
-  double clearness() const { return amplitude * share; }
-};
-
-AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double rate) {
-  const auto [low, high] = extent_of(y);
-  // Times far apart would make the spectrum endless.
-  constexpr double sparsest = 100;  // mean step over the nominal one
-  if (y.size() < 4 || low == high || !(rate > 0)) return {};
-  if (!((t.back() - t.front()) * rate < sparsest * static_cast<double>(y.size()))) return {};
-  const auto line = strongest_line(least_squares_spectrum(t, y, 1 / rate));
-  if (!line) return {};
-  double mean = 0, variance = 0;
-  for (const double each : y) mean += each / static_cast<double>(y.size());
-  for (const double each : y) variance += (each - mean) * (each - mean) / static_cast<double>(y.size());
-  return {line->amplitude, std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance)};
-}
-
 /// Whether an angle goes through a whole turn, which no swing does.
 bool goes_round(const Series& angle) {
   const auto [low, high] = extent_of(angle.y);
@@ -137,67 +116,6 @@ void rank(std::vector<Axis>& axes) {
   std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.score > b.score; });
 }
 
-/// Whether a gyroscope turns round steadily about its third axis while the other two swing alike; else empty.
-[[maybe_unused]] Notice turning_round(const std::vector<Axis>& ranked, std::size_t quarter) {
-  if (ranked.size() != 3 || ranked[2].series.quantity != "angular velocity") return {};
-  const Series& third = ranked[2].series;
-  const std::size_t n = third.y.size(), first = quarter * n / quarters, end = (quarter + 1) * n / quarters;
-  double sum = 0, squares = 0;
-  for (std::size_t i = first; i < end; ++i) sum += third.y[i], squares += third.y[i] * third.y[i];
-  const auto count = static_cast<double>(end - first);
-  const double mean = sum / count, spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  constexpr double steadily = 3;
-  if (!(std::abs(mean) > steadily * spread && std::abs(mean) > ranked[0].swings[quarter].amplitude))
-    return {};
-  return Notice{"sensor_turns_round", {{"axis", third.column}, {"mean", mean}}};
-}
-
-double correlation(std::span<const double> a, std::span<const double> b) {
-  const auto n = static_cast<double>(a.size());
-  double sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, both = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum_a += a[i], sum_b += b[i];
-    squares_a += a[i] * a[i], squares_b += b[i] * b[i], both += a[i] * b[i];
-  }
-  const double variances = (squares_a - sum_a * sum_a / n) * (squares_b - sum_b * sum_b / n);
-  return variances > 0 ? (both - sum_a * sum_b / n) / std::sqrt(variances) : 0;
-}
-
-std::vector<double> rate_of_change(const Series& series) {
-  std::vector<double> rates(series.y.size());
-  for (std::size_t i = 1; i + 1 < rates.size(); ++i)
-    rates[i] = (series.y[i + 1] - series.y[i - 1]) / (series.t[i + 1] - series.t[i - 1]);
-  return rates;
-}
-
-/// Of a file without names: another column that swings at the same frequency, and is neither the taken one
-/// written again nor its rate of change. The motion may then not lie along the taken one. Else empty.
-[[maybe_unused]] Notice swings_alongside(const Recording& recording, const Series& taken, int run,
-                                         const ReadOptions& options) {
-  if (recording.named || !(taken.rate > 0) || taken.t.size() < 64) return {};
-  constexpr double clearly = 0.3, the_same = 0.8;  // of the variance, and a correlation
-  const auto line_of = [](const Series& series) {
-    return strongest_line(least_squares_spectrum(series.t, series.y, 1 / series.rate));
-  };
-  const auto line = line_of(taken);
-  if (!line) return {};
-  const std::vector<double> rates = rate_of_change(taken);
-  for (const Column& column : recording.table.columns) {
-    if (column.run != run || !column.quantity.empty() || column_title(column) == taken.column) continue;
-    const auto other = take_series(recording, column_title(column), run, options);
-    if (!other || other->t != taken.t) continue;
-    const auto its_line = line_of(*other);
-    const double resolution = two_pi / (taken.t.back() - taken.t.front());
-    if (!its_line || std::abs(its_line->angular_frequency - line->angular_frequency) > resolution ||
-        swing_in(other->t, other->y, other->rate).share < clearly ||
-        std::abs(correlation(taken.y, other->y)) > the_same ||
-        std::abs(correlation(rates, other->y)) > the_same)
-      continue;
-    return Notice{"swings_alongside", {{"column", taken.column}, {"other", other->column}}};
-  }
-  return {};
-}
-
 }  // namespace
 
 Result<Series> take_motion(const Recording& recording, std::string_view column, int run,
@@ -235,8 +153,13 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
                                    {"less", other},
                                    {"unit", unit.empty() ? unit : " " + unit}}});
   if constexpr (!for_page)
-    if (Notice turns = turning_round(found, quarter); are_alike && !turns.empty())
-      liveliest.notices.push_back(std::move(turns));
+    if (are_alike && found.size() == 3) {
+      const Series& third = found[2].series;
+      const std::size_t n = third.y.size(), first = quarter * n / quarters;
+      const auto during = std::span(third.y).subspan(first, (quarter + 1) * n / quarters - first);
+      if (Notice turns = turns_round(third, during, amplitude); !turns.empty())
+        liveliest.notices.push_back(std::move(turns));
+    }
   return liveliest;
 }
 
