@@ -259,6 +259,42 @@ TEST(ModalMotion, a_release_that_takes_its_time_is_no_part_of_the_free_motion) {
   EXPECT_EQ(find_modes(beginning_late(two_masses(), 100, true, 1).record()).released, 0u);
 }
 
+// A hand moves both masses at first, slowly and as far as they swing later.
+void move_by_hand_at_first(MadeChannels& channels, std::size_t samples, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (auto& channel : channels.values) {
+    std::vector<double> hand(samples + 1, 0);
+    const double size = rms(channel);
+    for (int k = 0; k < 4; ++k) {
+      const double w = 2 * std::numbers::pi * (0.2 + any(random)), phase = 7 * any(random);
+      for (std::size_t i = 0; i < hand.size(); ++i)
+        hand[i] += size * std::sin(w * static_cast<double>(i) * channels.step + phase);
+    }
+    for (std::size_t i = 0; i < samples; ++i) hand[i] += channel.front() - hand.back();
+    channel.insert(channel.begin(), hand.begin(), hand.end() - 1);
+  }
+}
+
+TEST(ModalMotion, what_a_hand_moves_at_first_is_no_part_of_the_free_motion) {
+  const std::vector<TrueMode> truth{{0.7, 0.01, {1.0, 1.0}}, {0.81, 0.008, {-1.0, 1.0}}};
+  int intervals = 0, held = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const std::size_t moved = 200 + 40 * seed;
+    MadeChannels channels = let_go(truth, {1, 0.8}, 2500, 0.02, 0.01, seed);
+    move_by_hand_at_first(channels, moved, seed);
+    const ModalAnalysis found = find_modes(channels.record());
+    ASSERT_EQ(found.motion, ModalMotion::free_decay) << seed;
+    EXPECT_GT(found.still + 60, moved) << seed;
+    EXPECT_LT(found.still, moved + 100) << seed;
+    EXPECT_EQ(found.released, found.still);
+    ASSERT_EQ(found.modes.size(), truth.size()) << seed;
+    for (std::size_t j = 0; j < truth.size(); ++j)
+      ++intervals, held += holds(found.modes[j].frequency, truth[j].frequency);
+  }
+  EXPECT_GE(held, intervals - 5);  // of 40, to two standard deviations
+}
+
 TEST(ModalMotion, few_samples_have_no_still_beginning) {
   MadeChannels channels = beginning_late(two_masses(), 30, true, 1);
   for (auto& channel : channels.values) channel.resize(48);

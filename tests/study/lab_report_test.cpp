@@ -592,12 +592,13 @@ TEST(LabReport, SaysWhichTermMakesTheRateChange) {
 
 TEST(LabReport, GivesTheRateThatLawsOfOtherTrendsHaveInCommon) {
   Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {});
-  lab.recordings.front().fitted.common_decay = Estimate{0.05, 0.004, 0.042, 0.058};
+  lab.recordings.front().fitted.common_decay = MeanDecay{0.02, {0.05, 0.004, 0.042, 0.058}};
   lab.recordings.front().fitted.decay_by_amplitude.clear();
   lab.recordings.front().compared.reset();
   const std::string toml = lab_report(lab.recordings, {}, {});
   EXPECT_THAT(toml,
-              AllOf(HasSubstr("The decay rate is {lab.common_decay} at the record's rms amplitude"),
+              AllOf(HasSubstr("The decay rate is {lab.common_decay} at the record's rms amplitude, "
+                              "{lab.common_decay.amplitude, cm, 3};"),
                     HasSubstr("value = \"{lab.common_decay, concise}\""), Not(HasSubstr("One decay rate"))));
 }
 

@@ -79,7 +79,8 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
   const auto set_stretch = [&](const std::string& name, const AmplitudeRate& stretch) {
     results.set(id + name, Quantity{stretch.rate.value, stretch.rate.standard_error}, "1/s");
     results.set(id + name + ".amplitude", stretch.amplitude, unit);
-    results.set(id + name + ".frequency", stretch.angular_frequency.value / two_pi, "Hz");
+    const Estimate& w = stretch.angular_frequency;
+    results.set(id + name + ".frequency", Quantity{w.value / two_pi, w.standard_error / two_pi}, "Hz");
   };
   set_stretch(".first_stretch", fitted.decay_by_amplitude.front());
   set_stretch(".last_stretch", fitted.decay_by_amplitude.back());
@@ -199,9 +200,11 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
     results.set(id + ".other_stiffness", other->stiffness, "N/m");
     results.set(id + ".other_stiffness.rms", other->rms, unit_of(fitted.series));
   }
-  if (fitted.common_decay)
-    results.set(id + ".common_decay",
-                Quantity{fitted.common_decay->value, fitted.common_decay->standard_error}, "1/s");
+  if (fitted.common_decay) {
+    const auto& [amplitude, rate] = *fitted.common_decay;
+    results.set(id + ".common_decay", Quantity{rate.value, rate.standard_error}, "1/s");
+    results.set(id + ".common_decay.amplitude", amplitude, motion_units(fitted).displacement);
+  }
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
   set_optional(results, id + ".spring_mass", fitted.options.spring_mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
@@ -248,7 +251,7 @@ void collect(const std::string& id, const StaticStiffness& found, Results& resul
   }
   const auto [least, most] = extent_of(mass);
   const double beyond = 0.05 * (most - least);  // so that no point lies on a figure's frame
-  constexpr int points = 20;  // its name stands beside one of them
+  constexpr int points = 20;                    // its name stands beside one of them
   std::vector<double> along, line;
   for (int i = 0; i <= points; ++i) {
     along.push_back(std::lerp(least - beyond, most + beyond, static_cast<double>(i) / points));

@@ -77,12 +77,8 @@ class Part : public LabTold {
   std::vector<std::string> summary() const {
     if (!fitted_.succeeded()) return {no_law()};
     if (is_poorly_described()) {
-      constexpr std::string_view round = "sensor_turns_round";
-      const auto found = std::find_if(fitted_.notices.begin(), fitted_.notices.end(),
-                                      [&](const Notice& notice) { return notice.code == round; });
-      const std::string why = found == fitted_.notices.end()
-                                  ? words("report_perhaps_a_part")
-                                  : " " + verbatim(words("report_sentence", {{"what", *found}}));
+      const std::string round = sentence_of("sensor_turns_round");
+      const std::string why = round.empty() ? words("report_perhaps_a_part") : " " + round;
       return {words("report_poorly_described", {{"file", verbatim(title())}, {"rms", rms()}, {"why", why}})};
     }
     std::vector<std::string> lines;
@@ -99,10 +95,10 @@ class Part : public LabTold {
         : has_amplitude() ? "report_swings_at_amplitude"
                           : "report_swings_at",
         {{"file", verbatim(title())},
-         {"frequency", in_braces(has_only_parts() ? "first_stretch.frequency, 3" : "frequency")},
+         {"frequency", in_braces(has_only_parts() ? "first_stretch.frequency" : "frequency")},
          {"drive", in_braces("drive_frequency, Hz")},
          {"amplitude", has_only_parts() ? amplitude_of("first_stretch") : at_amplitude()},
-         {"last", has_only_parts() ? in_braces("last_stretch.frequency, 3") : ""},
+         {"last", has_only_parts() ? in_braces("last_stretch.frequency") : ""},
          {"last_amplitude", has_only_parts() ? amplitude_of("last_stretch") : ""}});
     if (fitted_.find("stiffness"))
       add("report_spring_constant",
@@ -118,6 +114,7 @@ class Part : public LabTold {
     if (fitted_.reynolds_max) add("report_largest_reynolds", {{"largest", as_far_as_known("reynolds.max")}});
     if (const Notice doubt = first_doubt(); !doubt.empty())
       lines.push_back(verbatim(words("report_sentence", {{"what", doubt}})));
+    if (const std::string other = sentence_of("swings_alongside"); !other.empty()) lines.push_back(other);
     return lines;
   }
 
@@ -131,7 +128,7 @@ class Part : public LabTold {
                                   ? words("report_of_amplitude", {{"amplitude", at_amplitude()}})
                                   : "";
     if (has_only_parts())
-      toml_.key_figure(words("frequency"), in_braces("first_stretch.frequency, 3"),
+      toml_.key_figure(words("frequency"), in_braces("first_stretch.frequency, concise"),
                        words("report_of_amplitude", {{"amplitude", amplitude_of("first_stretch")}}));
     else if (is_known("frequency"))
       key("frequency", "frequency",
@@ -155,7 +152,9 @@ class Part : public LabTold {
     if (has_only_parts())
       return toml_.key_figure(words("report_rate_at_first"), in_braces("first_stretch, concise"),
                               words("report_of_a_part", {{"rate", in_braces("last_stretch")}}));
-    if (has_only_a_common_rate()) return key("decay_rate", "common_decay", words("report_at_rms_amplitude"));
+    if (has_only_a_common_rate())
+      return key("decay_rate", "common_decay",
+                 words("report_at_rms_amplitude", {{"amplitude", amplitude_of("common_decay")}}));
     if (has_one_rate() || !named(fitted_.headline, "decay_rate_end"))
       return key(has_one_rate() ? "decay_rate" : "report_rate_at_start", "decay_rate_start",
                  ends_of("decay_rate_start", start.estimate));
@@ -171,7 +170,7 @@ class Part : public LabTold {
     if (!fitted_.succeeded() || is_poorly_described()) return {verbatim(title()), "–", "–", "–", "–", "–"};
     const bool parts = has_only_parts();
     return {verbatim(title()),
-            parts ? in_braces("first_stretch.frequency, 3") : known("frequency"),
+            parts ? in_braces("first_stretch.frequency, concise") : known("frequency"),
             known("stiffness"),
             parts ? in_braces("first_stretch, concise") : known("decay_rate_start"),
             parts ? in_braces("last_stretch, concise") : known("decay_rate_end"),
@@ -244,7 +243,8 @@ class Part : public LabTold {
 
   void record_figure() {
     const std::string id = figure_id("record");
-    const bool known = fitted_.succeeded(), has_level = known && (is_zero() || is_known("equilibrium"));
+    const bool known = fitted_.succeeded() && !is_poorly_described(),
+               has_level = known && (is_zero() || is_known("equilibrium"));
     const auto [low, high] = extent_of(fitted_.series.y);
     // Of a swing far from zero the ticks have few places before those that change.
     constexpr double far = 50;
@@ -541,9 +541,7 @@ class Part : public LabTold {
                                                      {"rms", rms("other_stiffness.rms", other->rms)},
                                                      {"own", rms()},
                                                      {"stiffness", in_braces("other_stiffness, 5")}});
-    for (const Notice& notice : fitted_.notices)
-      if (notice.code == "swing_does_not_die_down")
-        text += " " + verbatim(words("report_sentence", {{"what", notice}}));
+    if (const std::string lasts = sentence_of("swing_does_not_die_down"); !lasts.empty()) text += " " + lasts;
     if (lacks_a_law()) return paragraph(text);
     double most = 0;
     std::string_view source;
@@ -749,6 +747,7 @@ class Part : public LabTold {
                            : length    ? with_unit(words("report_energy_per_mass"), joules + "/kg")
                                        : with_unit(words("report_energy_per_mass"), units_.energy),
                            length || in_joules ? joules : "");
+    figure.y_from_zero = true;
     add_methods(figure, true);
     toml_.figure(figure);
 
@@ -820,6 +819,13 @@ class Part : public LabTold {
         text += (text.empty() ? "" : "\n\n") +
                 words("report_sentence", {{"what", without_uncertainties(notice)}});
     return text;
+  }
+
+  /// What a notice of this code says; "" where there is none.
+  std::string sentence_of(std::string_view code) const {
+    for (const Notice& notice : fitted_.notices)
+      if (notice.code == code) return verbatim(words("report_sentence", {{"what", notice}}));
+    return "";
   }
 
   void not_told() {

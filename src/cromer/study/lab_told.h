@@ -124,14 +124,15 @@ class LabTold {
     return in_braces(lacks_a_law() ? fmt::format("{}, {}", inside, digits) : std::string(inside));
   }
 
-  /// Of the first, the last or the middle stretch by itself.
-  std::string amplitude_of(std::string_view stretch) const {
+  /// Where a rate holds: of the first, the last or the middle stretch by itself, or of all.
+  std::string amplitude_of(std::string_view rate) const {
     const auto& all = fitted_.decay_by_amplitude;
-    const double size = stretch == "first_stretch"  ? all.front().amplitude
-                        : stretch == "last_stretch" ? all.back().amplitude
-                                                    : beyond_ends(all)->amplitude;
+    const double size = rate == "common_decay"    ? fitted_.common_decay->amplitude
+                        : rate == "first_stretch" ? all.front().amplitude
+                        : rate == "last_stretch"  ? all.back().amplitude
+                                                  : beyond_ends(all)->amplitude;
     const std::string unit = readable_unit(units_.displacement, size);
-    return in_braces(fmt::format("{}.amplitude, {}3", stretch, unit.empty() ? "" : unit + ", "));
+    return in_braces(fmt::format("{}.amplitude, {}3", rate, unit.empty() ? "" : unit + ", "));
   }
 
   /// Of the stretch between the first and the last whose rate is beyond both; "" where there is none.
@@ -194,7 +195,9 @@ class LabTold {
                                                 {"last", in_braces("last_stretch")},
                                                 {"last_amplitude", amplitude_of("last_stretch")},
                                                 {"between", rate_between()}});
-    if (has_only_a_common_rate()) return words("report_rate_common", {{"rate", in_braces("common_decay")}});
+    if (has_only_a_common_rate())
+      return words("report_rate_common",
+                   {{"rate", in_braces("common_decay")}, {"amplitude", amplitude_of("common_decay")}});
     if (!end) return words("report_rate_starts", {{"start", in_braces("decay_rate_start")}});
     const Estimate &a = start->estimate, &b = end->estimate;
     if (has_one_rate()) return words("report_rate_is", {{"rate", in_braces("decay_rate_start")}});

@@ -199,7 +199,7 @@ constexpr Entry entries[] = {
     {"rival_laws", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
      "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ. "
-     "Known whichever law is right: {known}",
+     "Known whichever of them is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
      "nur, wenn {law} stimmt; die von Frequenz, Abklingrate und etwaiger Federkonstante enthalten auch, "
      "wie weit diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
@@ -320,9 +320,10 @@ constexpr Entry entries[] = {
     {"lasting_with", clause, " with", " und"},
     {"second_harmonic", clause,
      "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from "
-     "a restoring force or a sensor that is not symmetric",
+     "an asymmetry of the restoring force or the sensor that the law does not tell",
      "das Doppelte ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
-     "zweite Harmonische, von einer Rückstellkraft oder einem Sensor, die nicht symmetrisch sind"},
+     "zweite Harmonische, von einer Asymmetrie der Rückstellkraft oder des Sensors, die das Gesetz nicht "
+     "beschreibt"},
     {"third_harmonic", clause,
      "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
      "from a restoring force, a damping or a sensor that is nonlinear in another way than the law",

@@ -99,11 +99,14 @@ constexpr Entry entries[] = {
      "wächst, "
      "in großen Schwingungen mehr ausmacht."},
     {"report_rate_common", clause,
-     "The decay rate is {rate} at the record's rms amplitude; how it changes as the swing dies down depends "
+     "The decay rate is {rate} at the record's rms amplitude, {amplitude}; how it changes as the swing dies "
+     "down depends "
      "on which of the laws that fit is right.",
-     "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Aufnahme; wie sie sich beim "
+     "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Aufnahme, {amplitude}; wie "
+     "sie sich beim "
      "Abklingen ändert, hängt davon ab, welches der passenden Gesetze stimmt."},
-    {"report_at_rms_amplitude", clause, "at the rms amplitude", "bei der mittleren Amplitude"},
+    {"report_at_rms_amplitude", clause, "at the rms amplitude, {amplitude}",
+     "bei der mittleren Amplitude {amplitude}"},
     {"report_rate_at_first", clause, "decay rate of the first part", "Abklingrate des ersten Teils"},
     {"report_of_a_part", clause, "last part: {rate}", "letzter Teil: {rate}"},
     {"report_largest_reynolds", clause, "The Reynolds number reaches {largest}.",

@@ -94,9 +94,11 @@ std::vector<Law> free_candidates(bool angle) {
   return laws;
 }
 
-// Of a driven motion: the springs that are met often, each by itself and with drag or friction.
+// Of a driven motion: the springs that are met often, each by itself and with drag or friction; and drag
+// alone, which a steady amplitude does not tell from viscous damping.
 std::vector<Law> driven_candidates(const Law& linear) {
   std::vector<Law> laws;
+  if (linear.shares(springs)) laws.push_back(linear.without(law_with<Viscous>).with(law_with<Drag>));
   for (const Law& shape :
        {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
     for (const Law& damping : {Law{}, law_with<Drag>, law_with<Friction>})

@@ -395,8 +395,12 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
                                   line_of_a_wrong_law, Background::may_wander);
   const Notice zero = wandering_zero(record, residuals, unit);
   say(zero);
-  constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
-  if (line || (zero.empty() && fit.explained < most)) say(not_described(fit, noise, only_law));
+  // Of the motion's squares: what is left then is no detail, or, where it is many times the noise from sample
+  // to sample, hardly slow noise.
+  constexpr double most = 0.95, most_beside_little_noise = 0.999, many = 6;
+  const bool is_much =
+      fit.explained < most || (fit.explained < most_beside_little_noise && fit.residual.rms > many * noise);
+  if (line || (zero.empty() && is_much)) say(not_described(fit, noise, only_law));
   return found;
 }
 

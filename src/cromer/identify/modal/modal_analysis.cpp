@@ -13,6 +13,7 @@
 #include "cromer/identify/modal/mode_search.h"
 #include "cromer/identify/modal/steady_lines.h"
 #include "cromer/identify/modal/still_beginning.h"
+#include "cromer/identify/record.h"
 
 namespace cromer::core {
 namespace {
@@ -224,6 +225,32 @@ ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettin
   return modes_of_lively_part(record, settings);
 }
 
+// Whether the last quarter of each channel moves less than the half before: forces that last do not let it.
+bool dies_down(const ModalRecord& record) {
+  constexpr double less = 0.85;
+  const std::size_t quarter = record.samples() / 4;
+  return std::all_of(record.channels.begin(), record.channels.end(), [&](std::span<const double> channel) {
+    return sinusoid_amplitude(channel.last(quarter)) <
+           less * sinusoid_amplitude(channel.subspan(quarter, 2 * quarter));
+  });
+}
+
+// Where a hand moves it at first, the modes are those of the free motion after it.
+ModalAnalysis after_hold(const ModalRecord& record, const ModalSettings& settings) {
+  ModalAnalysis whole = after_still_beginning(record, settings);
+  const std::size_t half = record.samples() / 2;
+  if (settings.from_first_sample || whole.still > 0 || half < fewest_modal_samples || !dies_down(record))
+    return whole;
+  const ModalAnalysis later = modes_of_lively_part(from_sample(record, half), settings);
+  if (later.motion != ModalMotion::free_decay) return whole;
+  const std::size_t held = samples_of_hold(record, half, later.modes);
+  if (held == 0) return whole;
+  ModalAnalysis after = modes_of_lively_part(from_sample(record, held), settings);
+  if (after.motion != ModalMotion::free_decay) return whole;
+  after.still = after.released = held;
+  return after;
+}
+
 // Of a free motion all modes are fitted together, and these are told: those in the band, and of them so many
 // of most power.
 void keep_asked_for(ModalAnalysis& found, const ModalRecord& record, const ModalSettings& settings) {
@@ -249,9 +276,9 @@ void keep_asked_for(ModalAnalysis& found, const ModalRecord& record, const Modal
 ModalAnalysis find_modes(const ModalRecord& record, const ModalSettings& settings) {
   ModalSettings all = settings;
   all.from = 0, all.to = std::numeric_limits<double>::infinity(), all.modes = 0;
-  ModalAnalysis found = after_still_beginning(record, all);
+  ModalAnalysis found = after_hold(record, all);
   const bool limited = settings.from > 0 || std::isfinite(settings.to) || settings.modes > 0;
-  if (limited && found.motion != ModalMotion::free_decay) return after_still_beginning(record, settings);
+  if (limited && found.motion != ModalMotion::free_decay) return after_hold(record, settings);
   if (limited) keep_asked_for(found, record, settings);
   return found;
 }

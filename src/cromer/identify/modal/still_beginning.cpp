@@ -56,6 +56,7 @@ class SplitVariance {
 // How far a window of samples departs from the motion after it, followed back.
 struct Departure {
   double farthest = 0;  // in standard deviations of the noise
+  double share = 0;     // rms over that of the window's own motion, of the channel that departs most
   std::size_t end = 0;  // one past the last sample that departs by more than noise
 };
 
@@ -72,6 +73,8 @@ Departure departure_before(const ModalRecord& later, const Eigenvalues& eigenval
   for (Eigen::Index c = 0; c < off.cols(); ++c) {
     const auto left = basis.residuals().col(c);
     const double noise = left.norm() / std::sqrt(static_cast<double>(left.size()));
+    const Eigen::VectorXd own = values_of(part).col(c).head(off.rows());
+    found.share = std::max(found.share, off.col(c).norm() / (own.array() - own.mean()).matrix().norm());
     for (Eigen::Index i = 0; i < off.rows(); ++i) {
       found.farthest = std::max(found.farthest, off(i, c) / noise);
       if (off(i, c) > more_than_noise * noise)
@@ -142,6 +145,30 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
       return true;
   }
   return false;
+}
+
+std::size_t samples_of_hold(const ModalRecord& record, std::size_t free,
+                            const std::vector<MeasuredMode>& modes) {
+  constexpr double far_more = 10, of_another_motion = 0.5, periods = 1.5;
+  double slowest = HUGE_VAL;
+  Eigenvalues eigenvalues;
+  for (const MeasuredMode& mode : modes) {
+    slowest = std::min(slowest, mode.frequency.value);
+    eigenvalues.push_back(mode.eigenvalue);
+  }
+  if (eigenvalues.empty()) return 0;
+  const std::size_t window = std::max(record.samples() / 100,
+                                      static_cast<std::size_t>(std::ceil(periods / (slowest * record.step))));
+  for (std::size_t from = free; from >= window; from -= window) {
+    const ModalRecord later = from_sample(record, from);
+    const auto fitted = fit_eigenvalues(later, values_of(later), eigenvalues);
+    if (!fitted) return 0;
+    eigenvalues = *fitted;
+    const ModalRecord part = from_sample(record, from - window);
+    const Departure off = departure_before(later, eigenvalues, part, window);
+    if (off.farthest > far_more && off.share > of_another_motion) return from - window + off.end;
+  }
+  return 0;
 }
 
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {

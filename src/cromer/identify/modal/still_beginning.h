@@ -26,6 +26,12 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
 /// somewhere by thirty times its deviation. 0 where it departs by less.
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes);
 
+/// How many of the first samples are of another motion than the free one after sample `free`, in these modes,
+/// as where a hand moves it: followed back a period and a half at a time, the free motion departs there by
+/// more than ten deviations of its noise and half of what the samples vary by. 0 where it does not.
+std::size_t samples_of_hold(const ModalRecord& record, std::size_t free,
+                            const std::vector<MeasuredMode>& modes);
+
 /// Says when the motion begins, after `still` samples, and what is before it: nothing moves, or, where the
 /// last `released` of them are of a release, it is held and let go.
 Notice still_before_motion(const ModalRecord& record, std::size_t still, std::size_t released);

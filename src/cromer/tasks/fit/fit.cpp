@@ -190,7 +190,7 @@ std::optional<double> change_of_rate(const LawFit& fit, double duration) {
 }
 
 // The decay rate that a law has in common with others that fit as well, where it changes otherwise by them.
-std::optional<Estimate> common_decay(const Record& record, const LawFit& chosen,
+std::optional<MeanDecay> common_decay(const Record& record, const LawFit& chosen,
                                      const std::vector<LawFit>& candidates) {
   const std::optional<MeanDecay> mean = mean_decay(chosen, record);
   const double duration = record.t.back() - record.t.front();
@@ -202,7 +202,7 @@ std::optional<Estimate> common_decay(const Record& record, const LawFit& chosen,
     const std::optional<double> other = change_of_rate(rival, duration);
     return other && std::abs(*other - *change) > otherwise * std::abs(mean->rate.value);
   });
-  return is_open ? std::optional(mean->rate) : std::nullopt;
+  return is_open ? mean : std::nullopt;
 }
 
 // What the fit's message says is not said again. What was stopped has not come to rest by friction, after

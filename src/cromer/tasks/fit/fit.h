@@ -10,6 +10,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
@@ -112,7 +113,7 @@ struct FittedRecording {
   double reynolds_max_t = 0;                   // [s]
   std::optional<Estimate> keulegan_carpenter;  ///< 2 pi A/D at the largest amplitude
   std::vector<AmplitudeRate> decay_by_amplitude;
-  std::optional<Estimate> common_decay{};  ///< [1/s] at the rms amplitude, beside laws that fit as well
+  std::optional<MeanDecay> common_decay{};  ///< at the rms amplitude, beside laws that fit as well
   std::vector<Contribution> stiffness_budget;
   std::optional<MonteCarlo> monte_carlo;
   std::optional<RecordingPlan> plan;

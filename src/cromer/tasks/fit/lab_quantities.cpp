@@ -92,7 +92,7 @@ Body body_of(const FitOptions& options) {
 }
 
 std::optional<OtherStiffness> other_stiffness(const FittedRecording& fitted) {
-  constexpr double nearly_as_good = 4.0 / 3;  // of the rms residual
+  constexpr double nearly_as_good = 1.1;  // of the rms residual
   const Estimate* k = fitted.find("stiffness");
   const double w = fitted.fit.angular_frequency().value;
   if (!k || fitted.driven || !(w > 0)) return std::nullopt;
