@@ -137,7 +137,9 @@ Notice named_rival(const LawFit& fit) {
   std::vector<Notice> coefficients;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const std::string& name = fit.names[i];
-    if (name == "equilibrium" || name == "angular_frequency" || is_of_the_start(name)) continue;
+    if (name == "equilibrium" || name == "angular_frequency" || name.starts_with("drive_") ||
+        is_of_the_start(name))
+      continue;
     coefficients.push_back(
         Notice{"coefficient",
                {{"parameter", parameter_named(name)},

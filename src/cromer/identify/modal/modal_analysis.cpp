@@ -13,7 +13,6 @@
 #include "cromer/identify/modal/mode_search.h"
 #include "cromer/identify/modal/steady_lines.h"
 #include "cromer/identify/modal/still_beginning.h"
-#include "cromer/identify/record.h"
 
 namespace cromer::core {
 namespace {
@@ -229,9 +228,12 @@ ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettin
 bool dies_down(const ModalRecord& record) {
   constexpr double less = 0.85;
   const std::size_t quarter = record.samples() / 4;
+  const auto deviation = [](std::span<const double> values) {
+    const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+    return std::sqrt((all - all.mean()).square().mean());
+  };
   return std::all_of(record.channels.begin(), record.channels.end(), [&](std::span<const double> channel) {
-    return sinusoid_amplitude(channel.last(quarter)) <
-           less * sinusoid_amplitude(channel.subspan(quarter, 2 * quarter));
+    return deviation(channel.last(quarter)) < less * deviation(channel.subspan(quarter, 2 * quarter));
   });
 }
 
