@@ -93,8 +93,8 @@ Result<ReportFront> front_of(const ReportOptions& options) {
   if (!options.author.empty()) front.author = options.author;
   if (!options.course.empty()) front.course = options.course;
   if (!options.text.empty()) front.text = options.text;
-  if (options.language == "de") front.language = Language::german;
-  if (options.language == "en") front.language = Language::english;
+  if (lower(options.language) == "de") front.language = Language::german;
+  if (lower(options.language) == "en") front.language = Language::english;
   return front;
 }
 
@@ -266,7 +266,8 @@ int run_report(const Arguments& arguments) {
         (is_of_fit(typed) || std::any_of(of_front.begin(), of_front.end(),
                                          [&](const Option& each) { return each.name == typed.first; })))
       return refuse(fmt::format("--{}: a study says this itself, in {}", typed.first, files.front()));
-  if (!options.language.empty() && options.language != "en" && options.language != "de")
+  if (const std::string language = lower(options.language);
+      !language.empty() && language != "en" && language != "de")
     return refuse(fmt::format("--language {}: it must be en or de", options.language));
   if (auto good = check_spring_options(options.spring, true); !good) return refuse(good.error());
   if (options.folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");

@@ -118,7 +118,7 @@ TEST(ParseQuantity, RefusalsNameWhatWasExpected) {
   EXPECT_EQ(message("5 zorg", "m"),
             "\"5 zorg\": unknown unit \"zorg\"; expected a length, for instance 12 cm");
   EXPECT_EQ(message("217,6 g", "kg"),
-            "\"217,6 g\" has a decimal comma: write 217.6; expected a mass, for instance 217.6 g");
+            "\"217,6 g\" has a decimal comma: write 217.6 g; expected a mass, for instance 217.6 g");
   EXPECT_EQ(message("1e999", "m"), "\"1e999\" is too large; expected a length, for instance 12 cm");
   EXPECT_EQ(message("5 ± -1 g", "kg"),
             "\"5 ± -1 g\" has a negative uncertainty; expected a mass, for instance 217.6 g");
@@ -203,9 +203,9 @@ TEST(ParseQuantity, BracketsHoldDigitsOnly) {
 }
 
 TEST(ParseQuantity, ADecimalCommaIsCured) {
-  EXPECT_THAT(message("3,14159 m", "m"), HasSubstr("write 3.14159;"));
-  EXPECT_THAT(message("3,09 m", "m"), HasSubstr("write 3.09;"));
-  EXPECT_THAT(message("5 ± 0,9", "m"), HasSubstr("write 0.9;"));
+  EXPECT_THAT(message("3,14159 m", "m"), HasSubstr("write 3.14159 m;"));
+  EXPECT_THAT(message("3,09 m", "m"), HasSubstr("write 3.09 m;"));
+  EXPECT_THAT(message("5 ± 0,9", "m"), HasSubstr("write 5 ± 0.9;"));
   EXPECT_THAT(message("3,", "m"), HasSubstr("unknown unit \",\""));
   EXPECT_THAT(message("3,x", "m"), HasSubstr("unknown unit"));
 }

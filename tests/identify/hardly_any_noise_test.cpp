@@ -34,7 +34,7 @@ TEST(HardlyAnyNoise, TheLawIsNotOneTermTooMany) {
 TEST(HardlyAnyNoise, ALongRecordingIsComparedOnItsBeginning) {
   const FreeSwing truth{.angular_frequency = 9.4, .decay_rate = 1e-3, .drag = 0.05, .position = 0.03};
   const std::vector<double> t = even_times(260'000, 0.008);
-  const std::vector<double> y = noisy(free_motion(truth, t, 0.005).x, 1e-8 * truth.position);
+  const std::vector<double> y = noisy(free_motion(truth, t, 0.005).x, 3e-6 * truth.position);
   const LawFit fit = choose_law({t, y}, {}).chosen;
   ASSERT_EQ(fit.status, FitStatus::converged);
   EXPECT_EQ(to_text(fit.law), "viscous+drag");

@@ -63,8 +63,8 @@ TEST(LevenbergMarquardt, StaysWithinItsBoundsAndFindsTheMinimumThere) {
   EXPECT_NEAR(summary.parameters[0], mean, 1e-9);  // the best constant
 }
 
-// A line through points on a parabola, its slope bounded from below: where the slope stops at its bound, the
-// intercept must go where it does best beside that slope. The two are strongly correlated.
+// A line through points on a steeper one, its slope bounded from below: where the slope stops at its bound,
+// the intercept must go where it does best beside that slope. The two are strongly correlated.
 TEST(LevenbergMarquardt, LeavesNoParameterBehindThatMeetsItsBound) {
   const auto line = [](const Parameters& p) {
     NormalEquations e;
@@ -79,11 +79,13 @@ TEST(LevenbergMarquardt, LeavesNoParameterBehindThatMeetsItsBound) {
   options.residuals = 10;
   options.lower[1] = 0;
   options.along_bounds = true;
-  const LeastSquaresSummary summary = minimise(line, {0, 1}, options);
+  const LeastSquaresSummary summary = minimise(line, {-18.945, 0.1}, options);
   EXPECT_EQ(summary.reason, LeastSquaresReason::converged);
   EXPECT_EQ(summary.parameters[1], 0);
   EXPECT_NEAR(summary.parameters[0], 3 - 2 * 10.45, 1e-9);
   EXPECT_LE(summary.iterations, 3);
+  options.along_bounds = false;
+  EXPECT_GT(minimise(line, {-18.945, 0.1}, options).iterations, 3);
 }
 
 TEST(LevenbergMarquardt, SaysWhenTheLimitIsReached) {

@@ -47,6 +47,21 @@ TEST(Runs, GroupsOfColumns) {
               ElementsAre(1, 1, 2, 2));
 }
 
+TEST(Runs, AreCalledSoInOtherLanguages) {
+  for (const std::string word : {"Durchgang", "Lauf", "Corsa", "Essai", "Ensayo", "Série"}) {
+    const std::string one = word + " #1;", two = word + " #2\n";
+    const Recording read_as = read("Zeit (s) " + one + "Ort (m) " + one + "Zeit (s) " + word +
+                                   " #2;Ort (m) " + two + "0;1;0;2\n1;2;1;3\n");
+    EXPECT_THAT(run_of_columns(read_as), ElementsAre(1, 1, 2, 2)) << word;
+    EXPECT_EQ(read_as.table.columns[3].name, "Ort");
+  }
+  // Sensors and carts have numbers, too.
+  for (const std::string word : {"Sensor", "Cart", "Kanal"})
+    EXPECT_THAT(run_of_columns(read("t (s);x (m) " + word + " #1;x (m) " + word + " #2\n0;1;2\n1;2;3\n")),
+                ElementsAre(1, 1, 1))
+        << word;
+}
+
 TEST(Runs, TracksAreCalledByTheirNames) {
   const Recording r = read("#multi:\n\tball\t\trod\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\t\n0.1\t1\t2\t\t\t\n");
   EXPECT_EQ(r.dialect.name, "Tracker");

@@ -97,7 +97,7 @@ TEST(PageText, AnOptionIsCodeAndStaysOnItsLine) {
   EXPECT_EQ(inline_html("(--from, --disc-diameter 3 cm)"),
             "(<code>--from</code>, <code>--disc-diameter</code> 3\u00A0cm)");
   EXPECT_EQ(inline_html("`cromer fit --mass 3`"), "<code>cromer fit --mass 3</code>");
-  for (const char* text : {"--", "a--b", "-- a"}) EXPECT_EQ(inline_html(text), text);
+  for (const char* text : {"--", "a--b", "-- a", "---", "--5"}) EXPECT_EQ(inline_html(text), text);
 }
 
 TEST(PageText, ALineEndIsABlankAndAnEmptyLineAParagraph) {

@@ -259,7 +259,6 @@ TEST(DecayByAmplitude, AStretchHoldsSomeBeats) {
   EXPECT_GT(std::sqrt(squares / count), 0.3);
 }
 
-// Noise that is slower than a stretch moves its rate, and does not show within it.
 TEST(DecayByAmplitude, AStretchMayBeBeyondBothEnds) {
   const auto with_rates = [](const std::vector<double>& rates) {
     std::vector<AmplitudeRate> stretches;
@@ -278,6 +277,7 @@ TEST(DecayByAmplitude, AStretchMayBeBeyondBothEnds) {
     EXPECT_EQ(beyond_ends(rates), nullptr);
 }
 
+// Noise that is slower than a stretch moves its rate, and does not show within it.
 TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
   double squares = 0, by_themselves = 0, count = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -132,6 +132,27 @@ TEST(LawDoubt, OfASpringOfThreeBendsIsWhatTheLastOneChanged) {
   EXPECT_TRUE(law_doubts(result, {two, closest}).empty());
 }
 
+TEST(LawDoubt, OfAnEndIsWhatItsStretchSaysBeyondTwoErrors) {
+  const auto stretch = [](double rate, double by_the_law) {
+    return AmplitudeRate{0, 0, 1, make_estimate(rate, 0.002, 2), {}, by_the_law, 0};
+  };
+  std::vector<LawDoubt> doubts;
+  add_doubts_of_stretches(doubts, {stretch(0.083, 0.080), stretch(0.07, 0.07), stretch(0.055, 0.060)});
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].name, "decay_rate_end");
+  EXPECT_NEAR(doubts[0].by, 0.003, 1e-12);  // 5 off, 4 seen by chance
+  // With what rival laws say.
+  doubts = {{"decay_rate_end", 0.004}};
+  add_doubts_of_stretches(doubts, {stretch(0.08, 0.08), stretch(0.07, 0.07), stretch(0.055, 0.060)});
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NEAR(doubts[0].by, 0.005, 1e-12);
+  // One rate, or two stretches, say nothing of ends.
+  doubts.clear();
+  add_doubts_of_stretches(doubts, {stretch(0.08, 0.06), stretch(0.06, 0.06), stretch(0.05, 0.06)});
+  add_doubts_of_stretches(doubts, {stretch(0.09, 0.08), stretch(0.05, 0.06)});
+  EXPECT_TRUE(doubts.empty());
+}
+
 TEST(LawDoubt, WidensAnIntervalAsItIs) {
   const std::vector<LawDoubt> doubts{{"frequency", 0.4}};
   const Parameter wide = with_doubt({"frequency", {2, 0.3, 1.4, 2.9}, "Hz"}, doubts);

@@ -245,8 +245,8 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   }));
   EXPECT_THAT(in_words(late.notices),
               testing::ElementsAre(
-                  "nothing moves for the first 10 s: the result is for the motion from 10 s on; --from takes "
-                  "another beginning"));
+                  "for the first 10 s it hardly moves, or is held: the result is for the motion from 10 s on; "
+                  "--from takes another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
   // A beginning that is asked for is taken.
   const ModesResult asked = modes_in(

@@ -80,7 +80,7 @@ TEST(Axis, OfAPhoneThatSpinsNeitherAxisHasASwingOfItsOwn) {
     const auto series = take_motion(*read_recording(text, "gyro.csv", {}), "", 1, {});
     ASSERT_TRUE(series.ok()) << in_words(series.error());
     EXPECT_EQ(series->column, "Gyroscope x (rad/s)");
-    const auto told = testing::Contains(HasSubstr("\"Gyroscope z (rad/s)\" turns on at 4.1 rad/s"));
+    const auto told = testing::Contains(HasSubstr("\"Gyroscope z (rad/s)\" keeps turning at 4.1 rad/s"));
     if (spin > 0)
       EXPECT_THAT(in_words(series->notices), told);
     else

@@ -147,13 +147,12 @@ Result<double> take_number(Reader& reader, std::string_view whole) {
   reader.skip_blanks();
   const auto number = leading_number(reader.rest);
   if (!number) return Error{"not_a_number", {{"text", whole}}};
-  const std::string_view written = reader.rest.substr(0, number->length);
   reader.rest.remove_prefix(number->length);
   if (!std::isfinite(number->value)) return Error{"too_large", {{"text", whole}}};
   if (reader.rest.size() > 1 && reader.rest[0] == ',' && is_digit(reader.rest[1])) {
-    std::string cure(written);
-    cure += '.';
-    for (std::size_t i = 1; i < reader.rest.size() && is_digit(reader.rest[i]); ++i) cure += reader.rest[i];
+    std::string cure(whole);
+    for (std::size_t i = 1; i + 1 < cure.size(); ++i)
+      if (cure[i] == ',' && is_digit(cure[i - 1]) && is_digit(cure[i + 1])) cure[i] = '.';
     return Error{"has_decimal_comma", {{"text", whole}, {"cure", cure}}};
   }
   return number->value;

@@ -319,7 +319,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
     found.iterations += found.minimum.bounded.iterations;
     from = found.minimum.bounded.parameters;
     if (!std::isfinite(found.minimum.bounded.equations.sum_of_squares)) break;
-    // It wanders: of the motions that were recorded none with such a law has.
+    // It wanders along a valley: where such a law is right, a few steps end at the minimum.
     if (measured && found.minimum.bounded.reason == LeastSquaresReason::iteration_limit) break;
     const double finer = steps.fine(found.minimum.bounded, n, found.h, measured);
     if (finer > 0.8 * found.h) break;

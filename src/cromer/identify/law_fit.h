@@ -115,7 +115,7 @@ struct LawFitOptions {
   bool may_grow = false;               ///< the viscous law's decay rate may be negative: a part of a motion
   bool every_sample = false;           ///< outliers as well
   double rms_to_beat =
-      HUGE_VAL;  ///< a fit that leaves 1.2 times this is not refined, one that leaves twice is given up
+      HUGE_VAL;  ///< a fit that leaves 1.2 times this is given up, one whose beginning leaves twice at once
 };
 
 /// Fits one law. Never throws; a record that cannot be fitted is a status with a message. 12,000 samples

@@ -12,14 +12,31 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
+/// Where the word for a run, with '#' behind it, begins at the end of a heading; npos where there is none. A
+/// sensor or a cart may have a number, too.
+std::size_t run_in_another_language(std::string_view before_digits) {
+  constexpr std::string_view words[] = {"Durchgang",  "Durchlauf", "Lauf",   "Messung", "Versuch", "Corsa",
+                                        "Esecuzione", "Prova",     "Misura", "Essai",   "Mesure",  "Ensayo",
+                                        "Prueba",     "Serie",     "Série",  "Trial"};
+  if (!before_digits.ends_with('#')) return std::string_view::npos;
+  const std::string_view head = trimmed(before_digits.substr(0, before_digits.size() - 1));
+  for (const std::string_view word : words)
+    if (head.ends_with(word) && (head.size() == word.size() || head[head.size() - word.size() - 1] == ' '))
+      return head.size() - word.size();
+  return std::string_view::npos;
+}
+
 /// Takes " Run #12" from the end of a heading.
 std::string take_run(std::string_view& text) {
   const std::size_t digits = text.find_last_not_of("0123456789");
   if (digits == std::string_view::npos || digits + 1 == text.size()) return {};
-  const std::size_t at = text.rfind("Run");
-  if (at == std::string_view::npos || (at > 0 && is_digit(text[at - 1]))) return {};
-  for (std::size_t i = at + 3; i <= digits; ++i)
-    if (text[i] != ' ' && text[i] != '#') return {};
+  std::size_t at = run_in_another_language(text.substr(0, digits + 1));
+  if (at == std::string_view::npos) {
+    at = text.rfind("Run");
+    if (at == std::string_view::npos || (at > 0 && is_digit(text[at - 1]))) return {};
+    for (std::size_t i = at + 3; i <= digits; ++i)
+      if (text[i] != ' ' && text[i] != '#') return {};
+  }
   std::string run(text.substr(at));
   text = trimmed(text.substr(0, at));
   if (text.ends_with(',')) text = trimmed(text.substr(0, text.size() - 1));

@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view no_break = "\u00A0";
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-bool is_alnum(char c) { return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z'); }
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+bool is_alnum(char c) { return is_digit(c) || is_letter(c); }
 
 // The place where the run that `mark` opened before text[from] closes; npos if it does not.
 std::size_t closing(std::string_view text, std::size_t from, std::string_view mark) {
@@ -92,7 +93,7 @@ class MarkupReader {
     if (!begins_word() || text_.substr(i_, 2) != "--") return false;
     std::size_t end = i_ + 2;
     while (end < text_.size() && (is_alnum(text_[end]) || text_[end] == '-')) ++end;
-    if (end == i_ + 2) return false;
+    if (end == i_ + 2 || !is_letter(text_[i_ + 2])) return false;
     pieces_.push_back({Piece::Kind::code, std::string(text_.substr(i_, end - i_)), {}});
     i_ = end;
     return true;

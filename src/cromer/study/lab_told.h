@@ -113,10 +113,7 @@ class LabTold {
 
   /// Whether no law that was tried describes the recording: what follows from the law may be far off.
   bool lacks_a_law() const {
-    const std::vector<Notice>& all = compared_ ? compared_->doubts : fitted_.notices;
-    return std::any_of(all.begin(), all.end(), [](const Notice& notice) {
-      return notice.code == "no_law_describes" || notice.code == "law_does_not_describe";
-    });
+    return lack_a_law(compared_ ? compared_->doubts : fitted_.notices);
   }
 
   /// In braces; where no law describes the recording without its uncertainty, to so many digits.
@@ -151,6 +148,8 @@ class LabTold {
       const Estimate* found = fitted_.find(term);
       return found && found->low > 0;
     };
+    const auto& stretches = fitted_.decay_by_amplitude;
+    if (!stretches.empty() && stretches.back().amplitude > stretches.front().amplitude) return "";
     const bool rises = end->estimate.value > start->estimate.value;
     if (rises && is_sure("friction")) return words("report_friction_makes_it_rise");
     if (!rises && is_sure("drag")) return words("report_drag_makes_it_fall");

@@ -37,9 +37,11 @@ constexpr Entry entries[] = {
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
-     "nothing moves for the first {length:.3g} s: the result is for the motion from {from:.4g} s on; "
+     "for the first {length:.3g} s it hardly moves, or is held: the result is for the motion from {from:.4g} "
+     "s on; "
      "{--from} takes another beginning",
-     "in den ersten {length:.3g} s bewegt sich nichts: das Ergebnis gilt für die Bewegung ab {from:.4g} s; "
+     "in den ersten {length:.3g} s bewegt es sich kaum oder wird gehalten: das Ergebnis gilt für die "
+     "Bewegung ab {from:.4g} s; "
      "{--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
      "for the first {length:.3g} s it is held or still being let go: the result is for the motion from "

@@ -38,7 +38,8 @@ constexpr Entry entries[] = {
      "{option:option} gibt es bei {task} nicht; ist {near:option} gemeint?"},
 
     // What a value must satisfy; help says it too.
-    {"must_keep_to", clause, "it must {rule}, not {value}{unit: }", "das {rule}: {value}{unit: } geht nicht"},
+    {"must_keep_to", clause, "it must {rule}, not {value:.9g}{unit: }",
+     "das {rule}: {value:.9g}{unit: } geht nicht"},
     {"be_finite", clause, "be a finite number", "muss eine endliche Zahl sein"},
     {"be_positive", clause, "be positive", "muss größer als 0 sein"},
     {"not_be_negative", clause, "not be negative", "darf nicht negativ sein"},

@@ -9,9 +9,10 @@ using enum Use;
 // that does not lie along one column.
 constexpr Entry entries[] = {
     {"sensor_turns_round", wrong_if_ignored,
-     "\"{axis}\" turns on at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes see in "
+     "\"{axis}\" keeps turning at {mean:.2g} rad/s: the sensor itself turns round, and its other two axes "
+     "see in "
      "turn what does not turn with it; what they record is then no swing of its own",
-     "„{axis}“ dreht sich mit {mean:.2g} rad/s weiter: der Sensor selbst dreht sich, und seine beiden "
+     "„{axis}“ dreht sich mit {mean:.2g} rad/s immer weiter: der Sensor selbst dreht sich, und seine beiden "
      "anderen Achsen sehen abwechselnd, was sich nicht mitdreht; was sie aufzeichnen, ist dann keine eigene "
      "Schwingung"},
     {"swings_alongside", worth_knowing,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -48,7 +49,7 @@ double time_to_compare(const Record& record, const LawFit& viscous) {
   constexpr double most_steps = 50'000;
   const double amplitude = sinusoid_amplitude(record.y);
   const double noise = noise_of(motion_residuals(viscous.motion, viscous.drive, record, viscous.step));
-  const double error = comparing_share * std::max(noise / amplitude, least_residual) /
+  const double error = comparing_share * std::max(noise / amplitude, least_residual / std::sqrt(2.0)) /
                        std::sqrt(static_cast<double>(enough_samples));
   double time = record.t.back() - record.t.front();
   while (time > most_steps * motion_step(viscous.angular_frequency().value, time, error)) time *= 0.9;
@@ -238,13 +239,11 @@ class LawSearch {
     for (const Law& law : wanted)
       if (std::find(laws.begin(), laws.end(), law) == laws.end() && !tried(law) && !too_many_terms(law))
         laws.push_back(law);
-    std::vector<std::size_t> order, place(laws.size());
-    for (auto terms = static_cast<int>(term_count); terms > 0; --terms)
-      for (std::size_t i = 0; i < laws.size(); ++i)
-        if (laws[i].size() == terms) {
-          place[i] = order.size();
-          order.push_back(i);
-        }
+    std::vector<std::size_t> order(laws.size()), place(laws.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return laws[a].size() > laws[b].size(); });
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
     std::vector<LawFit> fits(laws.size());
     std::vector<char> whole(laws.size());  // not interrupted
     at_once(
@@ -448,8 +447,8 @@ class LawSearch {
   void refine(std::vector<std::size_t> candidates) {
     std::erase_if(candidates, [&](std::size_t each) { return fine_[each]; });
     std::vector<LawFit> fits(candidates.size());
-    constexpr double share = 0.25;
-    const double steps = watch_.steps_left ? share * *watch_.steps_left : HUGE_VAL;
+    const double share = std::min(0.25, 1 / static_cast<double>(fits.size() + 1)),
+                 steps = share * *watch_.steps_left;
     at_once(fits.size(), [&](std::size_t k) {
       const LawFit& rough = candidates_[candidates[k]];
       LawFitOptions one = options_;
@@ -464,7 +463,7 @@ class LawSearch {
       if (fits[k].status == FitStatus::converged)
         candidate = std::move(fits[k]);
       else if (!watch_.interrupted() && fits[k].status == FitStatus::iteration_limit)
-        candidate.status = FitStatus::iteration_limit;
+        candidate.status = fits[k].status, candidate.message = fits[k].message;
       fine_[candidates[k]] = true;
     }
   }

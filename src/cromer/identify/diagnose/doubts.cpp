@@ -353,6 +353,10 @@ Notice not_described(const LawFit& fit, double noise, bool only_law) {
 
 }  // namespace
 
+bool is_of_no_law(const Notice& notice) {
+  return notice.code == "no_law_describes" || notice.code == "law_does_not_describe";
+}
+
 bool may_rise(const Record& record, double period) {
   constexpr double least = 0.02;  // of the largest amplitude
   const Rise rise = largest_rise(record, period);

@@ -10,6 +10,9 @@
 
 namespace cromer::core {
 
+/// Whether it says that no law, or not the given one, describes the recording.
+bool is_of_no_law(const Notice& notice);
+
 // Departures from a free swing that have a name.
 
 /// The zero drifts, or jumps: a straight line or one step accounts for three tenths of the residuals'

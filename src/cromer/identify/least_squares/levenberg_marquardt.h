@@ -16,13 +16,13 @@
 namespace cromer::core {
 
 struct LeastSquaresOptions {
-  int iteration_limit = 50;        // > 0
-  double tolerance = 1e-10;        // of a step, relative to the data's scale; 0 < tolerance < 1
-  double error_tolerance = 1e-5;   // of a step, in standard errors; 0 <= error_tolerance < 1
-  double roughness = 0;            // a step of so many standard errors that does not help is the last; >= 0
-  bool along_bounds = false;       // where a minimum may well lie on a bound, not at a far-off start
-  double scale = 1;                // Euclidean norm of the data; > 0
-  int residuals = 1;               // their number; > 0
+  int iteration_limit = 50;       // > 0
+  double tolerance = 1e-10;       // of a step, relative to the data's scale; 0 < tolerance < 1
+  double error_tolerance = 1e-5;  // of a step, in standard errors; 0 <= error_tolerance < 1
+  double roughness = 0;           // a step of so many standard errors that does not help is the last; >= 0
+  bool along_bounds = false;  // where a step that a bound cuts off leads uphill, take the best one along it
+  double scale = 1;           // Euclidean norm of the data; > 0
+  int residuals = 1;          // their number; > 0
   Parameters lower = no_bounds();  // -inf where free
 
   static constexpr Parameters no_bounds() {
@@ -159,7 +159,8 @@ inline LeastSquaresSummary minimise(FunctionRef<NormalEquations(const Parameters
     } else {
       lambda = lambda > 0 ? 10 * lambda : 1e-4;
     }
-    if ((motion <= enough && lambda <= 1e-3) || (unresolved && !better)) {
+    const bool is_rough = motion > 1e-13 * before;  // a step that the sum of squares could resolve
+    if ((motion <= enough && lambda <= 1e-3) || (unresolved && !better && (!is_rough || lambda <= 1e-3))) {
       at.reason = LeastSquaresReason::converged;
       return at;
     }

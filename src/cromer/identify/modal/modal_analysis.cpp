@@ -224,7 +224,7 @@ ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettin
   return modes_of_lively_part(record, settings);
 }
 
-// Whether the last quarter of each channel moves less than the half before: forces that last do not let it.
+// Whether the last quarter of some channel moves less than the half before: forces that last do not let it.
 bool dies_down(const ModalRecord& record) {
   constexpr double less = 0.85;
   const std::size_t quarter = record.samples() / 4;
@@ -232,7 +232,7 @@ bool dies_down(const ModalRecord& record) {
     const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
     return std::sqrt((all - all.mean()).square().mean());
   };
-  return std::all_of(record.channels.begin(), record.channels.end(), [&](std::span<const double> channel) {
+  return std::any_of(record.channels.begin(), record.channels.end(), [&](std::span<const double> channel) {
     return deviation(channel.last(quarter)) < less * deviation(channel.subspan(quarter, 2 * quarter));
   });
 }
@@ -249,6 +249,9 @@ ModalAnalysis after_hold(const ModalRecord& record, const ModalSettings& setting
   if (held == 0) return whole;
   ModalAnalysis after = modes_of_lively_part(from_sample(record, held), settings);
   if (after.motion != ModalMotion::free_decay) return whole;
+  // What the later half no longer shows may have died down since, as a part of the whole.
+  if (whole.motion == ModalMotion::free_decay && !is_spoilt_by(record, held, whole.modes, after.modes))
+    return whole;
   after.still = after.released = held;
   return after;
 }

@@ -56,14 +56,14 @@ class SplitVariance {
 // How far a window of samples departs from the motion after it, followed back.
 struct Departure {
   double farthest = 0;  // in standard deviations of the noise
-  double share = 0;     // rms over that of the window's own motion, of the channel that departs most
+  double share = 0;  // of channels that depart by ten deviations: rms up to the end, over that of the window
   std::size_t end = 0;  // one past the last sample that departs by more than noise
 };
 
 // `later` is what follows the first `window` samples of `part`.
 Departure departure_before(const ModalRecord& later, const Eigenvalues& eigenvalues, const ModalRecord& part,
                            std::size_t window) {
-  constexpr double more_than_noise = 4;
+  constexpr double more_than_noise = 4, far_more_than_noise = 10;
   const DecayBasis basis(later, values_of(later), eigenvalues);
   Eigen::VectorXd seconds(static_cast<Eigen::Index>(window));
   for (std::size_t i = 0; i < window; ++i)
@@ -73,15 +73,26 @@ Departure departure_before(const ModalRecord& later, const Eigenvalues& eigenval
   for (Eigen::Index c = 0; c < off.cols(); ++c) {
     const auto left = basis.residuals().col(c);
     const double noise = left.norm() / std::sqrt(static_cast<double>(left.size()));
-    const Eigen::VectorXd own = values_of(part).col(c).head(off.rows());
-    found.share = std::max(found.share, off.col(c).norm() / (own.array() - own.mean()).matrix().norm());
+    Eigen::Index end = 0;
     for (Eigen::Index i = 0; i < off.rows(); ++i) {
       found.farthest = std::max(found.farthest, off(i, c) / noise);
-      if (off(i, c) > more_than_noise * noise)
-        found.end = std::max(found.end, static_cast<std::size_t>(i) + 1);
+      if (off(i, c) > more_than_noise * noise) end = i + 1;
+    }
+    found.end = std::max(found.end, static_cast<std::size_t>(end));
+    if (off.col(c).maxCoeff() > far_more_than_noise * noise) {
+      const Eigen::ArrayXd own = values_of(part).col(c).head(off.rows());
+      const double departure = std::sqrt(off.col(c).head(end).array().square().mean());
+      found.share = std::max(found.share, departure / std::sqrt((own - own.mean()).square().mean()));
     }
   }
   return found;
+}
+
+// What these modes leave of a record, a column for each channel.
+Eigen::MatrixXd left_by(const ModalRecord& record, const std::vector<MeasuredMode>& modes) {
+  Eigenvalues eigenvalues;
+  for (const MeasuredMode& mode : modes) eigenvalues.push_back(mode.eigenvalue);
+  return DecayBasis(record, values_of(record), eigenvalues).residuals();
 }
 
 }  // namespace
@@ -128,12 +139,8 @@ std::size_t still_samples(const ModalRecord& record) {
 }
 
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes) {
-  Eigenvalues eigenvalues;
-  for (const MeasuredMode& mode : modes) eigenvalues.push_back(mode.eigenvalue);
-  const ModalRecord after = from_sample(record, first);
-  const Eigen::MatrixXd values = values_of(record);
-  const Eigen::MatrixXd left = DecayBasis(record, values, eigenvalues).residuals();
-  const Eigen::MatrixXd left_after = DecayBasis(after, values_of(after), eigenvalues).residuals();
+  const Eigen::MatrixXd values = values_of(record), left = left_by(record, modes),
+                        left_after = left_by(from_sample(record, first), modes);
   constexpr double more = 3, mostly = 0.5;
   const auto begin = static_cast<Eigen::Index>(first);
   for (Eigen::Index c = 0; c < left.cols(); ++c) {
@@ -147,9 +154,18 @@ bool is_still_before(const ModalRecord& record, std::size_t first, const std::ve
   return false;
 }
 
+bool is_spoilt_by(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& of_the_whole,
+                  const std::vector<MeasuredMode>& of_the_part) {
+  constexpr double worse = 1.5;
+  const Eigen::MatrixXd whole = left_by(record, of_the_whole),
+                        part = left_by(from_sample(record, first), of_the_part);
+  return (whole.bottomRows(part.rows()).colwise().norm().array() > worse * part.colwise().norm().array())
+      .any();
+}
+
 std::size_t samples_of_hold(const ModalRecord& record, std::size_t free,
                             const std::vector<MeasuredMode>& modes) {
-  constexpr double far_more = 10, of_another_motion = 0.5, periods = 1.5;
+  constexpr double of_another_motion = 0.5, periods = 1.5;
   double slowest = HUGE_VAL;
   Eigenvalues eigenvalues;
   for (const MeasuredMode& mode : modes) {
@@ -159,14 +175,15 @@ std::size_t samples_of_hold(const ModalRecord& record, std::size_t free,
   if (eigenvalues.empty()) return 0;
   const std::size_t window = std::max(record.samples() / 100,
                                       static_cast<std::size_t>(std::ceil(periods / (slowest * record.step))));
-  for (std::size_t from = free; from >= window; from -= window) {
+  for (std::size_t from = free; from > 0;) {
     const ModalRecord later = from_sample(record, from);
     const auto fitted = fit_eigenvalues(later, values_of(later), eigenvalues);
     if (!fitted) return 0;
     eigenvalues = *fitted;
-    const ModalRecord part = from_sample(record, from - window);
-    const Departure off = departure_before(later, eigenvalues, part, window);
-    if (off.farthest > far_more && off.share > of_another_motion) return from - window + off.end;
+    const std::size_t length = std::min(window, from);
+    from -= length;
+    const Departure off = departure_before(later, eigenvalues, from_sample(record, from), length);
+    if (off.share > of_another_motion) return from + off.end;
   }
   return 0;
 }

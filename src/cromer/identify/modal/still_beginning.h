@@ -21,14 +21,20 @@ std::size_t still_samples(const ModalRecord& record);
 /// what they vary by: a small swing whose frequency depends on its amplitude leaves less.
 bool is_still_before(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& modes);
 
+/// Whether the modes of a whole record describe what comes after its sample `first` worse than that part's
+/// own modes: by half as large a residual again (rms) in one channel.
+bool is_spoilt_by(const ModalRecord& record, std::size_t first, const std::vector<MeasuredMode>& of_the_whole,
+                  const std::vector<MeasuredMode>& of_the_part);
+
 /// How many of a free decay's first samples, at most six periods of its slowest mode, belong to a release
 /// that took its time: the motion after them, followed back, departs from them by more than noise, and
 /// somewhere by thirty times its deviation. 0 where it departs by less.
 std::size_t samples_of_release(const ModalRecord& record, const std::vector<MeasuredMode>& modes);
 
 /// How many of the first samples are of another motion than the free one after sample `free`, in these modes,
-/// as where a hand moves it: followed back a period and a half at a time, the free motion departs there by
-/// more than ten deviations of its noise and half of what the samples vary by. 0 where it does not.
+/// as where a hand moves it: followed back a period and a half of the slowest, or a hundredth of the record,
+/// at a time, the free motion departs there by more than ten deviations of its noise and half of what the
+/// samples vary by. 0 where it does not.
 std::size_t samples_of_hold(const ModalRecord& record, std::size_t free,
                             const std::vector<MeasuredMode>& modes);
 

@@ -65,6 +65,9 @@ Notice explanation(const CompareResult& comparison);
 /// notice is returned as it is.
 Notice without_uncertainties(const Notice& notice);
 
+/// Whether one of them says that no law, or not the given one, describes the recording.
+bool lack_a_law(const std::vector<Notice>& notices);
+
 /// Simulates one fitted recording. A run that ended early (diverged, interrupted) has NaN figures and a
 /// notice that says when; a run that grows to ten times its law's motion is said to be unstable. A refused
 /// fit has no curves. Errors: a driven motion, a column that is no position or angle, a method that does not

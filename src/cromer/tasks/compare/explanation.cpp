@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cromer/base/length_unit.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/decay_rates.h"
@@ -87,9 +88,9 @@ bool other_rates_fit(const FittedRecording& recording) {
 Notice rates_of_parts(const CompareResult& comparison, std::string_view displacement) {
   const auto& rates = comparison.recording.decay_by_amplitude;
   // Of two swings at once the rate of a part is that of their beat.
-  const auto is_of_no_law = [](const Notice& doubt) { return doubt.code == "no_law_describes"; };
+  const auto none_does = [](const Notice& doubt) { return doubt.code == "no_law_describes"; };
   if (comparison.doubts.empty() || !comparison.recording.modes.empty() ||
-      !std::all_of(comparison.doubts.begin(), comparison.doubts.end(), is_of_no_law) ||
+      !std::all_of(comparison.doubts.begin(), comparison.doubts.end(), none_does) ||
       !(stretches_differ(rates, 1) || stretches_differ(rates, -1)))
     return {};
   const auto rate = [](const AmplitudeRate& each) {
@@ -122,8 +123,12 @@ Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
 
 }  // namespace
 
+bool lack_a_law(const std::vector<Notice>& notices) {
+  return std::any_of(notices.begin(), notices.end(), is_of_no_law);
+}
+
 Notice without_uncertainties(const Notice& notice) {
-  if (notice.code == "no_law_describes" || notice.code == "law_does_not_describe")
+  if (is_of_no_law(notice))
     for (const NoticeValue& each : notice.values)
       if (const auto* what = std::get_if<std::vector<Notice>>(&each.value)) return what->front();
   return notice;

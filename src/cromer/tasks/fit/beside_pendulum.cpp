@@ -1,8 +1,10 @@
 #include "cromer/tasks/fit/beside_pendulum.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cromer/base/quantity.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/model/terms/term.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 
@@ -31,7 +33,8 @@ Notice cubic_beside_pendulum(const FittedRecording& fitted) {
   const Law& law = fitted.fit.law;
   const Estimate *w = fitted.find("angular_frequency"), *cubic = fitted.find("cubic");
   if (!w || !cubic || fitted.driven || !fitted.series.quantity.starts_with("ang") ||
-      law.shares(other_odd_terms) || fitted.says("no_law_describes") || !(cubic->standard_error > 0))
+      law.shares(other_odd_terms) ||
+      std::any_of(fitted.notices.begin(), fitted.notices.end(), is_of_no_law) || !(cubic->standard_error > 0))
     return {};
   const double pendulum = -w->value * w->value / 6;
   if (!(cubic->low <= pendulum && pendulum <= cubic->high)) return {};

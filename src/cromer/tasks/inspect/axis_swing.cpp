@@ -18,7 +18,8 @@ AxisSwing swing_in(std::span<const double> t, std::span<const double> y, double 
   double mean = 0, variance = 0;
   for (const double each : y) mean += each / static_cast<double>(y.size());
   for (const double each : y) variance += (each - mean) * (each - mean) / static_cast<double>(y.size());
-  return {line->amplitude, std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance)};
+  return {line->amplitude, std::min(1.0, 0.5 * line->amplitude * line->amplitude / variance),
+          line->angular_frequency};
 }
 
 }  // namespace cromer::core

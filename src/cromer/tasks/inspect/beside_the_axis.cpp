@@ -1,9 +1,9 @@
 #include "cromer/tasks/inspect/beside_the_axis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "cromer/analysis/spectrum.h"
 #include "cromer/base/pi.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
@@ -32,14 +32,15 @@ std::vector<double> rate_of_change(const Series& series) {
 
 }  // namespace
 
-Notice turns_round(const Series& axis, std::span<const double> during, double amplitude) {
+Notice turns_round(const Series& axis, std::span<const double> during, const AxisSwing& swing) {
   if (axis.quantity != "angular velocity") return {};
   double sum = 0, squares = 0;
   for (const double rate : during) sum += rate, squares += rate * rate;
   const auto count = static_cast<double>(during.size());
   const double mean = sum / count, spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  constexpr double steadily = 3;
-  if (!(std::abs(mean) > steadily * spread && std::abs(mean) > amplitude)) return {};
+  constexpr double steadily = 3, alike = 0.2;
+  if (!(std::abs(mean) > steadily * spread && std::abs(mean) > swing.amplitude)) return {};
+  if (std::abs(swing.angular_frequency - std::abs(mean)) > alike * std::abs(mean)) return {};
   return Notice{"sensor_turns_round", {{"axis", axis.column}, {"mean", mean}}};
 }
 
@@ -47,20 +48,17 @@ Notice swings_alongside(const Recording& recording, const Series& taken, int run
                         const ReadOptions& options) {
   if (recording.named || !(taken.rate > 0) || taken.t.size() < 64) return {};
   constexpr double clearly = 0.3, the_same = 0.8;  // of the variance, and a correlation
-  const auto line_of = [](const Series& series) {
-    return strongest_line(least_squares_spectrum(series.t, series.y, 1 / series.rate));
-  };
-  const auto line = line_of(taken);
-  if (!line) return {};
+  const AxisSwing swing = swing_in(taken.t, taken.y, taken.rate);
+  if (!(swing.angular_frequency > 0)) return {};
+  const double resolution = two_pi / (taken.t.back() - taken.t.front());
   const std::vector<double> rates = rate_of_change(taken);
   for (const Column& column : recording.table.columns) {
     if (column.run != run || !column.quantity.empty() || column_title(column) == taken.column) continue;
     const auto other = take_series(recording, column_title(column), run, options);
     if (!other || other->t != taken.t) continue;
-    const auto its_line = line_of(*other);
-    const double resolution = two_pi / (taken.t.back() - taken.t.front());
-    if (!its_line || std::abs(its_line->angular_frequency - line->angular_frequency) > resolution ||
-        swing_in(other->t, other->y, other->rate).share < clearly ||
+    const AxisSwing its_own = swing_in(other->t, other->y, other->rate);
+    if (its_own.share < clearly ||
+        std::abs(its_own.angular_frequency - swing.angular_frequency) > resolution ||
         std::abs(correlation(taken.y, other->y)) > the_same ||
         std::abs(correlation(rates, other->y)) > the_same)
       continue;

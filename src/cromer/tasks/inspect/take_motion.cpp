@@ -157,7 +157,7 @@ Result<Series> take_motion(const Recording& recording, std::string_view column, 
       const Series& third = found[2].series;
       const std::size_t n = third.y.size(), first = quarter * n / quarters;
       const auto during = std::span(third.y).subspan(first, (quarter + 1) * n / quarters - first);
-      if (Notice turns = turns_round(third, during, amplitude); !turns.empty())
+      if (Notice turns = turns_round(third, during, found[0].swings[quarter]); !turns.empty())
         liveliest.notices.push_back(std::move(turns));
     }
   return liveliest;
