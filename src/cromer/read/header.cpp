@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
@@ -15,15 +16,13 @@ using Cells = std::vector<std::string_view>;
 /// Where the word for a run, with '#' behind it, begins at the end of a heading; npos where there is none. A
 /// sensor or a cart may have a number, too.
 std::size_t run_in_another_language(std::string_view before_digits) {
-  constexpr std::string_view words[] = {"Durchgang",  "Durchlauf", "Lauf",   "Messung", "Versuch", "Corsa",
-                                        "Esecuzione", "Prova",     "Misura", "Essai",   "Mesure",  "Ensayo",
-                                        "Prueba",     "Serie",     "Série",  "Trial"};
+  constexpr std::string_view words =
+      " Durchgang Durchlauf Lauf Messung Versuch Corsa Esecuzione Prova Essai Ensayo Serie Série Trial ";
   if (!before_digits.ends_with('#')) return std::string_view::npos;
   const std::string_view head = trimmed(before_digits.substr(0, before_digits.size() - 1));
-  for (const std::string_view word : words)
-    if (head.ends_with(word) && (head.size() == word.size() || head[head.size() - word.size() - 1] == ' '))
-      return head.size() - word.size();
-  return std::string_view::npos;
+  const std::size_t at = head.rfind(' ') + 1;  // 0 where it is the only word
+  const std::string word = concat({" ", head.substr(at), " "});
+  return words.find(word) == std::string_view::npos ? words.npos : at;
 }
 
 /// Takes " Run #12" from the end of a heading.
