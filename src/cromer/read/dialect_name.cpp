@@ -16,8 +16,9 @@ bool is_datastudio(const Header& header) {
 }
 
 bool is_capstone(const Header& header) {
-  return std::any_of(header.headings.begin(), header.headings.end(),
-                     [](const Heading& heading) { return heading.run.find(" #") != std::string::npos; });
+  return std::any_of(header.headings.begin(), header.headings.end(), [](const Heading& heading) {
+    return heading.prefix.empty() && heading.run.find(" #") != std::string::npos;
+  });
 }
 
 bool has_prefix(const Header& header, std::string_view beginning) {

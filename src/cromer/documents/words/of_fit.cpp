@@ -100,14 +100,12 @@ constexpr Entry entries[] = {
      "{reason}: was ab {from:.4g} s folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung; mit "
      "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"free_middle_taken", worth_knowing,
-     "what comes before {from:.4g} s and after {to:.4g} s does not follow the law of the rest, as while a "
-     "hand moves or stops it: the {kept} of {samples} samples between are taken for a free motion, and what "
-     "a swing less at either end would change is in the uncertainties; {|{--from} and {--to}|the handles} "
-     "choose another part",
-     "was vor {from:.4g} s und nach {to:.4g} s liegt, folgt nicht dem Gesetz des Rests, wie wenn eine Hand "
-     "die Bewegung stört oder anhält: die {kept} von {samples} Messwerten dazwischen gelten als freie "
-     "Bewegung, und was eine Schwingung weniger an beiden Enden ändern würde, ist in den Unsicherheiten; mit "
-     "{|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
+     "what comes before {from:.4g} s and after {to:.4g} s does not belong to the swing between, as while a "
+     "hand moves or stops it: the {kept} of {samples} samples between are taken for a free motion; "
+     "{|{--from} and {--to}|the handles} choose another part",
+     "was vor {from:.4g} s und nach {to:.4g} s liegt, gehört nicht zur Schwingung dazwischen, wie wenn eine "
+     "Hand sie stört oder anhält: die {kept} von {samples} Messwerten dazwischen gelten als freie Bewegung; "
+     "mit {|{--from} und {--to}|den Griffen} lässt sich ein anderer Teil wählen"},
     {"swing_until_caught", worth_knowing,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
      "less than a tenth of it, as when a hand catches it: only what comes before, to {until:.4g} s, {kept} "

@@ -197,7 +197,8 @@ Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, s
   constexpr std::size_t most = 3;
   std::vector<Notice> named;
   for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i) named.push_back(named_rival(*rivals[i]));
-  if (is_fed(best))
+  // At which rate a driven motion would die down each law says for itself.
+  if (is_fed(best) || best.drive.kind != DriveKind::none)
     return Notice{"rival_laws_of_a_fed_swing", {{"law", to_text(best.law)}, {"rivals", named}}};
   return Notice{"rival_laws", {{"law", to_text(best.law)}, {"rivals", named}, {"known", as_clause(*decay)}}};
 }

@@ -63,7 +63,8 @@ const LawFit* shorter_series(const LawFit& chosen, const std::vector<LawFit>& ca
   return closest;
 }
 
-// A law with one decay rate has it at start and end: in as much doubt as the larger of both.
+// A law with one decay rate has it at start and end: in as much doubt as the larger of both; under a drive,
+// which has no such ends, in that of the damping ratio.
 void add_one_rate(std::vector<LawDoubt>& doubts, const LawFit& fit) {
   if (fit.law != Law{fit.law.terms & springs.terms}.with(law_with<Viscous>) || !is_linear(fit.law)) return;
   double most = 0;
@@ -72,6 +73,9 @@ void add_one_rate(std::vector<LawDoubt>& doubts, const LawFit& fit) {
     if (is_rate(each)) most = std::max(most, each.by);
   for (LawDoubt& each : doubts)
     if (is_rate(each)) each.by = most;
+  for (const LawDoubt& each : doubts)
+    if (fit.drive.kind != DriveKind::none && each.name == "damping_ratio")
+      most = each.by * fit.motion.angular_frequency();
   if (most > 0) doubts.push_back({"decay_rate", most});
 }
 
