@@ -258,13 +258,15 @@ TEST(DoubtsLimits, WhatIsLeftHasAName) {
     EXPECT_THAT(said_of(drift, fit_that_leaves_much(explained)),
                 testing::Contains(HasSubstr("the zero drifts, by 8 m over the record")))
         << explained;
-  const auto said_of_other = [&](double explained) {
+  const auto said_of_other = [&](double explained, double times) {
     LawFit fit = fit_that_leaves_much(explained);
-    fit.residual.rms = 10;
+    fit.residual.rms = times * noise_of(residuals_of(fit, other.record()));
     return said_of(other, fit);
   };
-  EXPECT_THAT(said_of_other(0.951), IsEmpty());
-  EXPECT_THAT(said_of_other(0.949), ElementsAre(HasSubstr("no law tried describes")));
+  EXPECT_THAT(said_of_other(0.951, 5.9), IsEmpty());
+  EXPECT_THAT(said_of_other(0.949, 5.9), ElementsAre(HasSubstr("no law tried describes")));
+  EXPECT_THAT(said_of_other(0.9989, 6.1), ElementsAre(HasSubstr("no law tried describes")));
+  EXPECT_THAT(said_of_other(0.9991, 6.1), IsEmpty());
 }
 
 bool more_is_tried(const std::vector<double>& y, const LawFit& fit, double resolution = 0) {

@@ -107,7 +107,7 @@ TEST(NetworkFit, ABeginningWithoutMotionIsLeftOut) {
   EXPECT_LE(result->channels.t.front(), 2.2);
   EXPECT_NEAR(result->found_of(0)[0].estimate.value, 0.05 * 4.43 * 4.43, 1e-6);
   EXPECT_THAT(in_words(result->notices),
-              testing::Contains(HasSubstr("s: the result is for the motion from 2")));
+              testing::Contains(HasSubstr("held: the result is for the motion from 2")));
   const auto chosen = fitted(late, file_of(pendulums()), {.from = 5});
   EXPECT_EQ(chosen->channels.t.front(), 5);
   EXPECT_THAT(in_words(chosen->notices), testing::Not(testing::Contains(HasSubstr("nothing moves"))));

@@ -95,11 +95,11 @@ std::vector<Law> free_candidates(bool angle) {
   return laws;
 }
 
-// Of a driven motion: the springs that are met often, each by itself and with drag or friction; and drag
-// alone, which a steady amplitude does not tell from viscous damping.
-std::vector<Law> driven_candidates(const Law& linear) {
+// Of a driven motion: the springs that are met often, each by itself and with drag or friction; under a
+// harmonic drive also drag alone, which a steady amplitude does not tell from viscous damping.
+std::vector<Law> driven_candidates(const Law& linear, DriveKind drive) {
   std::vector<Law> laws;
-  if (linear.shares(springs)) laws.push_back(linear.without(law_with<Viscous>).with(law_with<Drag>));
+  if (drive == DriveKind::harmonic) laws.push_back(linear.without(law_with<Viscous>).with(law_with<Drag>));
   for (const Law& shape :
        {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
     for (const Law& damping : {Law{}, law_with<Drag>, law_with<Friction>})
@@ -182,7 +182,7 @@ class LawSearch {
     }
     if (leading.law != linear) try_law(linear, beginning.known(linear, record_));
     add(beginning.linear, true);
-    const std::vector<Law> laws = driven_candidates(linear);
+    const std::vector<Law> laws = driven_candidates(linear, options_.drive.kind);
     try_laws(
         laws, [&](const Law& law) { return beginning.known(law, record_); }, 0.15, 1);
     try_rare_terms(beginning);
