@@ -445,5 +445,17 @@ TEST(Report, SaysThatRunsLookLikeMassesAtRest) {
                                       HasSubstr("--static --masses")));
 }
 
+TEST(Report, SaysThatOneRunLooksLikeMassesAtRest) {
+  const Folder folder;
+  std::string levels = "Time (s),Position (m)\n";
+  for (int i = 0; i < 900; ++i)
+    levels +=
+        std::to_string(0.02 * i) + "," + std::to_string(0.1 + 0.045 * (i / 300) + 2e-4 * (i % 3)) + "\n";
+  folder.write("levels.csv", levels);
+  const auto says_it = testing::AllOf(HasSubstr("it rests at 3 levels"), HasSubstr("--static --masses"));
+  EXPECT_THAT(folder.run({"fit", "levels.csv"}).err, says_it);
+  EXPECT_THAT(folder.run({"report", "levels.csv", "-o", "out"}).err, says_it);
+}
+
 }  // namespace
 }  // namespace cromer::core::test

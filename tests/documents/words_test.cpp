@@ -15,6 +15,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/catalogue.h"
+#include "cromer/identify/motion/motion.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"

@@ -65,7 +65,7 @@ TEST(DescribeFit, EveryParameterHasItsWords) {
       for (int i = 0; i < fitted.count; ++i) {
         std::string words(fitted.of[i].name);
         std::replace(words.begin(), words.end(), '_', ' ');
-        const Notice named = parameter_named(fitted.of[i].name);
+        const Notice named = parameter_named(fitted.of[i].name, fitted.held.law);
         EXPECT_EQ(in_words(named), words);
         EXPECT_NE(in_words(named, {Language::german}), words);
       }

@@ -33,7 +33,7 @@ inline NetworkSwings swings_of(const Network& network, std::size_t samples, doub
   NoMemory none;
   NormalDeviates normal(seed);
   State<MassVector> y = start_of(network);
-  constexpr int parts = 40;
+  constexpr int parts = 10;
   for (std::size_t n = 0; n < samples; ++n) {
     const double t = static_cast<double>(n) * step;
     swings.t.push_back(t);

@@ -426,15 +426,32 @@ TEST(LabReport, OfAFailedFitSaysWhyAndDrawsTheRecording) {
 }
 
 // Who reads the summary alone learns there that one mass stands for two.
-TEST(LabReport, OneMassForUnlikeRunsIsSaidInTheSummary) {
+/// Two runs of one file, with noise of 0.1 mm.
+std::string two_runs(const Motion& one, const Motion& other) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 1e-4);
   std::string bytes = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
-  const std::vector<Motion> runs{decaying(0.1, 6), decaying(0.1, 7)};
   for (int i = 0; i < 1000; ++i) {
-    const std::string t = shortest(0.02 * i);
-    for (const Motion& x : runs) bytes += (&x == &runs[0] ? "" : ",") + t + ',' + shortest(x(0.02 * i));
-    bytes += '\n';
+    const double t = 0.02 * i;
+    bytes += shortest(t) + ',' + shortest(one(t) + noise(random)) + ',' + shortest(t) + ',' +
+             shortest(other(t) + noise(random)) + '\n';
   }
-  const Made lab = report({{"two.csv", bytes}}, {{"mass", "0.2 kg"}});
+  return bytes;
+}
+
+TEST(LabReport, SaysWhetherItMayHaveBeenOneSpring) {
+  const std::vector<TypedOption> masses{{"mass", "200 g, 300 g"}};
+  const double slower = 6 / std::sqrt(1.5);
+  EXPECT_THAT(report({{"two.csv", two_runs(decaying(0.1, 6), decaying(0.07, slower))}}, masses).text(),
+              HasSubstr("The spring constants agree within their uncertainties"));
+  EXPECT_THAT(report({{"two.csv", two_runs(decaying(0.1, 6), decaying(0.07, 1.01 * slower))}}, masses).text(),
+              HasSubstr("The spring constants differ by more than their uncertainties"));
+  EXPECT_THAT(report({{"two.csv", two_runs(decaying(0.1, 6), decaying(0.07, slower))}}).text(),
+              Not(HasSubstr("The spring constants")));
+}
+
+TEST(LabReport, OneMassForUnlikeRunsIsSaidInTheSummary) {
+  const Made lab = report({{"two.csv", two_runs(decaying(0.1, 6), decaying(0.1, 7))}}, {{"mass", "0.2 kg"}});
   ASSERT_EQ(lab.recordings.size(), 2u);
   EXPECT_THAT(lab.page.summary, HasSubstr("and one mass is used for all"));
 }

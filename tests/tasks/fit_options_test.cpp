@@ -217,6 +217,7 @@ TEST(Masses, AreReadWithOneUnitOrManyOrNone) {
   EXPECT_EQ(masses("0.05,0.06"), "0.05;0.06;");
   EXPECT_EQ(masses("1, 2 , 3000 g"), "0.001;0.002;3;");
   EXPECT_EQ(masses("1 g,2 kg,3 g"), "0.001;2;0.003;");
+  EXPECT_EQ(masses("48.4; 67.95 g"), "0.0484;0.06795;");
 }
 
 TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
@@ -235,6 +236,8 @@ TEST(Masses, ADecimalCommaMakesNoTwoOfThem) {
   EXPECT_THAT(masses("217,6 ± 0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
   EXPECT_THAT(masses("217,6+/-0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
   EXPECT_EQ(masses("217, 6 g"), "0.217;0.006;");
+  EXPECT_THAT(masses("48,4 g; 67,9 ± 0,1 g"),
+              testing::HasSubstr("\"48,4 g\" has a decimal comma: write 48.4"));
 }
 
 /// Ten samples, one each second, from 0 to 9 s; y is the square of the time, the lines are from 2.

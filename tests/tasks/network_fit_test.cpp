@@ -229,8 +229,9 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
     EXPECT_EQ(times_left(swings_of(truth(0, 0), 2000, 0.02, 5e-4, seed)), 0) << seed;
   }
   // Noise that hangs together is no motion; nor is rounding.
+  const NetworkSwings noiseless = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    NetworkSwings swings = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
+    NetworkSwings swings = noiseless;
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(0, 3e-4);
     for (auto& column : swings.y) {
@@ -239,7 +240,7 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
     }
     EXPECT_EQ(times_left(swings), 0) << seed;
   }
-  NetworkSwings coarse = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
+  NetworkSwings coarse = noiseless;
   EXPECT_EQ(times_left(coarse), 0);
   for (auto& column : coarse.y)
     for (double& each : column) each = std::round(each * 100) / 100;

@@ -243,10 +243,11 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   const ModesResult late = modes_in(decay(pendulums, two_angles, [](std::size_t i, double a, double b) {
     return i < 200 ? both(i, 0, 0) : both(i, a, b);
   }));
-  EXPECT_THAT(in_words(late.notices),
-              testing::ElementsAre(
-                  "for the first 10 s it hardly moves, or is held: the result is for the motion from 10 s on; "
-                  "--from takes another beginning"));
+  EXPECT_THAT(
+      in_words(late.notices),
+      testing::ElementsAre(
+          "for the first 10 s it hardly moves, or is held: the result is for the motion from 10 s on; "
+          "--from takes another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
   // A beginning that is asked for is taken.
   const ModesResult asked = modes_in(

@@ -329,6 +329,38 @@ TEST(Holds, OfFewSamplesAreNotWidenedAndNoneIsAPlateau) {
             "give each hold as a run or file of its own");
 }
 
+Series of_motion(const std::function<double(double)>& x) {
+  Series series;
+  series.quantity = "position";
+  for (int i = 0; i < 2000; ++i) {
+    series.t.push_back(0.02 * i);
+    series.y.push_back(x(0.02 * i));
+  }
+  series.rate = 50;
+  return series;
+}
+
+Series swing() {
+  return of_motion([](double t) { return 0.05 * std::exp(-0.02 * t) * std::cos(6 * t); });
+}
+
+TEST(Holds, AreLevelsThatARecordRestsAt) {
+  EXPECT_EQ(levels_at_rest(held({0.1, 0.2, 0.3}, 20, 1e-4)), 3u);
+  EXPECT_EQ(levels_at_rest(held({0.1, 0.1005}, 20, 1e-4)), 0u);  // as near as the noise
+  EXPECT_EQ(levels_at_rest(swing()), 0u);
+  EXPECT_EQ(levels_at_rest(of_motion([](double t) { return 0.05 * std::exp(-0.3 * t); })), 0u);  // it creeps
+  Series angle = held({0.1, 0.2, 0.3}, 20, 1e-4);
+  angle.quantity = "angle";
+  EXPECT_EQ(levels_at_rest(angle), 0u);
+}
+
+TEST(Holds, ASwingIsNoneOfThem) {
+  EXPECT_EQ(
+      refusal({swing()}, grams({50, 100})),
+      "f.csv: --static needs masses at rest, and this moves nearly all the time, by 9.9 cm from one side "
+      "to the other; leave --static out to fit its swing");
+}
+
 /// Runs of 20 values each, at these levels, that begin at 0 s.
 Recording runs_at(const std::vector<double>& levels, const std::string& file = "runs.csv",
                   bool timed = true) {

@@ -59,7 +59,7 @@ Inverse inverse_of(const SquareMatrix& normal, const FittedParameters& fitted) {
     if (parts.empty()) continue;
     Notice names;
     for (const int i : parts) {
-      const Notice name = parameter_named(fitted.of[i].name);
+      const Notice name = parameter_named(fitted.of[i].name, fitted.held.law);
       names = names.empty() ? name : Notice{"and_also", {{"one", names}, {"other", name}}};
     }
     result.known.push_back(Notice{parts.size() == 1 ? "parameter_not_shown" : "only_combination_known",
@@ -278,8 +278,8 @@ Notice known_ratio(const LawFit& fit, const FittedParameters& fitted) {
       const double of_ratio = std::sqrt(std::max(0.0, of_a * of_a + of_b * of_b - 2 * covariance));
       if (of_ratio < much_better * std::min(of_a, of_b))
         return Notice{"only_ratio_known",
-                      {{"one", parameter_named(fitted.of[i].name)},
-                       {"other", parameter_named(fitted.of[j].name)},
+                      {{"one", parameter_named(fitted.of[i].name, fitted.held.law)},
+                       {"other", parameter_named(fitted.of[j].name, fitted.held.law)},
                        {"ratio", a->value / b->value},
                        {"error", of_ratio * std::abs(a->value / b->value)}}};
     }
@@ -292,7 +292,7 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
     if (fitted.of[i].may_be_negative) continue;
     const Estimate& term = *fit.find(fitted.of[i].name);
     if (term.low > 0) continue;
-    const Notice name = parameter_named(fitted.of[i].name);
+    const Notice name = parameter_named(fitted.of[i].name, fitted.held.law);
     cut = cut.empty() ? name : Notice{"and_the", {{"one", cut}, {"other", name}}};
   }
   if (cut.empty()) return;
@@ -306,7 +306,7 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
     if (fitted.of[i].may_be_negative) continue;
     const Estimate& term = *fit.find(fitted.of[i].name);
     if (!(term.value <= 0 || term.low <= 0)) continue;
-    const Notice what = parameter_named(fitted.of[i].name);
+    const Notice what = parameter_named(fitted.of[i].name, fitted.held.law);
     const Notice damping = fitted.of[i].name == "decay_rate" ? Notice{"viscous_damping"}
                            : fitted.of[i].name == "friction" ? Notice{"dry_friction"}
                                                              : what;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cromer/model/between_samples.h"
@@ -22,6 +23,7 @@ struct Record {
   double slips_at = HUGE_VAL;
   /// [s] So much of it at the beginning and at the end may not be free of a hand (undisturbed.h).
   double handled_first = 0, handled_last = 0;
+  std::string unit{};  ///< of the values, for sentences; "" if it is not known
 
   /// `samples` samples from number `from` on.
   Record part(std::size_t from, std::size_t samples) const {

@@ -151,8 +151,9 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
         matching([&](const Column& column) { return without_subscript(plain_name(column.name)) == plain; });
   if (found.size() == 1 || (run == 0 && !found.empty())) return found.front();
 
-  std::vector<std::string_view> names;
-  for (const std::size_t j : of_run) names.push_back(columns[j].name);
+  std::vector<std::string_view> names;  // nobody means the time
+  for (const std::size_t j : of_run)
+    if (columns[j].quantity != "time") names.push_back(columns[j].name);
   const std::vector<std::string> titles = quoted_titles(columns, of_run);
   if (!found.empty()) return Error{"several_columns_fit", {{"name", name}, {"columns", titles}}};
   const std::string near = nearest(name, names);

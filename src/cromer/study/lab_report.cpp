@@ -177,6 +177,12 @@ class Part : public LabTold {
             fitted_.reynolds_max ? in_braces("reynolds.max, concise") : "–"};
   }
 
+  /// The spring constant, where its uncertainty holds.
+  const Estimate* sure_stiffness() const {
+    const bool holds = fitted_.succeeded() && !is_poorly_described() && !lacks_a_law() && !is_doubted();
+    return holds ? fitted_.find("stiffness") : nullptr;
+  }
+
  private:
   // An uncertainty that does not hold is not printed beside a large number.
   bool is_doubted() const { return !first_doubt().empty(); }
@@ -320,7 +326,11 @@ class Part : public LabTold {
 
   void table() {
     toml_.table("block");
-    toml_.text("table", words(lacks_a_law() ? "report_table_of_no_law" : "report_table"));
+    const bool by_other_laws = std::any_of(fitted_.law_doubts.begin(), fitted_.law_doubts.end(),
+                                           [](const LawDoubt& each) { return each.name == "frequency"; });
+    toml_.text("table", lacks_a_law() ? words("report_table_of_no_law")
+                                      : words("report_table") +
+                                            (by_other_laws ? words("report_table_covers_laws") : ""));
     toml_.bare("header", fmt::format("[{}, {}, {}, {}]", toml_text(words("report_quantity")),
                                      toml_text(words("report_its_value")), toml_text("95 %"),
                                      toml_text(words("report_term"))));
@@ -854,6 +864,23 @@ class Part : public LabTold {
   StudyWriter& toml_;
 };
 
+/// Whether one spring constant would do for all recordings: chi square about their weighted mean (Birge 1932)
+/// below what chance exceeds in one case of twenty, by its mean and two standard deviations.
+Notice stiffness_of_all(const std::vector<Part>& parts) {
+  double weights = 0, sum = 0, squares = 0;
+  for (const Part& part : parts) {
+    const Estimate* k = part.sure_stiffness();
+    if (!k || !(k->standard_error > 0)) return {};
+    const double weight = 1 / (k->standard_error * k->standard_error);
+    weights += weight;
+    sum += weight * k->value;
+    squares += weight * k->value * k->value;
+  }
+  const double degrees = static_cast<double>(parts.size()) - 1, chi = squares - sum * sum / weights;
+  const bool agree = chi <= degrees + 2 * std::sqrt(2 * degrees);
+  return Notice{agree ? "report_stiffness_agrees" : "report_stiffness_differs"};
+}
+
 /// The name of a recording's task.
 std::string task_of(std::size_t i, std::size_t count) {
   return count == 1 ? "lab" : fmt::format("lab_{}", i + 1);
@@ -914,6 +941,7 @@ std::string lab_report(std::span<const ReportedRecording> recordings, const std:
     for (const std::string& row : rows) table += "  [" + row + "],\n";
     page.bare("header", "[" + header + "]");
     page.bare("rows", "[\n" + table + "]");
+    if (const Notice all = stiffness_of_all(parts); !all.empty()) page.paragraph(in_words(all, voice));
   }
   for (Part& part : parts) part.write(options);
   return written.end();

@@ -112,9 +112,7 @@ class LabTold {
   }
 
   /// Whether no law that was tried describes the recording: what follows from the law may be far off.
-  bool lacks_a_law() const {
-    return lack_a_law(compared_ ? compared_->doubts : fitted_.notices);
-  }
+  bool lacks_a_law() const { return lack_a_law(compared_ ? compared_->doubts : fitted_.notices); }
 
   /// In braces; where no law describes the recording without its uncertainty, to so many digits.
   std::string as_far_as_known(std::string_view inside, int digits = 3) const {
@@ -325,14 +323,15 @@ class LabTold {
   }
 
   std::string name_in_table(const std::string& name) const {
-    return is_viscous_part(fitted_.fit.law, name) ? words("report_viscous_part")
-           : name == "decay_rate_start"           ? words("report_rate_at_start")
-           : name == "decay_rate_end"             ? words("report_rate_at_end")
-           : name == "reynolds_max"               ? words("report_reynolds_max")
-           : name == "at_amplitude"               ? words("report_at_amplitude")
-           : name == "angular_frequency"          ? words("report_small_swings")
-           : name == "drive_frequency"            ? words("report_drive_angular_frequency")
-           : name == "drag" ? words(turns() ? "report_drag_per_inertia" : "report_drag_per_mass")
+    const std::string part = viscous_part_in_words(fitted_.fit.law, name, front_.language);
+    return !part.empty()                 ? part
+           : name == "decay_rate_start"  ? words("report_rate_at_start")
+           : name == "decay_rate_end"    ? words("report_rate_at_end")
+           : name == "reynolds_max"      ? words("report_reynolds_max")
+           : name == "at_amplitude"      ? words("report_at_amplitude")
+           : name == "angular_frequency" ? words("report_small_swings")
+           : name == "drive_frequency"   ? words("report_drive_angular_frequency")
+           : name == "drag"              ? words(turns() ? "report_drag_per_inertia" : "report_drag_per_mass")
            : name == "equilibrium" && is_zero() ? words("report_zero")
            : name == "damping"                  ? words("report_damping_constant")
            : name == "position"                 ? words("report_position_at_start")

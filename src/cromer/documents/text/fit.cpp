@@ -149,7 +149,8 @@ std::vector<std::vector<std::string>> headline(const FittedRecording& fitted) {
 }
 
 std::string name_in_law(const Law& law, std::string_view parameter) {
-  return is_viscous_part(law, parameter) ? "viscous part of the decay rate" : readable_name(parameter);
+  const std::string part = viscous_part_in_words(law, parameter);
+  return part.empty() ? readable_name(parameter) : part;
 }
 
 std::string one_fit(const FittedRecording& fitted) {

@@ -9,6 +9,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/identify/motion/motion.h"
 
 namespace cromer::core {
 
@@ -28,8 +29,8 @@ std::string_view term_of(const Law& law, std::string_view parameter) {
   return formula;
 }
 
-bool is_viscous_part(const Law& law, std::string_view parameter) {
-  return !is_linear(law) && parameter == Viscous::coefficients[0].parameter;
+std::string viscous_part_in_words(const Law& law, std::string_view parameter, Language language) {
+  return is_viscous_part(law, parameter) ? in_words(parameter_named(parameter, law), {language}) : "";
 }
 
 std::string in_words(const Estimate& estimate, std::string_view unit) {

@@ -16,8 +16,9 @@ std::string readable_name(std::string_view name);
 /// The term of the law that a parameter belongs to, as a formula; "" for others.
 std::string_view term_of(const Law& law, std::string_view parameter);
 
-/// Where the law is not linear the parameter of the viscous term is not the rate of the swing.
-bool is_viscous_part(const Law& law, std::string_view parameter);
+/// "viscous part of the decay rate" of the parameter that is_viscous_part() of the law; "" of others.
+std::string viscous_part_in_words(const Law& law, std::string_view parameter,
+                                  Language language = Language::english);
 
 /// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);

@@ -9,6 +9,7 @@ constexpr Entry entries[] = {
     // The parameters that are fitted, by their names.
     {"angular_frequency", clause, "angular frequency", "Kreisfrequenz"},
     {"decay_rate", clause, "decay rate", "Abklingrate"},
+    {"viscous_part", clause, "viscous part of the decay rate", "viskoser Anteil der Abklingrate"},
     {"drag", clause, "drag", "Luftwiderstand"},
     {"friction", clause, "friction", "trockene Reibung"},
     {"cubic", clause, "cubic", "kubische Feder"},
@@ -199,10 +200,10 @@ constexpr Entry entries[] = {
     {"rival_laws", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
      "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ. "
-     "Known whichever of them is right: {known}",
+     "Known best, whichever of them is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
      "nur, wenn {law} stimmt; die von Frequenz, Abklingrate und etwaiger Federkonstante enthalten auch, "
-     "wie weit diese Gesetze auseinanderliegen. In jedem Fall bekannt: {known}"},
+     "wie weit diese Gesetze auseinanderliegen. Am besten bekannt, welches auch stimmt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
      "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ",

@@ -48,6 +48,12 @@ constexpr Entry entries[] = {
      "{file}: {--static} needs positions, and column \"{column}\" holds {kind}",
      "{file}: {--static} braucht Orte, und die Spalte „{column}“ enthält {kind}"},
     {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
+    {"holds_move", error,
+     "{file}: {--static} needs masses at rest, and this moves nearly all the time, by {span:length} from one "
+     "side to the other; leave {--static} out to fit its swing",
+     "{file}: {--static} braucht Massen in Ruhe, und diese bewegt sich fast immer, um {span:length} von "
+     "einer "
+     "Seite zur anderen; ohne {--static} wird die Schwingung angepasst"},
     {"plateaus_unlike_masses", error,
      "{file}: {masses:mass is|masses are} given, and {found:plateau is|plateaus are} found{where}; choose "
      "the part with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",
@@ -67,12 +73,15 @@ constexpr Entry entries[] = {
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
     {"perhaps_held", worth_knowing,
-     "the runs lie apart by much more than they move ({least:length} to {most:length} each): if different "
-     "masses hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its constant from where they "
-     "rest",
-     "die Läufe liegen viel weiter auseinander, als sie sich bewegen (je {least:length} bis {most:length}): "
-     "hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"0.1 kg, 0.2 kg\" deren "
-     "Konstante aus den Ruhelagen"},
+     "{how}: if different masses hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its "
+     "constant from where they rest",
+     "{how}: hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"0.1 kg, 0.2 kg\" "
+     "deren Konstante aus den Ruhelagen"},
+    {"runs_lie_apart", clause,
+     "the runs lie apart by much more than they move ({least:length} to {most:length} each)",
+     "die Läufe liegen viel weiter auseinander, als sie sich bewegen (je {least:length} bis {most:length})"},
+    {"rests_at_levels", clause, "it rests at {levels} levels, one after the other",
+     "es ruht nacheinander auf {levels} Höhen"},
     {"holds_scatter", worth_knowing,
      "the holds scatter about the line by more than their own errors give on average: {scatter:length} is "
      "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",

@@ -123,6 +123,15 @@ constexpr Entry entries[] = {
     {"report_recordings", clause,
      "What the recordings say. The digits in brackets are the standard uncertainty of the last digits.",
      "Was die Aufnahmen sagen. Die Ziffern in Klammern sind die Standardunsicherheit der letzten Stellen."},
+    {"report_stiffness_agrees", clause,
+     "The spring constants agree within their uncertainties, as those of one spring do.",
+     "Die Federkonstanten stimmen im Rahmen ihrer Unsicherheiten überein, wie es die einer Feder tun."},
+    {"report_stiffness_differs", clause,
+     "The spring constants differ by more than their uncertainties: if it was one spring, a mass is off, or "
+     "a "
+     "part of the spring's own mass that was not counted.",
+     "Die Federkonstanten unterscheiden sich um mehr als ihre Unsicherheiten: war es eine Feder, so stimmt "
+     "eine Masse nicht, oder es fehlt ein Teil der Eigenmasse der Feder."},
     {"report_recordings_by_parts", clause,
      " Where no law describes a recording, the frequency is that of its first part, and the decay rates are "
      "those of its first and its last part, each fitted by itself.",
@@ -213,6 +222,11 @@ constexpr Entry entries[] = {
      "recordings, if the law is right.",
      "Was das Gesetz sagt. ± ist eine Standardunsicherheit; das Intervall enthält den wahren Wert in 95 % "
      "solcher Aufnahmen, falls das Gesetz stimmt."},
+    {"report_table_covers_laws", clause,
+     " Those of frequency, decay rate and what follows from them also cover how far other laws that fit "
+     "nearly as well differ.",
+     " Die von Frequenz, Abklingrate und was daraus folgt enthalten auch, wie weit andere, fast so gut "
+     "passende Gesetze abweichen."},
     {"report_table_of_no_law", clause,
      "What the chosen law gives, without uncertainties, for no law that was tried describes this recording.",
      "Was das gewählte Gesetz ergibt, ohne Unsicherheiten, denn keines der geprüften beschreibt diese "
@@ -245,7 +259,6 @@ constexpr Entry entries[] = {
     {"report_drag_per_inertia", clause, "drag per moment of inertia *d*/*I*",
      "Luftwiderstand je Trägheitsmoment *d*/*I*"},
     {"report_damping_constant", clause, "damping constant *c*", "Dämpfungskonstante *c*"},
-    {"report_viscous_part", clause, "viscous part of the decay rate", "viskoser Anteil der Abklingrate"},
     {"report_swings_title", clause, "The first swings, measured and by the law",
      "Die ersten Schwingungen, gemessen und nach dem Gesetz"},
     {"report_swings", clause, "The first swings: measured, and by the law {law}.",

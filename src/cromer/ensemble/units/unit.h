@@ -88,7 +88,7 @@ struct NoDrive {
 template <class Real, class M, Terms terms, bool measured>
 struct Member {
   using Drive = std::conditional_t<terms.drive, DriveFor<Real, M>, NoDrive<Real>>;
-  using Phasor = std::conditional_t<terms.drive && measured, SteppedPhasor<Real>, NoSteppedForce>;
+  using Phasor = std::conditional_t<measured, SteppedPhasor<Real>, NoSteppedForce>;
   using System = DrivenOscillator<Real, terms, typename Drive::Type>;
   using Memory = typename M::template Memory<Real>;
   using Present = std::conditional_t<terms.law == any_terms, Law, NoLaw>;
@@ -157,22 +157,19 @@ struct Member {
   [[gnu::always_inline]] void anchor(double n) {
     const Real t = n * h;
     if constexpr (terms.drive) system.force().anchor(t);
-    if constexpr (terms.drive && measured) phasor.anchor(t);
+    if constexpr (measured) phasor.anchor(t);
   }
 
   /// Makes it ready for the next.
   [[gnu::always_inline]] void move_on() {
     if constexpr (terms.drive) system.force().move_on();
-    if constexpr (terms.drive && measured) phasor.move_on();
+    if constexpr (measured) phasor.move_on();
   }
 
   /// The step after n steps.
   [[gnu::always_inline]] void step(const M& method, double n, [[maybe_unused]] double weight) {
     if constexpr (measured) {
-      if constexpr (terms.drive)
-        sums.add(weight, law, present, {x, v}, phasor.cosine, phasor.sine);
-      else
-        sums.add(weight, law, present, {x, v}, 0.0, 0.0);
+      sums.add(weight, law, present, {x, v}, phasor.cosine, phasor.sine);
     }
     const State<Real> y{x, v};
     const auto trial = method.step(system, StepTime<Real>{n * h}, StepTime<Real>{h, 1}, y, memory);
@@ -254,18 +251,25 @@ template <class Real, class M, Terms terms, bool measured>
 void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   constexpr std::size_t packs = cromer_group::size / Real::size;
   // The general law has much to do for each pack, and its code would be four times as long.
-  constexpr std::size_t together = terms.law == any_terms ? 1 : std::min(packs, side_by_side);
+  // A step of an implicit method fills the registers sooner.
+  constexpr std::size_t at_most = M::info.implicit ? std::min<std::size_t>(2, side_by_side) : side_by_side;
+  constexpr std::size_t together = terms.law == any_terms ? 1 : std::min(packs, at_most);
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
 
-/// With the terms that the group has. The general law is always compiled with a drive, which may be 0.
+/// With the terms that the group has. The general law is always compiled with a drive, which may be 0, and so
+/// is what keeps sums: they are those of driven motions.
 template <class Real, class M, bool measured>
 void advance_with_terms(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   const auto by_law = [&]<Law law>() {
     if (!law.contains(Law{group.law})) return false;
-    group.driven ? advance_all<Real, M, Terms{.drive = true, .law = law}, measured>(group, method, order)
-                 : advance_all<Real, M, Terms{.drive = false, .law = law}, measured>(group, method, order);
+    if constexpr (!measured)
+      if (!group.driven) {
+        advance_all<Real, M, Terms{.drive = false, .law = law}, measured>(group, method, order);
+        return true;
+      }
+    advance_all<Real, M, Terms{.drive = true, .law = law}, measured>(group, method, order);
     return true;
   };
   const bool known = [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -4,6 +4,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/motion/parameter_unit.h"
 
 namespace cromer::core {
 namespace {
@@ -133,17 +134,18 @@ bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
   return Law{chosen.law.terms & of_energy.terms}.without(rival.law) != Law{};
 }
 
-Notice named_rival(const LawFit& fit) {
+Notice named_rival(const LawFit& fit, const Record& record) {
   std::vector<Notice> coefficients;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const std::string& name = fit.names[i];
     if (name == "equilibrium" || name == "angular_frequency" || name.starts_with("drive_") ||
         is_of_the_start(name))
       continue;
-    coefficients.push_back(
-        Notice{"coefficient",
-               {{"parameter", parameter_named(name)},
-                {"value", format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, "")}}});
+    coefficients.push_back(Notice{
+        "coefficient",
+        {{"parameter", parameter_named(name, fit.law)},
+         {"value", format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error},
+                                   unit_of_parameter(name, fit.motion, record.unit, record.derivative))}}});
   }
   return Notice{"law_with_coefficients", {{"law", to_text(fit.law)}, {"coefficients", coefficients}}};
 }
@@ -196,7 +198,8 @@ Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, s
   if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
   constexpr std::size_t most = 3;
   std::vector<Notice> named;
-  for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i) named.push_back(named_rival(*rivals[i]));
+  for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i)
+    named.push_back(named_rival(*rivals[i], record));
   // At which rate a driven motion would die down each law says for itself.
   if (is_fed(best) || best.drive.kind != DriveKind::none)
     return Notice{"rival_laws_of_a_fed_swing", {{"law", to_text(best.law)}, {"rivals", named}}};

@@ -27,9 +27,10 @@ std::vector<Notice> differences(const LawFit& chosen, const LawFit& other) {
     const Estimate &here = chosen.estimates[i], there = other[chosen.names[i]];
     const double off = std::abs(there.value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
-    found.push_back(
-        Notice{"parameter_elsewhere",
-               {{"parameter", parameter_named(chosen.names[i])}, {"value", there.value}, {"errors", off}}});
+    found.push_back(Notice{"parameter_elsewhere",
+                           {{"parameter", parameter_named(chosen.names[i], chosen.law)},
+                            {"value", there.value},
+                            {"errors", off}}});
   }
   return found;
 }

@@ -6,7 +6,13 @@
 
 namespace cromer::core {
 
-Notice parameter_named(std::string_view name) { return Notice{std::string(name)}; }
+bool is_viscous_part(const Law& law, std::string_view parameter) {
+  return !is_linear(law) && parameter == Viscous::coefficients[0].parameter;
+}
+
+Notice parameter_named(std::string_view name, const Law& law) {
+  return Notice{is_viscous_part(law, name) ? "viscous_part" : std::string(name)};
+}
 
 Motion Motion::under(const Law& other) const {
   Motion motion = *this;

@@ -57,8 +57,12 @@ struct Motion {
   Motion under(const Law& other) const;
 };
 
-/// A parameter in a sentence: a clause whose code is its name, "decay rate" of "decay_rate".
-Notice parameter_named(std::string_view name);
+/// A parameter of a law in a sentence: a clause whose code is its name, "decay rate" of "decay_rate"; beside
+/// other terms that is the viscous part of it.
+Notice parameter_named(std::string_view name, const Law& law);
+
+/// Where the law is not linear the parameter of the viscous term is not the rate of the swing.
+bool is_viscous_part(const Law& law, std::string_view parameter);
 
 /// One number that a fit adjusts.
 struct FittedParameter {

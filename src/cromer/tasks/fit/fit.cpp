@@ -191,7 +191,7 @@ std::optional<double> change_of_rate(const LawFit& fit, double duration) {
 
 // The decay rate that a law has in common with others that fit as well, where it changes otherwise by them.
 std::optional<MeanDecay> common_decay(const Record& record, const LawFit& chosen,
-                                     const std::vector<LawFit>& candidates) {
+                                      const std::vector<LawFit>& candidates) {
   const std::optional<MeanDecay> mean = mean_decay(chosen, record);
   const double duration = record.t.back() - record.t.front();
   const std::optional<double> change = change_of_rate(chosen, duration);
@@ -307,15 +307,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.series = *used_part(std::move(result.series), later);
     result.series.outliers = std::move(aside);
   }
-  const Record record{samples.t,
-                      samples.y,
-                      result.series.resolution,
-                      std::max(0, derivative_order(result.series.quantity)),
-                      result.series.clock_error,
-                      result.series.scale_error,
-                      result.series.slips_at,
-                      result.series.handled_first,
-                      result.series.handled_last};
+  const Record record = record_of(result.series, samples.t, samples.y);
 
   if (result.series.quantity == "angle")
     if (Notice over = turning_over(record); !over.empty()) {

@@ -128,12 +128,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   settings.drive_frequency = *drive;
   settings.rms_to_beat = rms_to_beat;
   settings.start = start;
-  const Record record{t,
-                      y,
-                      series.resolution,
-                      std::max(0, derivative_order(series.quantity)),
-                      series.clock_error,
-                      series.scale_error};
+  const Record record = record_of(series, t, y);
   describe_driven_fit(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", watch);
   add_unused_notices(result);
   const LawFit& fit = result.fit;

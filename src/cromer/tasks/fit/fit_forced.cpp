@@ -148,12 +148,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
       options.hold_out
           ? static_cast<std::size_t>(std::lround((1 - *options.hold_out) * static_cast<double>(t.size())))
           : t.size();
-  const Record whole{t,
-                     y,
-                     used->resolution,
-                     std::max(0, derivative_order(used->quantity)),
-                     used->clock_error,
-                     used->scale_error};
+  const Record whole = record_of(*used, t, y);
 
   const Result<std::optional<Law>> law = law_of(options);
   if (!law) return law.error();

@@ -7,6 +7,7 @@
 #include "cromer/analysis/swing.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/normal_equations.h"
+#include "cromer/identify/motion/parameter_unit.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 

@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,20 +15,11 @@
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/motion/parameter_unit.h"
 #include "cromer/model/terms/term.h"
 
 namespace cromer::core {
 namespace {
-
-// Unit of a coefficient per unit mass, `length` being the unit of displacements, n the hysteresis exponent of
-// the law: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
-std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, double n) {
-  if (info.fitted == FittedAs::square_root) return "rad/s";
-  if (info.fitted == FittedAs::not_a_force && n != 1)
-    return fmt::format("s^{:.4g}/{}^{:.4g}", 2 * (n - 1), length.empty() ? "1" : length, n);
-  if (info.fitted == FittedAs::not_a_force) return unit_of_powers({{length, info.length}, {"s", info.time}});
-  return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
-}
 
 // Unit of a force's coefficient, the default that of a force itself. Where the unit of length is not known it
 // has newtons only if displacements cancel.
@@ -38,19 +27,6 @@ std::string unit_with_mass(const CoefficientInfo& info, std::string_view length)
   return length == "m" || info.length == -1
              ? unit_of(info, Powers::superscript)
              : unit_of_powers({{"kg", 1}, {length, 1 + info.length}, {"s", info.time - 2}});
-}
-
-// Unit of a parameter that is no coefficient of the law.
-std::string unit_of_parameter(std::string_view name, std::string_view observed, std::string_view length,
-                              std::string_view force_unit) {
-  if (name == "drive_frequency") return "rad/s";
-  if (name == "drive_phase") return "rad";
-  if (name == "drive_amplitude") return unit_of_powers({{length, 1}, {"s", -2}});
-  if (name == "force_gain") return unit_of_powers({{length, 1}, {"s", -2}, {force_unit, -1}});
-  if (name == "force_offset") return std::string(force_unit);
-  if (name == "equilibrium") return std::string(observed);
-  if (name == "velocity") return unit_of_powers({{length, 1}, {"s", -1}});
-  return std::string(length);
 }
 
 // c times an estimate; c has a relative uncertainty of its own, independent of the estimate.
@@ -225,23 +201,12 @@ Quantity Body::effective_mass() const {
   return {mass->value + spring.value / 3, std::hypot(mass->uncertainty, spring.uncertainty / 3)};
 }
 
-std::string displacement_unit(std::string_view unit, int derivative) {
-  return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
-}
-
 std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
                                       std::string_view force_unit) {
-  const std::string length = displacement_unit(observed, derivative);
   std::vector<Parameter> result;
-  for (std::size_t i = 0; i < fit.names.size(); ++i) {
-    std::string unit = unit_of_parameter(fit.names[i], observed, length, force_unit);
-    for_each_term([&]<class T>() {
-      for (const CoefficientInfo& info : T::coefficients)
-        if (fit.law.has<T>() && info.parameter == fit.names[i])
-          unit = unit_per_mass(info, length, fit.motion.per_mass.hysteresis_exponent);
-    });
-    result.push_back({fit.names[i], fit.estimates[i], std::move(unit)});
-  }
+  for (std::size_t i = 0; i < fit.names.size(); ++i)
+    result.push_back({fit.names[i], fit.estimates[i],
+                      unit_of_parameter(fit.names[i], fit.motion, observed, derivative, force_unit)});
   return result;
 }
 

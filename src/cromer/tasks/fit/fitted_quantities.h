@@ -25,12 +25,8 @@ struct Body {
   Quantity effective_mass() const;
 };
 
-/// Unit of the displacement, "m", from the unit of a derivative of it, "m", "m/s" or "m/s²".
-std::string displacement_unit(std::string_view unit, int derivative);
-
-/// The law's parameters per unit mass, in the order of fitted_parameters(). `observed` is the unit of the
-/// record, `derivative` says which derivative of the displacement it is. `force_unit` is that of a recorded
-/// force; "" if there is none or it is not known.
+/// The law's parameters per unit mass, in the order of fitted_parameters(), with their units by
+/// unit_of_parameter().
 std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
                                       std::string_view force_unit = {});
 

@@ -2,12 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cromer/base/extent.h"
+#include "cromer/tasks/fit/spring_constant.h"
 
 namespace cromer::core {
 
+namespace {
+
+Notice perhaps_held_as(Notice how) { return Notice{"perhaps_held", {{"how", std::move(how)}}}; }
+
+}  // namespace
+
 Notice perhaps_held(const std::vector<FittedRecording>& runs) {
+  if (runs.size() == 1 && !runs.front().succeeded()) {
+    const std::size_t levels = levels_at_rest(runs.front().series);
+    return levels < 2 ? Notice{} : perhaps_held_as({"rests_at_levels", {{"levels", levels}}});
+  }
   constexpr double much_more = 20;
   double least = HUGE_VAL, most = 0;
   std::vector<double> levels;
@@ -22,7 +34,7 @@ Notice perhaps_held(const std::vector<FittedRecording>& runs) {
   if (levels.size() < 2) return {};
   for (std::size_t i = 1; i < levels.size(); ++i)
     if (!(levels[i] - levels[i - 1] > much_more * most)) return {};
-  return Notice{"perhaps_held", {{"least", least}, {"most", most}}};
+  return perhaps_held_as({"runs_lie_apart", {{"least", least}, {"most", most}}});
 }
 
 }  // namespace cromer::core

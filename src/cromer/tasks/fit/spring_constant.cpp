@@ -11,6 +11,7 @@
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/record.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
@@ -140,29 +141,48 @@ Plateau without_transitions(const std::vector<double>& y, Plateau plateau, std::
   return plateau;
 }
 
-/// Stretches that stay at a level. The record is cut into blocks, fifty for each mass. A quiet block spans
-/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks. Where
-/// there are more plateaus than masses, those that rise most between two others are dropped: a mass is moved
-/// there.
-std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
-  const std::size_t n = series.y.size(), block = std::max<std::size_t>(5, n / (50 * masses));
+/// A record cut into blocks, fifty for each mass.
+struct RecordBlocks {
+  std::size_t length = 0;  ///< of each, in samples
+  std::vector<Plateau> all{};
+  std::vector<double> spans{};  ///< of their values
+  double usual_span = 0;        ///< the middle one of them
+  double whole = 0;             ///< what all values span
+  bool move = false;            ///< most of them by a good part of the whole, and not as noise does
+};
+
+RecordBlocks blocks_of(const Series& series, std::size_t masses) {
+  const std::size_t n = series.y.size();
+  RecordBlocks blocks{.length = std::max<std::size_t>(5, n / (50 * masses))};
   const auto [low, high] = extent_of(series.y);
-  const double whole = high - low;
-  std::vector<Plateau> blocks;
-  std::vector<double> spans;
-  for (std::size_t first = 0; first + block <= n; first += block) {
-    const auto [least, most] = extent_of(std::span(series.y).subspan(first, block));
-    spans.push_back(most - least);
-    blocks.push_back({first, first + block, middle_value(series.y, first, first + block)});
+  blocks.whole = high - low;
+  for (std::size_t first = 0; first + blocks.length <= n; first += blocks.length) {
+    const std::size_t last = first + blocks.length;
+    const auto [least, most] = extent_of(std::span(series.y).subspan(first, blocks.length));
+    blocks.spans.push_back(most - least);
+    blocks.all.push_back({first, last, middle_value(series.y, first, last)});
   }
-  if (spans.empty()) return {};
+  if (blocks.all.empty()) return blocks;
+  blocks.usual_span = middle_value(blocks.spans, 0, blocks.spans.size());
+  constexpr double good_part = 0.1, mostly_noise = 0.5;
+  blocks.move = blocks.usual_span > good_part * blocks.whole &&
+                noise_of(series.y) < mostly_noise * sinusoid_amplitude(series.y) / std::sqrt(2.0);
+  return blocks;
+}
+
+/// Stretches that stay at a level. A quiet block spans little; neighbouring quiet blocks at one level are a
+/// plateau, which must last for three blocks. Where there are more plateaus than masses, those that rise most
+/// between two others are dropped: a mass is moved there.
+std::vector<Plateau> plateaus(const Series& series, const RecordBlocks& cut, std::size_t masses) {
+  const std::vector<Plateau>& blocks = cut.all;
+  const std::size_t block = cut.length;
   // Most blocks are quiet: moving a mass takes less time than holding it.
-  const double quiet = std::max(3 * middle_value(spans, 0, spans.size()), 2 * series.resolution);
-  const double same = std::max(quiet, 0.02 * whole);
+  const double quiet = std::max(3 * cut.usual_span, 2 * series.resolution);
+  const double same = std::max(quiet, 0.02 * cut.whole);
   std::vector<Plateau> found;
   bool open = false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (spans[i] > quiet) {
+    if (cut.spans[i] > quiet) {
       open = false;
       continue;
     }
@@ -245,6 +265,24 @@ std::string_view of_a_motion(const FitOptions& o) {
 
 }  // namespace
 
+std::size_t levels_at_rest(const Series& series) {
+  constexpr std::size_t supposed = 4, any = 1000;  // masses
+  constexpr double mostly = 0.7, clearly = 5, hardly = 0.1;
+  const RecordBlocks blocks = blocks_of(series, supposed);
+  if (series.quantity != "position" || blocks.move) return 0;
+  const std::vector<Plateau> found = plateaus(series, blocks, any);
+  double samples = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    samples += static_cast<double>(found[i].last - found[i].first);
+    if (i == 0) continue;
+    const double step = std::abs(found[i].level - found[i - 1].level);
+    if (step < clearly * blocks.usual_span || rise_within(series.y, found[i]) > hardly * step ||
+        rise_within(series.y, found[i - 1]) > hardly * step)
+      return 0;
+  }
+  return samples < mostly * static_cast<double>(series.y.size()) ? 0 : found.size();
+}
+
 Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
                                      const std::vector<Quantity>& masses) {
   for (const Series& series : runs) {
@@ -256,7 +294,10 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
   std::vector<Hold> holds;
   if (runs.size() == 1 && masses.size() > 1) {
     const Series& series = runs.front();
-    const std::vector<Plateau> found = plateaus(series, masses.size());
+    const RecordBlocks blocks = blocks_of(series, masses.size());
+    const std::vector<Plateau> found = plateaus(series, blocks, masses.size());
+    if (found.size() < masses.size() && blocks.move)
+      return Error{"holds_move", {{"file", file}, {"span", blocks.whole}}};
     if (found.size() != masses.size()) {
       std::vector<Notice> list;
       for (const Plateau& each : found)

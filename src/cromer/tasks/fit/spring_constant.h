@@ -42,6 +42,9 @@ struct StaticStiffness {
   std::vector<Notice> notices;
 };
 
+/// How many levels a series of positions rests at, one after the other and most of the time; 0 if it moves.
+std::size_t levels_at_rest(const Series& series);
+
 /// The samples at rest, in the order of `masses`: one hold for each run or, of a single run, one for each
 /// plateau. A column that is no position is an Error, and so is another number of runs or plateaus than of
 /// masses.

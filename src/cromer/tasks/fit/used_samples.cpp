@@ -146,6 +146,19 @@ Result<Series> samples_in_use(Series series, const FitOptions& options) {
   return used;
 }
 
+Record record_of(const Series& series, std::span<const double> t, std::span<const double> y) {
+  return {t,
+          y,
+          series.resolution,
+          std::max(0, derivative_order(series.quantity)),
+          series.clock_error,
+          series.scale_error,
+          series.slips_at,
+          series.handled_first,
+          series.handled_last,
+          unit_of(series)};
+}
+
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
                    std::vector<Notice>& notices) {
   if (aside.empty()) return;

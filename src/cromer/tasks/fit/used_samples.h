@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "cromer/identify/diagnose/slip.h"
+#include "cromer/identify/record.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
 #include "cromer/tasks/fit/fit.h"
@@ -31,6 +33,9 @@ struct FittedSamples {
   std::vector<double> t, y;
 };
 FittedSamples without_outliers(const Series& series);
+
+/// What a fit sees of a series: `t` and `y` are samples of it, and outlive the record.
+Record record_of(const Series& series, std::span<const double> t, std::span<const double> y);
 
 /// Adds the samples that the fit itself set aside (indices into `samples`) to the outliers, with a notice.
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,

@@ -70,7 +70,8 @@ bool has_decimal_comma(std::string_view text) {
   const auto digit = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
   const auto decimal = [&](std::size_t comma) { return digit(comma - 1) && digit(comma + 1); };
   const std::size_t first = text.find(','), last = text.rfind(',');
-  if (first == text.npos || text.find('.') != text.npos || !decimal(first) || !decimal(last)) return false;
+  if (first == text.npos || text.find_first_of(".;") != text.npos || !decimal(first) || !decimal(last))
+    return false;
   const std::string_view between = text.substr(first + 1, last - first);
   return first == last || (between.find(',') == between.size() - 1 &&
                            (between.find("±") != between.npos || between.find("+") != between.npos));
@@ -82,10 +83,12 @@ std::string_view unit_in(std::string_view part) {
   return last == std::string_view::npos ? std::string_view{} : trimmed(part.substr(last + 1));
 }
 
-/// Quantities between commas. A unit that only the last has is that of all; on some of them it could mean
-/// anything.
+/// Quantities between commas or semicolons. A unit that only the last has is that of all; on some of them it
+/// could mean anything.
 Result<std::vector<Quantity>> parse_list(const Option& option, std::string_view text) {
-  const std::vector<std::string_view> given = has_decimal_comma(text) ? std::vector{text} : split(text, ',');
+  const char between = text.find(';') == text.npos ? ',' : ';';
+  const std::vector<std::string_view> given =
+      has_decimal_comma(text) ? std::vector{text} : split(text, between);
   const auto with_unit =
       std::count_if(given.begin(), given.end(), [](std::string_view part) { return !unit_in(part).empty(); });
   std::vector<Quantity> all;
