@@ -446,9 +446,9 @@ TEST(FitLab, MassesOutOfOrderAreSaid) {
     words.push_back("hold" + std::to_string(mass) + ".csv");
     folder.write(words.back(), text);
   }
-  EXPECT_THAT(folder.run(words).err, HasSubstr("in the order of the holds?"));
+  EXPECT_THAT(folder.run(words).err, HasSubstr("must be in the order of the holds"));
   words[3] = "50, 100, 150, 200 g";
-  EXPECT_EQ(folder.run(words).err.find("in the order of the holds?"), std::string::npos);
+  EXPECT_EQ(folder.run(words).err.find("must be in the order of the holds"), std::string::npos);
 }
 
 TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {

@@ -255,6 +255,21 @@ TEST(RivalLaws, NoneWhereNoNumberWouldMove) {
   EXPECT_THAT(in_words(rival_laws(record.record(), candidates, 0)), HasSubstr("drag+cubic"));
 }
 
+// The rate that drag makes is proportional to the amplitude: noise of a quarter of it must not count.
+TEST(MeanDecay, IsThatAtTheSwingsAmplitudeWhateverTheNoise) {
+  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0, .drag = 2, .position = 0.05};
+  const SyntheticRecord quiet = record_of(truth, 1201, 0.03, 1e-6, 1);
+  const double amplitude = sinusoid_amplitude(quiet.y), rate = 4 * 2 * 8.944 / (3 * 3.14159265) * amplitude;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const SyntheticRecord record = record_of(truth, 1201, 0.03, 0.0125, seed);
+    const LawFit fit = fit_law(record.record(), {.law = law_of("drag")});
+    ASSERT_EQ(fit.status, FitStatus::converged) << seed;
+    const MeanDecay decay = mean_decay(fit, record.record()).value();
+    EXPECT_NEAR(decay.amplitude, amplitude, 0.15 * amplitude) << seed;
+    EXPECT_NEAR(decay.rate.value, rate, 3.5 * decay.rate.standard_error) << seed;
+  }
+}
+
 TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
   const SyntheticRecord record =
       viscous_record({.w0 = 9.09, .g = 0.005, .position = 0.03, .velocity = 0}, even_times(2001, 0.01), 3e-4);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
@@ -71,6 +72,18 @@ TEST(Refusal, MotionWithoutReturn) {
 }
 
 // Without damping the motion cannot follow a decay, and the frequency is lost with it: 1 ± 6 Hz is no result.
+// A first-order decay lies on the border to creeping, where the uncertainties of frequency and damping
+// vanish.
+TEST(Refusal, ADecayOfFirstOrderHasNoFrequency) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SyntheticRecord record = viscous_record({.equilibrium = 0, .position = 0, .velocity = 0},
+                                            even_times(900, 0.04), 2e-4, 0, seed);
+    for (std::size_t i = 0; i < record.t.size(); ++i)
+      record.y[i] += 0.08 * std::exp(-record.t[i] / (1 + 0.2 * seed));
+    EXPECT_EQ(status_of(record), FitStatus::overdamped) << seed;
+  }
+}
+
 TEST(Refusal, ALawThatLeavesTheFrequencyUnknown) {
   const SyntheticRecord record =
       viscous_record({.w0 = 8.168, .position = 0.05, .velocity = 0}, even_times(3000, 0.01), 5e-4);

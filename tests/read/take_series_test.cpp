@@ -99,6 +99,14 @@ TEST(TakeSeries, AFrequencyIsNoMotion) {
               testing::DoubleEq(1));
 }
 
+TEST(TakeSeries, ADisplacementInDegreesIsAnAngle) {
+  for (const char* heading : {"Auslenkung in Grad", "Auslenkung in °", "Auslenkung (°)", "x / °"}) {
+    const Series taken = series(std::string("Zeit in s;") + heading + "\n0;90\n1;0\n2;90\n");
+    EXPECT_EQ(taken.quantity, "angle") << heading;
+    EXPECT_NEAR(taken.y[0], 1.5707963, 1e-6) << heading;
+  }
+}
+
 TEST(TakeSeries, TheTimeIsNoMotion) {
   EXPECT_EQ(refusal("Time (s),x (m),Force (N)\n0,1,2\n1,2,3\n2,3,4\n", "Time (s)"),
             "lab.csv: column \"Time (s)\" is the time; name the column that moves with it with --column: "

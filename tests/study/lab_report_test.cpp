@@ -614,7 +614,7 @@ TEST(LabReport, GivesTheRateThatLawsOfOtherTrendsHaveInCommon) {
   lab.recordings.front().compared.reset();
   const std::string toml = lab_report(lab.recordings, {}, {});
   EXPECT_THAT(toml,
-              AllOf(HasSubstr("The decay rate is {lab.common_decay} at the record's rms amplitude, "
+              AllOf(HasSubstr("The decay rate is {lab.common_decay} at the swing's rms amplitude, "
                               "{lab.common_decay.amplitude, cm, 3};"),
                     HasSubstr("value = \"{lab.common_decay, concise}\""), Not(HasSubstr("One decay rate"))));
 }

@@ -140,8 +140,8 @@ TEST(Explanation, StretchesThatScatterAreToldBesideOneRate) {
       in_words(explanation(both)),
       "No law that was tried tells more than one decay rate: with one rate for all damping 2.00\u00a0cm "
       "(rms) are left. But "
-      "the rates of single stretches, −0.13 to 0.15\u00a01/s, scatter by more than their errors: something "
-      "else takes part.");
+      "the rates of single stretches, −0.13 to 0.15\u00a01/s, scatter by more than the noise explains, "
+      "and their errors are widened by that: something else takes part.");
   both.recording.decay_by_amplitude = {stretch(0.06, 0.02), stretch(0.04, 0.02), stretch(0.07, 0.02)};
   EXPECT_THAT(in_words(explanation(both)), testing::StartsWith("One decay rate is enough"));
 }

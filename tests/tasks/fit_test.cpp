@@ -1,11 +1,14 @@
 #include "cromer/tasks/fit/fit.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 
 #include "cromer/analysis/air.h"
 #include "cromer/base/number.h"
@@ -405,6 +408,33 @@ TEST(FitTask, WhatAHandStopsAtLastIsLeftOutToo) {
     expect_within(fitted.find("decay_rate"), 0.03, 0.007);  // laws of one term more count a little
     EXPECT_THAT(in_words(fitted.notices), testing::Contains(HasSubstr("while a hand moves or stops it")));
   }
+}
+
+// Held for a second, or half of one, after 40 s: the law of the whole would have friction in place of drag.
+TEST(FitTask, AShortHoldAtTheEndIsLeftOut) {
+  int seed = 0;
+  for (const double level : {0.005, 0.02, 0.04})
+    for (const double held : {0.5, 1.0}) {
+      std::mt19937 random(static_cast<unsigned>(++seed));
+      std::normal_distribution<double> noise(0, 7e-4);
+      double x = 0.1, v = 0;
+      std::string bytes = "Time (s),Position (m)\n";
+      for (int i = 0; i < 50 * (40 + held); ++i) {
+        const double t = 0.02 * i;
+        bytes += fmt::format("{:.2f},{:.5f}\n", t, (t < 40 ? x : level) + noise(random));
+        for (int part = 0; part < 20; ++part) {  // Euler-Cromer with 1 ms
+          v -= 0.001 * (40 * x + 0.06 * v + 0.3 * v * std::abs(v));
+          x += 0.001 * v;
+        }
+      }
+      const auto result = fit(bytes, "held.csv", {});
+      ASSERT_TRUE(result.ok());
+      const FittedRecording& fitted = result->front();
+      EXPECT_LE(fitted.series.t.back(), 40) << level << ' ' << held;
+      EXPECT_GE(fitted.series.t.back(), 38) << level << ' ' << held;
+      EXPECT_EQ(to_text(fitted.fit.law), "viscous+drag") << level << ' ' << held;
+      expect_within(fitted.find("drag"), 0.3, 0.03);
+    }
 }
 
 TEST(FitTask, FourSwingsBetweenTwoHandsAreEnough) {

@@ -132,6 +132,16 @@ TEST(LawDoubt, OfASpringOfThreeBendsIsWhatTheLastOneChanged) {
   EXPECT_TRUE(law_doubts(result, {two, closest}).empty());
 }
 
+TEST(LawDoubt, OfTheQualityFactorIsThatOfTheDampingRatio) {
+  std::vector<Parameter> numbers{{"damping_ratio", {0.005, 0.0003, 0.0044, 0.0056}, "1"},
+                                 {"quality_factor", {100, 6, 88, 112}, "1"}};
+  add_doubts(numbers, {{"damping_ratio", 0.0012}, {"quality_factor", 40}});
+  const Estimate &zeta = numbers[0].estimate, &quality = numbers[1].estimate;
+  EXPECT_NEAR(quality.standard_error / quality.value, zeta.standard_error / zeta.value, 1e-12);
+  EXPECT_NEAR(quality.low, 1 / (2 * zeta.high), 1e-9);
+  EXPECT_NEAR(quality.high, 1 / (2 * zeta.low), 1e-9);
+}
+
 TEST(LawDoubt, OfAnEndIsWhatItsStretchSaysBeyondTwoErrors) {
   const auto stretch = [](double rate, double by_the_law) {
     return AmplitudeRate{0, 0, 1, make_estimate(rate, 0.002, 2), {}, by_the_law, 0};

@@ -300,8 +300,8 @@ TEST(StaticLine, IsGravityOverItsSlope) {
 
 TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
   const std::string order =
-      "the position does not move in one direction as the mass grows: are --masses in the order of the "
-      "holds?";
+      "the position does not move in one direction as the mass grows; --masses must be in the order of the "
+      "holds";
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->notices),
               ElementsAre("two masses always give a line: nothing shows whether it is one"));
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->notices), Contains(order));

@@ -88,7 +88,8 @@ std::string take_unit_behind(std::string_view& text, std::string_view mark) {
   if (unit.empty() || quantity.empty()) return {};
   const bool of_time = mark == "/" && quantity == "time";
   const bool unknown = mark == "/" && !parse_unit(unit).ok();
-  if (!is_unit_of(unit, quantity) && !of_time && !unknown) return {};
+  const bool of_angle = quantity == "position" && is_unit_of(unit, "angle");  // a displacement in degrees
+  if (!is_unit_of(unit, quantity) && !of_angle && !of_time && !unknown) return {};
   text = name;
   return std::string(unit);
 }

@@ -351,7 +351,6 @@ class Part : public LabTold {
 
   /// Of few degrees of freedom a 95 % interval is much wider than twice the standard uncertainty.
   void wide_intervals() {
-    constexpr double wide = 3;  // of a standard uncertainty, to each side: less than some three degrees
     if (lacks_a_law()) return;
     std::vector<std::string> names;
     std::size_t all = 0;
@@ -362,8 +361,7 @@ class Part : public LabTold {
         if (!std::isfinite(reach) || !(e.standard_error > 0)) continue;
         ++all;
         const std::string name = name_in_table(each.name);
-        if (reach > wide * e.standard_error && std::find(names.begin(), names.end(), name) == names.end())
-          names.push_back(name);
+        if (is_wider(e) && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
       }
     if (names.empty()) return;
     paragraph(2 * names.size() > all ? words("report_few_degrees_of_most")

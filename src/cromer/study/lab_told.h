@@ -236,8 +236,17 @@ class LabTold {
   /// Of a velocity or an acceleration the level is the sensor's own zero, no position.
   bool is_zero() const { return !of_position(); }
   std::string level(std::string_view unit) const {
-    return as_far_as_known(unit.empty() ? std::string("equilibrium") : fmt::format("equilibrium, {}", unit),
-                           4);
+    const std::string inside = unit.empty() ? "equilibrium" : fmt::format("equilibrium, {}", unit);
+    const Parameter* level = named(fitted_.parameters, "equilibrium");
+    const bool is_unsure = !lacks_a_law() && level && is_wider(level->estimate);
+    return is_unsure ? in_braces(inside + ", 3") : as_far_as_known(inside, 4);
+  }
+
+  /// Whether the interval is wider than the uncertainty suggests: there are less than some three degrees of
+  /// freedom.
+  static bool is_wider(const Estimate& e) {
+    constexpr double wide = 3;  // of a standard uncertainty, to each side
+    return std::max(e.high - e.value, e.value - e.low) > wide * e.standard_error;
   }
 
   std::string rms() const { return rms("rms", fitted_.fit.residual.rms); }

@@ -503,11 +503,11 @@ constexpr Entry entries[] = {
      "proportional ist.{method}"},
     {"one_rate_while_stretches_scatter", clause,
      "No law that was tried tells more than one decay rate: {one_rate}. But the rates of single stretches, "
-     "{least:n} to {largest:n}\u00a01/s, scatter by more than their errors: something else takes "
-     "part.{method}",
+     "{least:n} to {largest:n}\u00a01/s, scatter by more than the noise explains, and their errors are "
+     "widened by that: something else takes part.{method}",
      "Kein versuchtes Gesetz sagt mehr als eine Abklingrate: {one_rate}. Die Raten einzelner Abschnitte, "
-     "{least:n} bis {largest:n}\u00a01/s, streuen aber mehr als ihre Fehler: etwas anderes wirkt "
-     "mit.{method}"},
+     "{least:n} bis {largest:n}\u00a01/s, streuen aber mehr, als das Rauschen erklärt, und ihre Fehler sind "
+     "darum geweitet: etwas anderes wirkt mit.{method}"},
     {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
      "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
     {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",

@@ -143,8 +143,8 @@ constexpr Entry entries[] = {
      "and the interval of the {parameters} is cut at its bound 0",
      "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
      "ihre Teile, und der Vertrauensbereich ist an der Grenze 0 abgeschnitten ({parameters})"},
-    {"mean_decay_rate", clause, "decay rate {rate:n} at the record's rms amplitude",
-     "Abklingrate {rate:n} bei der quadratisch gemittelten Amplitude der Aufnahme"},
+    {"mean_decay_rate", clause, "decay rate {rate:n} at the swing's rms amplitude",
+     "Abklingrate {rate:n} bei der quadratisch gemittelten Amplitude der Schwingung"},
     {"parameter_on_bound", worth_knowing, "the {parameter} is on its bound 0: the record shows no {damping}",
      "{parameter} liegt an der Grenze 0: die Aufnahme zeigt nichts davon ({damping})"},
     {"interval_cut_at_bound", worth_knowing,

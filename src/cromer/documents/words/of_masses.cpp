@@ -73,10 +73,10 @@ constexpr Entry entries[] = {
      "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
      "Fehler nicht bekannt sind"},
     {"perhaps_held", worth_knowing,
-     "{how}: if different masses hung on one spring, {--static} {--masses} \"0.1 kg, 0.2 kg\" gives its "
-     "constant from where they rest",
-     "{how}: hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"0.1 kg, 0.2 kg\" "
-     "deren Konstante aus den Ruhelagen"},
+     "{how}: if different masses hung on one spring, {--static} {--masses} \"{example}\" gives its constant "
+     "from where they rest",
+     "{how}: hingen verschiedene Massen an einer Feder, so gibt {--static} {--masses} \"{example}\" deren "
+     "Konstante aus den Ruhelagen"},
     {"runs_lie_apart", clause,
      "the runs lie apart by much more than they move ({least:length} to {most:length} each)",
      "die Läufe liegen viel weiter auseinander, als sie sich bewegen (je {least:length} bis {most:length})"},
@@ -108,10 +108,10 @@ constexpr Entry entries[] = {
      "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s: {samples:Messwert liegt|Messwerte liegen} weit von "
      "allen anderen und {samples?fehlt|fehlen} im Mittelwert"},
     {"holds_out_of_order", wrong_if_ignored,
-     "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
-     "holds?",
-     "der Ort ändert sich mit wachsender Masse nicht immer in dieselbe Richtung: stehen {--masses} in der "
-     "Reihenfolge der Ruhelagen?"},
+     "the position does not move in one direction as the mass grows; {--masses} must be in the order of the "
+     "holds",
+     "der Ort ändert sich mit wachsender Masse nicht immer in dieselbe Richtung; {--masses} müssen in der "
+     "Reihenfolge der Ruhelagen stehen"},
 };
 
 }  // namespace

@@ -99,10 +99,10 @@ constexpr Entry entries[] = {
      "wächst, "
      "in großen Schwingungen mehr ausmacht."},
     {"report_rate_common", clause,
-     "The decay rate is {rate} at the record's rms amplitude, {amplitude}; how it changes as the swing dies "
+     "The decay rate is {rate} at the swing's rms amplitude, {amplitude}; how it changes as the swing dies "
      "down depends "
      "on which of the laws that fit is right.",
-     "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Aufnahme, {amplitude}; wie "
+     "Die Abklingrate ist {rate} bei der mittleren Amplitude (Effektivwert) der Schwingung, {amplitude}; wie "
      "sie sich beim "
      "Abklingen ändert, hängt davon ab, welches der passenden Gesetze stimmt."},
     {"report_at_rms_amplitude", clause, "at the rms amplitude, {amplitude}",

@@ -139,7 +139,7 @@ Notice named_rival(const LawFit& fit, const Record& record) {
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const std::string& name = fit.names[i];
     if (name == "equilibrium" || name == "angular_frequency" || name.starts_with("drive_") ||
-        is_of_the_start(name))
+        name.starts_with("force_") || is_of_the_start(name))
       continue;
     coefficients.push_back(Notice{
         "coefficient",

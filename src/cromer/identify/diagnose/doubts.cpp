@@ -384,9 +384,10 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
   kept.y = y;
   const Notice rises = is_fed(fit) && described ? growth(kept, fit, period) : rise(kept, period, noise);
   say(rises);
-  if (rises.empty()) say(steadiness(kept, fit, period));
+  const Notice coarse = coarseness(kept, fit, unit);
+  if (rises.empty() && coarse.empty()) say(steadiness(kept, fit, period));
   say(few_samples(record, fit.swing_frequency().value));
-  say(coarseness(kept, fit, unit));
+  say(coarse);
   const Notice stop = rises.empty() ? sudden_stop(kept, period, unit, described) : Notice{};
   say(stop);
   if (described) return found;

@@ -32,6 +32,7 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
   MeanDecay decay;
   const double w = fit.motion.angular_frequency();
   decay.amplitude = sinusoid_amplitude(record.y) / std::pow(w, record.derivative);
+  if (fit.explained > 0) decay.amplitude *= std::sqrt(fit.explained);  // noise is none of it
   const auto parts = parts_of(fit, decay.amplitude);
   double rate = 0, variance = 0;
   for (const auto& [name, per_unit] : parts) {

@@ -75,7 +75,9 @@ bool swings_through(const LawFit& fit, double w) {
   const double variance = w0 * w0 * fit.covariance_of("angular_frequency", "angular_frequency") +
                           g * g * fit.covariance_of("decay_rate", "decay_rate") -
                           2 * w0 * g * fit.covariance_of("angular_frequency", "decay_rate");
-  return w * w > surely * std::sqrt(std::max(0.0, variance));
+  // On the border to creeping nothing tells the two apart, and no uncertainty is known.
+  constexpr double border = 1e-6;
+  return variance > 0 && w * w > std::max(border * w0 * w0, surely * std::sqrt(variance));
 }
 
 // Whether more samples see the swing than the law has parameters: any law passes through a few that stick out

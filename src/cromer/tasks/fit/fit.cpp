@@ -296,7 +296,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   FittedSamples samples = without_outliers(result.series);
   // Without its peaks a swing seems to keep its amplitude.
   const bool has_all_peaks = !result.says("cut_tops_aside");
-  if (!options.from && !options.to && has_all_peaks) begin_where_free(result.series, samples, result.notices);
+  if (!options.from && has_all_peaks) begin_where_free(result.series, samples, result.notices);
   if (!options.to) end_where_caught(result.series, samples, result.notices);
   // The law's motion begins at the first sample that the fit sees; so must the series.
   if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
@@ -400,11 +400,26 @@ bool is_without_a_law(const FittedRecording& fitted) {
   return (status == FitStatus::no_oscillation || status == FitStatus::too_noisy) && !fitted.wrong_input;
 }
 
-// Where no one law is found for the whole, as a hand moves it at first: the fit of what swings freely, with a
-// notice.
+// Whether the zero jumps within three periods of an end, as where a hand holds the body for a moment.
+bool jumps_at_an_end(const FittedRecording& fitted) {
+  if (!is_reported || !fitted.succeeded()) return false;
+  constexpr double periods = 3;
+  const double near = periods * two_pi / fitted.fit.swing_frequency().value;
+  return std::any_of(fitted.doubts.begin(), fitted.doubts.end(), [&](const Notice& doubt) {
+    if (doubt.code != "zero_jumps") return false;
+    const auto at = std::find_if(doubt.values.begin(), doubt.values.end(),
+                                 [](const NoticeValue& each) { return each.name == "time"; });
+    const double t = std::get<double>(at->value);
+    return t < fitted.series.t.front() + near || t > fitted.series.t.back() - near;
+  });
+}
+
+// Where no one law is found for the whole, or its zero jumps at an end, as a hand moves or holds it there:
+// the fit of what swings freely, with a notice.
 Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& series, std::string_view file,
                                        const FitOptions& options, const Watch& watch) {
-  if (options.from || options.to || whole.driven || !whole.modes.empty() || !is_without_a_law(whole))
+  if (options.from || options.to || whole.driven || !whole.modes.empty() ||
+      !(is_without_a_law(whole) || jumps_at_an_end(whole)))
     return whole;
   // Also in what was cut off as after a stop: while a hand moves it, it seems to stop early.
   Result<Series> used = samples_in_use(series, options);
@@ -421,7 +436,7 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
   handled.handled_first = swing->period;
   if (swing->to) handled.handled_last = swing->period;
   Result<FittedRecording> part = fit_series(handled, file, later, watch);
-  if (!part || !part->succeeded() || is_without_a_law(*part)) return whole;
+  if (!part || !part->succeeded() || is_without_a_law(*part) || jumps_at_an_end(*part)) return whole;
   const Notice taken = swing->to ? Notice{"free_middle_taken",
                                           {{"from", swing->from},
                                            {"to", *swing->to},

@@ -158,6 +158,18 @@ Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {
 
 void add_doubts(std::vector<Parameter>& numbers, const std::vector<LawDoubt>& doubts) {
   for (Parameter& each : numbers) each = with_doubt(std::move(each), doubts);
+  // The quality factor is 1/(2 zeta): as well known as the damping ratio, and its interval as skewed.
+  const Parameter* damping = named(numbers, "damping_ratio");
+  const auto quality = std::find_if(numbers.begin(), numbers.end(),
+                                    [](const Parameter& each) { return each.name == "quality_factor"; });
+  const auto is_doubted = [](const LawDoubt& each) { return each.name == "damping_ratio"; };
+  if (!damping || quality == numbers.end() || std::none_of(doubts.begin(), doubts.end(), is_doubted)) return;
+  const Estimate& zeta = damping->estimate;
+  if (!(zeta.value > 0)) return;
+  const auto inverse = [](double ratio) { return ratio > 0 ? 1 / (2 * ratio) : HUGE_VAL; };
+  Estimate& known = quality->estimate;
+  known = {known.value, known.value * zeta.standard_error / zeta.value, inverse(zeta.high),
+           inverse(zeta.low)};
 }
 
 std::vector<double> covariance_with_doubts(const FittedRecording& result) {

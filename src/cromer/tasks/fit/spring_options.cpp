@@ -12,7 +12,7 @@ std::vector<Option> options_of(SpringOptions& o) {
        "from the periods: T² against --masses, one for each recording and run; also the spring's own mass",
        "each by itself", group},
       {"masses", &o.masses, "kg", Range::not_negative,
-       "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings", "none", group},
+       "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings", "none", group, nullptr, 10},
       {"gravity", &o.gravity, "m/s^2", Range::positive, "local acceleration of free fall, for --static",
        "9.80665 m/s²", group},
   };

@@ -6,6 +6,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
+#include "cromer/base/for_page.h"
 #include "cromer/base/nearest.h"
 
 namespace cromer::core {
@@ -77,6 +78,16 @@ bool has_decimal_comma(std::string_view text) {
                            (between.find("±") != between.npos || between.find("+") != between.npos));
 }
 
+/// The text with points for its decimal commas, where it is a list with blanks behind its other commas, as
+/// "0,2 kg, 0,3 kg"; else empty.
+[[maybe_unused]] std::string without_decimal_commas(std::string_view text) {
+  if (text.find('.') != text.npos || text.find(", ") == text.npos) return {};
+  std::string plain(text);
+  for (std::size_t i = 1; i + 1 < plain.size(); ++i)
+    if (plain[i] == ',' && is_digit(plain[i - 1]) && is_digit(plain[i + 1])) plain[i] = '.';
+  return plain == text ? std::string() : plain;
+}
+
 /// What follows the last digit or bracket: "g" of "48.4(2) g".
 std::string_view unit_in(std::string_view part) {
   const auto last = part.find_last_of("0123456789)");
@@ -87,6 +98,9 @@ std::string_view unit_in(std::string_view part) {
 /// could mean anything.
 Result<std::vector<Quantity>> parse_list(const Option& option, std::string_view text) {
   const char between = text.find(';') == text.npos ? ',' : ';';
+  if constexpr (!for_page)  // where lists are hardly typed
+    if (const std::string cure = without_decimal_commas(text); between == ',' && !cure.empty())
+      return wrong_option(option, Notice{"has_decimal_comma", {{"text", text}, {"cure", '"' + cure + '"'}}});
   const std::vector<std::string_view> given =
       has_decimal_comma(text) ? std::vector{text} : split(text, between);
   const auto with_unit =
