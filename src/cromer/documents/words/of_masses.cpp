@@ -52,8 +52,7 @@ constexpr Entry entries[] = {
      "{file}: {--static} needs masses at rest, and this moves nearly all the time, by {span:length} from one "
      "side to the other; leave {--static} out to fit its swing",
      "{file}: {--static} braucht Massen in Ruhe, und diese bewegt sich fast immer, um {span:length} von "
-     "einer "
-     "Seite zur anderen; ohne {--static} wird die Schwingung angepasst"},
+     "einer Seite zur anderen; ohne {--static} wird die Schwingung angepasst"},
     {"plateaus_unlike_masses", error,
      "{file}: {masses:mass is|masses are} given, and {found:plateau is|plateaus are} found{where}; choose "
      "the part with {|{--from} and {--to}|the handles}, or give each hold as a run or file of its own",

@@ -128,8 +128,7 @@ constexpr Entry entries[] = {
      "Die Federkonstanten stimmen im Rahmen ihrer Unsicherheiten überein, wie es die einer Feder tun."},
     {"report_stiffness_differs", clause,
      "The spring constants differ by more than their uncertainties: if it was one spring, a mass is off, or "
-     "a "
-     "part of the spring's own mass that was not counted.",
+     "a part of the spring's own mass that was not counted.",
      "Die Federkonstanten unterscheiden sich um mehr als ihre Unsicherheiten: war es eine Feder, so stimmt "
      "eine Masse nicht, oder es fehlt ein Teil der Eigenmasse der Feder."},
     {"report_recordings_by_parts", clause,

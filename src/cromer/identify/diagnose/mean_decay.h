@@ -8,9 +8,8 @@
 namespace cromer::core {
 
 struct MeanDecay {
-  double amplitude =
-      0;          ///< of a lasting sinusoid with the variance of the law's motion, in the displacement's unit
-  Estimate rate;  // [1/s] of the amplitude there, averaged over a cycle
+  double amplitude = 0;  ///< of a lasting sinusoid as strong as the law's motion, in the displacement's unit
+  Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
 };
 
 /// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. Empty

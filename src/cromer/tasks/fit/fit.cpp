@@ -400,13 +400,14 @@ bool is_without_a_law(const FittedRecording& fitted) {
   return (status == FitStatus::no_oscillation || status == FitStatus::too_noisy) && !fitted.wrong_input;
 }
 
-// Whether the zero jumps within three periods of an end, as where a hand holds the body for a moment.
-bool jumps_at_an_end(const FittedRecording& fitted) {
+// Whether the law goes over a stop, or the zero jumps within three periods of an end, as where a hand holds
+// the body for a moment.
+bool is_held_at_an_end(const FittedRecording& fitted) {
   if (!is_reported || !fitted.succeeded()) return false;
   constexpr double periods = 3;
   const double near = periods * two_pi / fitted.fit.swing_frequency().value;
   return std::any_of(fitted.doubts.begin(), fitted.doubts.end(), [&](const Notice& doubt) {
-    if (doubt.code != "zero_jumps") return false;
+    if (doubt.code != "zero_jumps") return doubt.code == "law_over_a_stop";
     const auto at = std::find_if(doubt.values.begin(), doubt.values.end(),
                                  [](const NoticeValue& each) { return each.name == "time"; });
     const double t = std::get<double>(at->value);
@@ -414,12 +415,12 @@ bool jumps_at_an_end(const FittedRecording& fitted) {
   });
 }
 
-// Where no one law is found for the whole, or its zero jumps at an end, as a hand moves or holds it there:
-// the fit of what swings freely, with a notice.
+// Where no one law is found for the whole, or it is held at an end: the fit of what swings freely, with a
+// notice.
 Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& series, std::string_view file,
                                        const FitOptions& options, const Watch& watch) {
   if (options.from || options.to || whole.driven || !whole.modes.empty() ||
-      !(is_without_a_law(whole) || jumps_at_an_end(whole)))
+      !(is_without_a_law(whole) || is_held_at_an_end(whole)))
     return whole;
   // Also in what was cut off as after a stop: while a hand moves it, it seems to stop early.
   Result<Series> used = samples_in_use(series, options);
@@ -436,7 +437,7 @@ Result<FittedRecording> fit_free_swing(FittedRecording whole, const Series& seri
   handled.handled_first = swing->period;
   if (swing->to) handled.handled_last = swing->period;
   Result<FittedRecording> part = fit_series(handled, file, later, watch);
-  if (!part || !part->succeeded() || is_without_a_law(*part) || jumps_at_an_end(*part)) return whole;
+  if (!part || !part->succeeded() || is_without_a_law(*part) || is_held_at_an_end(*part)) return whole;
   const Notice taken = swing->to ? Notice{"free_middle_taken",
                                           {{"from", swing->from},
                                            {"to", *swing->to},
