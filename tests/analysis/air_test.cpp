@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Air, HasThePublishedValues) {
   // U.S. Standard Atmosphere 1976, sea level (288.15 K).
@@ -129,5 +129,5 @@ TEST(SpeedWindows, OneWithoutASampleIsLeftOut) {
   EXPECT_EQ(found[1].speed, 2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -23,7 +23,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr int some = 40;
 
@@ -309,5 +309,5 @@ TEST(Answers, OfLimitCycles) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// |H|² of the definition, at f.
 double gain_squared(int order, const PassBand& band, double h, double f) {
@@ -153,5 +153,5 @@ TEST(Polynomial, IsTheOneOfLeastSquares) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Complex128 = std::complex<double>;
 
@@ -212,5 +212,5 @@ TEST(EffectiveNetwork, OfModesThatCreepEachHasTwoEigenvalues) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -21,7 +21,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 LinearLaw<double> linear(double w0, double zeta) { return {.decay_rate = zeta * w0, .stiffness = w0 * w0}; }
 
@@ -257,5 +257,5 @@ TEST(EffectiveOscillator, WhatNeverSettlesHasNoSteadyState) {
   EXPECT_TRUE(effective("implicit-euler", law, 0.01).steady_state);  // its own damping makes it settle
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -17,7 +17,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr Terms everything{.drive = true, .law = law_of("viscous+drag+cubic")};
 constexpr double quarter = std::numbers::pi / 2 / 3;  // of the natural period of 9 N/m and 1 kg
@@ -239,5 +239,5 @@ TEST(EnergyBalance, WhatIsLeftOverIsTheMethods) {
   EXPECT_EQ(balance.taken_by<Drag>(), 0.25);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Oscillator<double> undamped{.mass = 2, .stiffness = 72};  // w = 6 rad/s
 const DrivenOscillator<double, Terms{}> undamped_system(Oscillator<double>{.mass = 1, .stiffness = 36}, {});
@@ -67,5 +67,5 @@ TEST(Energy, ByHand) {
                    9 + 1.5 + 1);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

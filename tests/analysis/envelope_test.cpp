@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Envelope, follows_the_amplitude_of_a_decaying_swing) {
   std::vector<double> t, x;
@@ -114,5 +114,5 @@ TEST(Interpolate, between_and_beyond) {
   EXPECT_EQ(interpolate(std::vector{3.0}, std::vector{7.0}, 3), 7);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

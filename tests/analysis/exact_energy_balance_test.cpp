@@ -10,7 +10,7 @@
 #include "cromer/model/friction.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 EnergyBalance balance(const Oscillator<double>& law, const State<double>& start, double until) {
   const Oscillator<double> per_mass{
@@ -78,5 +78,5 @@ TEST(SquareOverArc, IsTheIntegralOfTheSquareOfTheVelocity) {
               1e-13);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

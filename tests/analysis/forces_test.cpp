@@ -9,7 +9,7 @@
 #include "cromer/model/driven_oscillator.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Forces, SumToMassTimesAcceleration) {
   std::mt19937 random(7);
@@ -55,5 +55,5 @@ TEST(Forces, OfFrictionAtRestBalanceAsFarAsTheyCan) {
       forces_on({.stiffness = 4}, law_with<Spring>, 0.1, {.x = 1, .v = 0}).resistance.of<Friction>(), 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

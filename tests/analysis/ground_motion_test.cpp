@@ -12,7 +12,7 @@
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double g = 9.80665;
 constexpr auto hold = BetweenSamples::hold, linear = BetweenSamples::linear;
@@ -228,5 +228,5 @@ TEST(FourierAmplitude, IsTheSumWrittenOut) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

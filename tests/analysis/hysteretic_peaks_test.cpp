@@ -12,7 +12,7 @@
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(HystereticResponse, IsThatOfAComplexSpring) {
   using namespace std::complex_literals;
@@ -119,5 +119,5 @@ TEST(HystereticPeaks, AreThoseOfASingleShaking) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

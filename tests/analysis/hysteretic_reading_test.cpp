@@ -13,7 +13,7 @@
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct Tone {
   int cycles;  // in 64 samples
@@ -90,5 +90,5 @@ TEST(HystereticReading, ARecordingThatFillsItsLengthIsNotPadded) {
   EXPECT_NEAR(hysteretic_peaks(a, 1, std::vector{period}, eta)[0] * (eta * w * w), 1, 1e-12);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

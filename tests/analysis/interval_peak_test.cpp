@@ -11,7 +11,7 @@
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -162,5 +162,5 @@ TEST(Extremes, TheMagnitudeIsTheLargerSide) {
   EXPECT_EQ(range.high, 2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr unsigned laws = 60;
 
@@ -166,5 +166,5 @@ TEST(LawAnswers, OfMethods) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

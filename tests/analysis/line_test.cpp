@@ -7,7 +7,7 @@
 #include "cromer/model/sensor.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Pearson's points with York's weights: the published test of every such line. D. York, Can. J. Phys. 44,
 // 1079 (1966); slope and intercept as in B. C. Reed, Am. J. Phys. 57, 642 (1989).
@@ -180,5 +180,5 @@ TEST(FitLine, IsThatOfLeastSquares) {
   EXPECT_NEAR(two.intercept, 3, 1e-15);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(LocalError, OfForwardEulerIsTheMissingTaylorTerm) {
   const DrivenOscillator<double, Terms{}> system({1, 9, 0, 0, 0, 0}, {});
@@ -43,5 +43,5 @@ TEST(LocalError, HasTheOrderOfEveryMethod) {
   });
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Of a law of 1 kg.
 template <Terms terms = Terms{.law = law_of("viscous")}, class M>
@@ -305,5 +305,5 @@ TEST(EnergyGrowth, OfTheExactMotion) {
   EXPECT_NEAR(energy_growth(decaying, free_motion(Exact{}, decaying, 0.01)).rate, -0.1, 1e-4);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

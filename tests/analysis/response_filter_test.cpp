@@ -14,7 +14,7 @@
 #include "cromer/model/sampled_drive.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<double> noise(std::size_t n) {
   std::mt19937_64 random(7);
@@ -111,5 +111,5 @@ TEST(IntervalMap, MeetsChopra) {
   EXPECT_EQ(row, 11);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

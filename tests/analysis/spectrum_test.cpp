@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<double> sinusoid(std::size_t n, double h, double w, double A, double phase) {
   std::vector<double> y(n);
@@ -225,5 +225,5 @@ TEST(StrongestLines, AreNotRefinedBesideZeroOrOnAFlatTop) {
   expect_line(strongest_lines({2, {5, 1, 2, 2, 2, 1}}, 0, 9).at(1), 6, 2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

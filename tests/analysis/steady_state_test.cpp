@@ -11,7 +11,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(FrequencyResponse, MeetsThePublishedValues) {
   const auto truth_file = problems::read("steady_state.json");
@@ -262,5 +262,5 @@ TEST(MeasuredSteadyState, OfWhatDoesNotPushThereIsNone) {
   EXPECT_TRUE(measure_steady_state(kept, {.amplitude = -1, .frequency = 2}).ok());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

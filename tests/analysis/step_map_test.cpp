@@ -15,7 +15,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Matrix = std::array<std::array<double, 3>, 3>;  // rows
 template <class Number = Precise>
@@ -276,5 +276,5 @@ TEST(FirstUnstableStep, IsWhereTheRadiusLeavesOne) {
   EXPECT_EQ(limit([](double h) { return h <= 400 ? 0.5 : 2.0; }), std::nullopt);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// x'' = -k x - k2 x^2 - k3 x^3 - w0^2 sin x, in small steps.
 struct Springs {
@@ -345,5 +345,5 @@ TEST(Phase, EndsWhereTheMotionStandsStillForGood) {
   EXPECT_TRUE(std::isnan(phase[5]) && std::isnan(phase[6]));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr Terms any_law{.law = any_terms};
 
@@ -139,5 +139,5 @@ TEST(TermsShowThemselves, EachKeepsOrTakesItsEnergy) {
   });
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

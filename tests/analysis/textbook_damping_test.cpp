@@ -12,7 +12,7 @@
 #include "cromer/model/sensor.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct Decay {
   std::vector<double> t, y;
@@ -170,5 +170,5 @@ TEST(HalfPowerBandwidth, MeasuresEachSideOfALineThatLeans) {
   EXPECT_NEAR(found->width, side(1e-3) + side(-1e-3), 0.003);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/analysis/frequency_response.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using namespace std::complex_literals;
 
@@ -65,5 +65,5 @@ TEST(Transmissibility, ResonanceIsBelowTheNaturalFrequency) {
   EXPECT_GT(resonance_frequency({.mass = 1, .stiffness = 2.001, .damping = 2}), 0.01);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

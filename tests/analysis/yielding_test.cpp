@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// The force follows the spring from the one before, and stays between those of yield.
 double peak_in_short_steps(const YieldingOscillator& of, double yield) {
@@ -64,5 +64,5 @@ TEST(Yielding, TheStrongestSpringThatReachesTheDuctility) {
   EXPECT_EQ((YieldingOscillator{still, 0.02, 12, 0.05}.yield_displacement(4, 0)), 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Ascii, OnlyItsLettersAndDigitsCount) {
   for (int i = 0; i < 256; ++i) {
@@ -28,5 +28,5 @@ TEST(OptionName, IsSpeltInTwoWays) {
   EXPECT_EQ(with_hyphens("drive_frequency"), "drive-frequency");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(AtOnce, DoesEachPieceOnceAndTheFirstOnThisThread) {
   for (const std::size_t count : {0U, 1U, 2U, 7U, 100U}) {
@@ -55,5 +55,5 @@ TEST(AtOnce, BeginsNoPieceBeforeThoseFarEnoughBeforeItHaveEnded) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Compensated, SumsKeepWhatDoublesDrop) {
   Compensated sum = 1;
@@ -82,5 +82,5 @@ TEST(Compensated, SineAndCosineCarryTheRestByTheirSlopes) {
   EXPECT_EQ(cos(x), Compensated(std::cos(u), -std::sin(u) * 1e-17));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <complex>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Complex, CalculatesAsTheStandardLibraryDoes) {
   const Complex<double> a{3, -2}, b{0.5, 4};
@@ -21,5 +21,5 @@ TEST(Complex, CalculatesAsTheStandardLibraryDoes) {
   expect(2.5 * a, 2.5 * p);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

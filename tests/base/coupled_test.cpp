@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Coupled, AddsAndMultipliesByComponents) {
   const Coupled<double> a{1, 2}, b{10, 20};
@@ -41,5 +41,5 @@ TEST(Coupled, OfNumbersBecomesOneOfDuals) {
   EXPECT_EQ(pair.second.derivative[0], 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(DisjointSets, AreJoinedPairByPair) {
   DisjointSets sets(6);
@@ -20,5 +20,5 @@ TEST(DisjointSets, AreJoinedPairByPair) {
   EXPECT_EQ(sets.leader(5), 5u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using D = Dual<double, 2>;
 
@@ -110,5 +110,5 @@ TEST(Dual, ComparesAtAndBesideTheLimit) {
   EXPECT_FALSE(one == two);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

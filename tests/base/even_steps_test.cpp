@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(EvenSteps, TellHowFarAStepIsFromTheirMean) {
   const EvenSteps two = even_steps(std::vector<double>{1, 3});
@@ -22,5 +22,5 @@ TEST(EvenSteps, TellHowFarAStepIsFromTheirMean) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Extent, IsTheLowestAndTheHighestWhereverTheyStand) {
   for (std::size_t n = 1; n <= 20; ++n)
@@ -24,5 +24,5 @@ TEST(Extent, IsTheLowestAndTheHighestWhereverTheyStand) {
   EXPECT_GT(extent_of({}).low, extent_of({}).high);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

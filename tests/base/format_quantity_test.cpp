@@ -6,7 +6,7 @@
 #include "cromer/base/quantity.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const std::string nbsp = "\u00a0";
@@ -88,5 +88,5 @@ TEST(FormatConcise, IsTheLongFormWhereItHasNoSense) {
   EXPECT_EQ(format_concise({infinite, 1}, "m"), "inf" + nbsp + "m");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
@@ -173,5 +173,5 @@ TEST(Grid, AUnitThatDoesNotBelongIsNotRemembered) {
   EXPECT_EQ(GridUnit{}.factor, 1);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

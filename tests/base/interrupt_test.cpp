@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Watch, AnEmptyOneNeverStops) {
   const Watch watch;
@@ -35,5 +35,5 @@ TEST(Watch, StopsWhenMoreStepsAreTakenThanThereAre) {
   EXPECT_TRUE(watch.interrupted());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <array>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -91,5 +91,5 @@ TEST(Nearest, NamesAllThatContainIt) {
   EXPECT_THAT(nearest_names("zzzzzzzz", two), ElementsAre());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/base/quantity.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 void expect(std::string_view text, double value, std::size_t length, char decimal = '.') {
   const auto number = leading_number(text, decimal);
@@ -68,5 +68,5 @@ TEST(Bytes, GoOnToTheNextUnitWhereTheyWouldHaveFourDigits) {
   EXPECT_EQ(bytes_in_words(5e21), "5e+03 EB");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(UpperMedian, IsTheMiddleOrTheUpperOfTwo) {
   const auto median = [](std::vector<double> values) { return upper_median(values); };
@@ -80,5 +80,5 @@ TEST(Quantile, ANaNDoesNoHarm) {
   EXPECT_NEAR(quantile(values, 0.25), 250, 1);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -328,5 +328,5 @@ TEST(LeadingNumber, TakesTheLongestNumber) {
   EXPECT_FALSE(leading_number("--1").has_value());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

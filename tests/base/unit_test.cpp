@@ -9,7 +9,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr Dimension none{}, mass{.kilogram = 1}, length{.metre = 1}, duration{.second = 1},
     temperature{.kelvin = 1}, current{.ampere = 1}, angle{.radian = 1},
@@ -176,5 +176,5 @@ TEST(ParseUnit, TheWordThatIsUnknownIsNamed) {
   EXPECT_FALSE(parse_unit("pm^9 pm^9 pm^9").ok());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Printable, KeepsWhatPeopleRead) {
   for (const char* text : {"", "abc", "two\nlines\tand a tab", "µ = 0.5 ± 0.1 m/s²", "Länge – 長さ 😀"})
@@ -121,5 +121,5 @@ TEST(Utf8, WhereverInALongTextAByteIsNone) {
   EXPECT_EQ(printable_json("\x80\x1f"), "\uFFFD\\u001f");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -169,5 +169,5 @@ TEST(BadOptions, AnUnwritableFolderKeepsItsOldFile) {
   EXPECT_THAT(folder.names(), ::testing::ElementsAre("old.csv"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

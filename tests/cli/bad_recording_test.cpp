@@ -10,7 +10,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -173,5 +173,5 @@ TEST(BadRecording, ASeismometerAtRestExitsOneAndSaysWhy) {
   EXPECT_FALSE(end.json()["message"].get<std::string>().empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

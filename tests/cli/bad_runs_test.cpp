@@ -11,7 +11,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -170,5 +170,5 @@ TEST(BadRuns, AStopThatWasAskedForIsNone) {
   EXPECT_TRUE(folder.has("out/index.html"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

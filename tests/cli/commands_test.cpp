@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
@@ -255,5 +255,5 @@ TEST(Compare, DrawsEachMethodInThePanelsAsked) {
   EXPECT_EQ(folder.read("no.svg"), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -15,7 +15,7 @@
 #include "tests/support/markdown.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 /// The commands of a shell block, a line each, with their continuations and without comments.
 std::vector<std::string> commands_in(const std::string& block) {
@@ -246,5 +246,5 @@ TEST(Docs, EveryKeyOfAStudyIsExplained) {
   EXPECT_GT(keys, 50);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

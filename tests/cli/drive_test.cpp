@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -118,5 +118,5 @@ TEST(Drive, SaysWhatGetsThrough) {
   EXPECT_FALSE(free.contains("transmissibility"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

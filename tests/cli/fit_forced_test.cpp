@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -160,5 +160,5 @@ TEST(FitForced, WithoutASpringTheFigureShowsTheWholeMotion) {
   EXPECT_THAT(figure, Not(HasSubstr("largest swing")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -12,7 +12,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -479,5 +479,5 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the file to be read");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

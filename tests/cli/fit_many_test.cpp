@@ -15,7 +15,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -373,5 +373,5 @@ TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
   EXPECT_THAT(folder.run({"fit", "two.csv", "--law", "viscous"}).out, HasSubstr("run 2: wrong_input"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -11,7 +11,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -76,5 +76,5 @@ TEST_P(UnfitRecording, HasAStatusAMessageAndNoNumbers) {
 INSTANTIATE_TEST_SUITE_P(Fit, UnfitRecording, ::testing::ValuesIn(unfit),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -279,5 +279,5 @@ TEST(Record, OverwritesNothingAndNamesWhatIsWrong) {
   EXPECT_FALSE(folder.has("new.csv"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -9,7 +9,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -457,5 +457,5 @@ TEST(Report, SaysThatOneRunLooksLikeMassesAtRest) {
   EXPECT_THAT(folder.run({"report", "levels.csv", "-o", "out"}).err, says_it);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -6,7 +6,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 const std::string data = CROMER_SOURCE_DIR "/data/";
 
@@ -76,5 +76,5 @@ TEST(SampleData, AnswersTheLabsQuestions) {
   EXPECT_EQ(fit.at("decay_segments").size(), 3u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -12,7 +12,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -330,5 +330,5 @@ TEST(ServeAttack, AStopDoesNotWaitForADeviceThatDoesNotAnswer) {
   EXPECT_FALSE(folder.has("swing.csv"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

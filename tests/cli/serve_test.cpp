@@ -10,7 +10,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -221,5 +221,5 @@ TEST(Serve, WhatCannotBeReachedIsSaidAndTheServerGoesOn) {
   EXPECT_TRUE(served.is_up());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

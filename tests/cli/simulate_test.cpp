@@ -13,7 +13,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -403,5 +403,5 @@ TEST(Simulate, LaysTheFittedMotionOverItsRecording) {
   EXPECT_THAT(run.err, HasSubstr("µm (rms) from it, over 81 samples of Weg (mm)"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -14,7 +14,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -539,5 +539,5 @@ TEST(Spectrum, WarnsOfPeriodsThatAreTooShort) {
   EXPECT_THAT(folder.run({"spectrum", "quake.csv", "--periods", "0.015,1", "--quiet"}).err, "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -55,5 +55,5 @@ TEST(Summary, OfALawWithDragSaysWhereTheEnergyWent) {
   EXPECT_THAT(text, HasSubstr("had 0.5 J, of which drag took 75.6 %, the method itself 24.3 %"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -15,7 +15,7 @@
 #include "program.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -338,5 +338,5 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   refused({"1:2:4", "--tolerance", "1e-6,x"}, "--tolerance");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -193,5 +193,5 @@ TEST(Output, ThatCannotBeWrittenIsSaidOnce) {
   EXPECT_TRUE(folder.has("page/index.html"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -21,7 +21,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 const std::filesystem::path folder_of_transcripts = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts";
 
@@ -190,5 +190,5 @@ std::vector<std::string> names_of_transcripts() {
 INSTANTIATE_TEST_SUITE_P(Of, Transcript, testing::ValuesIn(names_of_transcripts()),
                          [](const auto& each) { return each.param; });
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -14,7 +14,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::exists;
 using test::on_ranks;
@@ -164,5 +164,5 @@ TEST_F(Killed, by_a_full_disk_at_the_beginning_leaves_nothing) {
   EXPECT_FALSE(exists(file) || exists(file + ".new") || exists(file + ".journal"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::on_ranks;
 using testing::HasSubstr;
@@ -100,5 +100,5 @@ TEST(RankThreads, are_the_share_of_the_machine) {
   unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::exists;
 using testing::HasSubstr;
@@ -277,5 +277,5 @@ TEST(RowsFile, of_ten_million_rows_takes_little_memory) {
   EXPECT_EQ(dataset(file, "phase").numbers.back(), 1e-7);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

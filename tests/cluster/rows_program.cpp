@@ -19,7 +19,7 @@
 #include "cromer/cluster/rows_file.h"
 #include "cromer/documents/words/words.h"
 
-namespace {
+namespace CROMER_FILE {
 
 std::atomic<bool> stop_asked{false};
 
@@ -50,7 +50,7 @@ int fail(const std::string& message, int status) {
   return status;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 
 int main(int count, char** words) {
   using namespace cromer::core;

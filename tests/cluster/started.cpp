@@ -17,14 +17,14 @@ namespace cromer::core::test {
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace CROMER_FILE {
 
 // For the tests and all that they start: where the modules of this build are, and that Open MPI does not give
 // back all it takes (cromer's own leaks show where there is one rank).
 const bool told = setenv("CROMER_MODULES", CROMER_MODULE_FOLDER, 1) == 0 &&
                   setenv("ASAN_OPTIONS", "detect_leaks=0", 1) == 0;
 
-}  // namespace
+}  // namespace CROMER_FILE
 
 Folder::Folder() {
   std::string name = (fs::temp_directory_path() / "cromer-cluster-XXXXXX").string();

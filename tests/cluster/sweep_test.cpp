@@ -16,7 +16,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::datasets;
 using test::exists;
@@ -261,5 +261,5 @@ TEST_F(SweepFile, wrong_options_are_told_once_by_all_ranks) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
@@ -225,5 +225,5 @@ TEST_F(Tables, WhereTheyCannotBeWrittenNothingIsLeft) {
   EXPECT_TRUE(left().empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

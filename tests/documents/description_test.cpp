@@ -19,7 +19,7 @@
 #include "tests/support/expect_in.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using described::is_optional;
 using described::ItemOf;
@@ -266,5 +266,5 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
           table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

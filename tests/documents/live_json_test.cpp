@@ -8,7 +8,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(LiveJson, SamplesAreAListForEachColumn) {
   SampleRows rows;
@@ -78,5 +78,5 @@ TEST(LiveJson, AFitThatIsNotThereYetSaysWhy) {
   EXPECT_EQ(live_fit_json(fitted), begins + "\"samples\":2,\"from\":0.5,\"to\":0.75," + why);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "tests/support/expect_in.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct TypeOf {
   bool grid;  ///< a text may be a number or an array
@@ -109,5 +109,5 @@ TEST(Descriptions, AreThePythonPackagesArguments) {
                 table + "}\n");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

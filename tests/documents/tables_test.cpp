@@ -14,7 +14,7 @@
 #include "cromer/version.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -213,5 +213,5 @@ TEST(SpectrumTables, OfManyMotionsAreThoseThatSucceeded) {
   EXPECT_EQ(tables[2].columns.size(), 5u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

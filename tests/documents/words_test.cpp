@@ -31,7 +31,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::EndsWith;
 
@@ -334,5 +334,5 @@ TEST(Catalogue, HasNothingThatNobodyRaises) {
       EXPECT_NE(all.find("\"" + std::string(entry.code) + "\""), std::string::npos) << entry.code;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "tests/door/c_answer.h"
 
-namespace {
+namespace CROMER_FILE {
 
 using cromer::tests::Answer;
 using cromer::tests::array;
@@ -362,4 +362,4 @@ TEST(CallC, NothingIsSaidOfNothing) {
   EXPECT_STREQ(cromer_version(), "0.1.0");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -814,4 +814,4 @@ TEST(DoorQuantity, TextIsReadAndWritten) {
   EXPECT_THAT(cromer::parse_quantity("5 N", "kg").error().message(), HasSubstr("is a force"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

@@ -12,7 +12,7 @@
 #include "cromer/cromer.h"
 #include "tests/door/c_answer.h"
 
-namespace {
+namespace CROMER_FILE {
 
 using cromer::sought;
 using cromer::tests::Answer;
@@ -292,4 +292,4 @@ TEST(CallC, RefusesNetworksThatAreNone) {
             "not_an_array_here");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

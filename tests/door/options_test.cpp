@@ -15,7 +15,7 @@
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/simulate.h"
 
-namespace {
+namespace CROMER_FILE {
 
 using nlohmann::json;
 using testing::ElementsAre;
@@ -370,4 +370,4 @@ TEST(DoorSpectrum, InterruptedItHasNoCurves) {
   EXPECT_EQ(cromer::svg(*spectrum), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

@@ -13,7 +13,7 @@
 #include "cromer/cromer.h"
 #include "tests/door/c_answer.h"
 
-namespace {
+namespace CROMER_FILE {
 
 using cromer::tests::Answer;
 using cromer::tests::array;
@@ -299,4 +299,4 @@ TEST(Verb, ArraysHaveNamesAndValues) {
   EXPECT_NE(cromer_arrays(run.get(), nullptr), nullptr);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

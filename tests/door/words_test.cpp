@@ -12,7 +12,7 @@
 #include "cromer/door/options.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// The code of an entry whose sentence begins with that option.
 std::string begins_with_option(std::string_view option) {
@@ -91,5 +91,5 @@ TEST(Observed, TheErrorNamesTheWord) {
             "acceleration");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

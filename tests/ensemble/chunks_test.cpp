@@ -15,7 +15,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// 103 rows of two columns in chunks of 10; rounding differs from row to row, and chunks take unlike times.
 ChunkedRows sample_work() {
@@ -166,5 +166,5 @@ TEST(Chunks, pass_on_what_making_them_throws) {
                std::bad_alloc);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

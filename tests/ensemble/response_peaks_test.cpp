@@ -11,7 +11,7 @@
 #include "cromer/ensemble/dispatch.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<double> shaking(std::size_t n, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -191,5 +191,5 @@ TEST(ResponsePeaks, ByDefaultTheFastestUnitWalks) {
   for (std::size_t i = 0; i < laws.size(); ++i) EXPECT_EQ(found[i].overall(), fastest[i].overall()) << i;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/ensemble/dispatch.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Samples = std::vector<double>;
 
@@ -178,5 +178,5 @@ TEST(RotatedPeaks, ByDefaultTheFastestUnitWalks) {
   for (std::size_t i = 0; i < laws.size(); ++i) EXPECT_EQ(found[i].median, fastest[i].median);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // So few bits that every angle of a million steps is exact.
 constexpr HarmonicForce<double> force{2, 0.75, 0.5};
@@ -58,5 +58,5 @@ TEST(RotatedForce, EveryMethodOfFixedStepsHasOneOrDivisions) {
   });
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using cromer_group::Group;
 using cromer_group::Order;
@@ -248,5 +248,5 @@ TEST(Symbols, AUnitSharesNoCode) {
 }
 #endif
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -142,5 +142,5 @@ TEST(CompareFigure, ManyRunsHaveARowEach) {
   EXPECT_EQ(figure.panels[7].title, "Run 4: Phase portrait");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

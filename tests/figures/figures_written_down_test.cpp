@@ -17,7 +17,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::as_written;
 
@@ -392,5 +392,5 @@ TEST(FiguresWrittenDown, OfComparisons) {
   expect_figures_as_written_down(text, "comparisons");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -58,5 +58,5 @@ TEST(FitFigure, OfManyRecordingsHasTheirNamesInItsKey) {
     for (const Curve& curve : panel.curves) EXPECT_EQ(curve.name + curve.remark, "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/tasks/network/network_file.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const char* const two_carts = R"(
 [[mass]]
@@ -76,5 +76,5 @@ TEST(NetworkFigure, DrawsTheShapesOfTheModes) {
   EXPECT_TRUE(figure.panels[2].title.starts_with("Mode 2: ")) << figure.panels[2].title;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -76,5 +76,5 @@ TEST(Energy, HasTheUnitThatSuits) {
   EXPECT_EQ(energy_unit(2e-5).symbol, "µJ");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

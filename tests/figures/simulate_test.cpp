@@ -10,7 +10,7 @@
 #include "cromer/report/layout.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -248,5 +248,5 @@ TEST(SimulateFigure, HasTheRecordingAsDotsInThePanelOfPositions) {
   for (const std::size_t other : {1u, 2u}) EXPECT_EQ(figure.panels[other].curves.size(), 1u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(SpectraFigure, OfManyMotionsNamesTheThinLines) {
   std::vector<MotionSpectra> motions;
@@ -82,5 +82,5 @@ TEST(TripartiteFigure, OfAShockHasPseudoVelocitiesOverItsFrequencies) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/figures/figures.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -37,5 +37,5 @@ TEST(SweepFigure, NamesTheLastState) {
   EXPECT_EQ(figure.panels[1].y.name, "final velocity {/:Italic v} (m/s)");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

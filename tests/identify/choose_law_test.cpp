@@ -14,7 +14,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
   const FreeSwing truth{.angular_frequency = 8.849,
@@ -181,5 +181,5 @@ TEST(ChooseLaw, APartThatIsInterruptedSaysWhatIsMissing) {
   EXPECT_EQ(choice.chosen.notices[0].code, "laws_compared_on_a_part");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -283,5 +283,5 @@ TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
   EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("cannot be told apart")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

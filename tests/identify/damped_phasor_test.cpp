@@ -8,7 +8,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // The same sums from the definition, sample by sample, with derivatives by dual numbers.
 NormalEquations direct(const Record& record, const Parameters& p) {
@@ -95,5 +95,5 @@ TEST(DampedPhasor, BestAmplitudesAreExactAtTheTrueRates) {
   EXPECT_NEAR(best.cosine, truth.position, 1e-12);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

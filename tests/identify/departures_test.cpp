@@ -14,7 +14,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Windows of eight samples and one second, with exactly these amplitudes, and the sample that ends the last.
 SyntheticRecord of_amplitudes(const std::vector<double>& amplitudes) {
@@ -354,5 +354,5 @@ TEST(LeavesALine, InTooFewSamplesIsNotDenied) {
   EXPECT_FALSE(has_line(32, 0, 6, 1000));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

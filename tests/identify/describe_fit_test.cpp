@@ -12,7 +12,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
   const SyntheticRecord record = viscous_record({}, even_times(100, 0.01), 1e-3);
@@ -116,5 +116,5 @@ TEST(LawFit, HysteresisAddsToTheFrequency) {
   EXPECT_EQ(fit.swing_frequency().standard_error, 0.3);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

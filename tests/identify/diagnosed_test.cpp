@@ -15,7 +15,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Some samples a period of about a second; every third record has uneven times.
 std::vector<double> some_times(Chance& chance, double periods, double fewest = 9, double most = 30) {
@@ -425,5 +425,5 @@ TEST(Diagnosed, WhichMultipleOfABentSwingALineIs) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

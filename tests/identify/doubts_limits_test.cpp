@@ -12,7 +12,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -447,5 +447,5 @@ TEST(MeanDecay, IsWrittenWithItsError) {
             "decay rate 0.0123\u00a0±\u00a00.0004\u00a01/s at the swing's rms amplitude");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

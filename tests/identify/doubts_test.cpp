@@ -14,7 +14,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -223,5 +223,5 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   EXPECT_EQ(in_words(widening(fit, 3000)), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

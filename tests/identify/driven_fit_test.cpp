@@ -11,7 +11,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct DrivenTruth {
   double w0 = 7.2, g = 0.04, drive = 7.58, amplitude = 0.25, phase = 1.1, equilibrium = 0.3, position = 0.02,
@@ -223,5 +223,5 @@ TEST(DrivenFit, DryFrictionIsToldFromDamping) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Half the gradient of the sum of squares, with the sign turned, is what the normal equations hold.
 void expect_exact_derivatives(const FittedParameters& fitted, const Motion& motion, const Drive& drive,
@@ -121,5 +121,5 @@ TEST(RecordedColumns, ABlocksEdgeShowsNowhere) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Motion swing_of(const std::string& law) {
   Motion motion{.law = law_of(law), .equilibrium = 0.2, .position = 0.5, .velocity = 0.3};
@@ -156,5 +156,5 @@ TEST(Effort, OfTheClosedFormIsAFewIterations) {
   EXPECT_LE(fit_law({times, y}, {.law = law_of("viscous")}).iterations, 2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

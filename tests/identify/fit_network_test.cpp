@@ -13,7 +13,7 @@
 #include "tests/identify/network_truth.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Network pendulums(double cubic = 0) {
   Network network{.angles = true};
@@ -327,5 +327,5 @@ TEST(FitNetwork, RefusesAShortAndADeadRecord) {
   EXPECT_EQ(fit_network(truth, springs_and_dampers, dead.record()).status, FitStatus::no_oscillation);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

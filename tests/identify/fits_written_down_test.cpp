@@ -18,7 +18,7 @@
 #include "tests/support/number_sheet.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const std::filesystem::path fit_numbers = std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/numbers";
 
@@ -583,5 +583,5 @@ TEST(FitsWrittenDown, OfOtherNetworks) {
   sheet.expect_as_in(fit_numbers / "other_network_fits.txt");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
@@ -134,5 +134,5 @@ TEST(ForceNoise, OfTheMotionsSensorAloneIsNone) {
   EXPECT_LE(told, 7);  // of 2 expected
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

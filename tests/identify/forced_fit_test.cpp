@@ -6,7 +6,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Law linear = law_of("viscous"), with_drag = law_of("viscous+drag"),
           curved = law_of("viscous+quadratic+cubic"), everything = law_of("viscous+drag+quadratic+cubic");
@@ -380,5 +380,5 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

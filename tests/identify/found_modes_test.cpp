@@ -14,7 +14,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Answers& operator<<(Answers& said, const std::complex<double>& z) { return said << z.real() << z.imag(); }
 
@@ -303,5 +303,5 @@ TEST(FoundModes, Lags) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

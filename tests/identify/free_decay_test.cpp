@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 bool covers(const Estimate& e, double value) { return e.low <= value && value <= e.high; }
 
@@ -254,5 +254,5 @@ TEST(LawFit, ShiftScaleAndTimeUnitChangeNothingElse) {
   EXPECT_NEAR(b.equilibrium().value, -1000 * a.equilibrium().value + 7, 1e-6);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

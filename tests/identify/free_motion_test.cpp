@@ -11,7 +11,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const FreeSwing disc{.angular_frequency = 8.849,
                      .decay_rate = 0.0018,
@@ -210,5 +210,5 @@ TEST(ChooseLaw, DragIntervalsHold) {
   EXPECT_GE(covered, 52);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double h = 0.125;  // [s] times and differences of them are exact
 
@@ -345,5 +345,5 @@ TEST(FreePartLimits, ALevelThatRoseOrHardlyFell) {
   EXPECT_FALSE(after_a_drive(40, 70, 0.08, 20, -0.008));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

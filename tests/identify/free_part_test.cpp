@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // A motion with noise at 50 Hz.
 template <class FreeSwing>
@@ -290,5 +290,5 @@ TEST(Kink, IsNoneInABeat) {
       }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

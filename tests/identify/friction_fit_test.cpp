@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 SyntheticRecord noisy(const FreeSwing& motion, const std::vector<double>& t, double noise,
                       unsigned seed = 1) {
@@ -178,5 +178,5 @@ TEST(FrictionFit, AMotionThatStopsAfterAFewHalfSwingsIsFound) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

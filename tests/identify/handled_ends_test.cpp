@@ -9,7 +9,7 @@
 #include "cromer/model/sensor.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double period = 1.25, rate = 0.03;
 
@@ -80,5 +80,5 @@ TEST(FreeSwing, IsTakenWholeWhereDragOrABentSpringChangeIt) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

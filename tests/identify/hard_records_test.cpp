@@ -12,7 +12,7 @@
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Columns of time, force where there are three, and position.
 ForcedSynthetic read(const std::string& name) {
@@ -73,5 +73,5 @@ TEST(HardRecords, AReadingIsTriedFromWhereAnotherLed) {
   EXPECT_EQ(fit.drive.force.between, BetweenSamples::band_limited);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // In coarse steps the method's own error is a hundred times the noise, and any term more takes some of it up.
 TEST(HardlyAnyNoise, TheLawIsNotOneTermTooMany) {
@@ -100,5 +100,5 @@ TEST(HardlyAnyNoise, ALawIsNotGivenUpForItsNumberOfHalfSwings) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

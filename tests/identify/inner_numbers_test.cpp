@@ -20,7 +20,7 @@
 #include "tests/support/number_sheet.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const std::filesystem::path numbers = std::filesystem::path(CROMER_SOURCE_DIR) / "tests/identify/numbers";
 
@@ -803,5 +803,5 @@ TEST(InnerNumbers, Samplings) {
   sheet.expect_as_in(numbers / "samplings.txt");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

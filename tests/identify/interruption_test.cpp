@@ -8,7 +8,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
   const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
@@ -125,5 +125,5 @@ TEST(Interruption, AFitThatGrowsEndsAtAnyPass) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

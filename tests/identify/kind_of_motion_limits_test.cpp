@@ -7,7 +7,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double strong = 6, hair = 1e-6;
 
@@ -298,5 +298,5 @@ TEST(KindOfMotionLimits, AHarmonicIsNoModeUnlessTheDriveIsKnown) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

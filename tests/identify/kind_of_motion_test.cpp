@@ -9,7 +9,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Two lines of amplitude 0.03 with decay rates g and f.
 SyntheticRecord two_lines(double g, double f, double apart, unsigned seed) {
@@ -60,5 +60,5 @@ TEST(KindOfMotion, AHarmonicIsNoModeUnlessTheDriveIsKnown) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Law, ReadsAnySumInAnyOrder) {
   for (const char* text : {"viscous+drag+cubic", "cubic+viscous+drag", " drag + cubic + viscous "}) {
@@ -39,5 +39,5 @@ TEST(Law, RefusesEmptyAndRepeatedTerms) {
     EXPECT_FALSE(parse_law(text).ok()) << text;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

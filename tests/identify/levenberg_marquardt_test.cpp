@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // y = a exp(-b t): its normal equations, given data.
 struct Exponential {
@@ -122,5 +122,5 @@ TEST(NormalEquations, InverseTimesMatrixIsOne) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

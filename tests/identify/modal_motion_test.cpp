@@ -9,7 +9,7 @@
 #include "tests/identify/modal_records.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<TrueMode> three_masses() {
   return {{2.1, 0.010, {0.4, 0.7, 1.0}}, {5.2, 0.012, {-0.9, -0.4, 1.0}}, {7.6, 0.020, {0.7, -1.0, 0.4}}};
@@ -367,5 +367,5 @@ TEST(ModalMotion, gaps_stay_where_they_are_behind_a_still_beginning) {
   EXPECT_EQ(from_sample(channels.record(), 30).samples(), 70u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

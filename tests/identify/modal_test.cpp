@@ -18,7 +18,7 @@
 #include "tests/identify/modal_records.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // A recording of ../shared/data/networks: its channels, without the times; empty if it is not there.
 MadeChannels shared_recording(const std::string& name) {
@@ -332,5 +332,5 @@ TEST(Modal, a_short_record_of_random_forces_is_no_free_decay) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

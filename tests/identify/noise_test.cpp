@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // A decaying oscillation, its parameters' derivatives a linear model: frequency, decay, equilibrium, both
 // phases.
@@ -334,5 +334,5 @@ TEST(RoundingBias, CoarseRoundingWidensTheUncertainties) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

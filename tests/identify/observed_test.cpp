@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const FreeSwing disc{.angular_frequency = 6,
                      .decay_rate = 0.02,
@@ -125,5 +125,5 @@ TEST(EnvelopeTrack, FindsTheLawsStartValues) {
   EXPECT_NEAR(loss(start), loss(disc), 0.1 * loss(disc));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -146,5 +146,5 @@ TEST(Outliers, AreSoughtFiveTimesAtMost) {
   EXPECT_THAT(settled.aside, ElementsAre(50));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -256,5 +256,5 @@ TEST(DropOuts, OfAVeryLongRecord) {
             (Places{7, 8, 9, 250'001, 250'002, 250'003, 409'000, 409'001, 409'002}));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/identify/motion/motion_system.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Any polynomial of fifth degree.
 double place(double t) { return 1 + t * (-2 + t * (0.5 + t * (3 + t * (-1.5 + t * 0.7)))); }
@@ -96,5 +96,5 @@ TEST(RecordedColumns, AreTheForceBetweenItsSamples) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Change = std::function<void(LawFit&)>;
 
@@ -238,5 +238,5 @@ TEST(Readings, AnInterruptionEndsTheChoice) {
               in_words(choice.chosen.notices).back().find("is open") == std::string::npos);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

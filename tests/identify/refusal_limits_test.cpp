@@ -12,7 +12,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -252,5 +252,5 @@ TEST(RefusalLimits, FewestSamples) {
   EXPECT_EQ(told(refuse_record(rest.record(), {})), "no_oscillation: all values are the same: nothing moves");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 FitStatus status_of(const SyntheticRecord& record) {
   const LawFit fit = fit_law(record.record(), {});
@@ -137,5 +137,5 @@ TEST(Refusal, WhatIsTooNoisyIsSoForEveryLaw) {
   EXPECT_EQ(fit.explained, viscous.explained);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<double> white(std::size_t n, unsigned seed) {
   std::mt19937_64 engine(seed);
@@ -151,5 +151,5 @@ TEST(Residual, OneSampleIsNoGrid) {
   EXPECT_EQ(find_sampling(t).stretches[0].count, 1u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double noise = 1e-3;
 
@@ -88,5 +88,5 @@ TEST(RestMinima, EqualMinimaCountEqually) {
   EXPECT_EQ(in_words(fit.notices).size(), 1u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -135,5 +135,5 @@ TEST(SecondMode, IsLookedForInSixtyFourSamplesOrMore) {
   EXPECT_TRUE(second_drives(line.first(63), 8, "m").empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

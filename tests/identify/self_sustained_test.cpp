@@ -11,7 +11,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double decay_rate = -0.1, van_der_pol = 40, limit = 0.1414;  // sqrt(0.8/40)
 const Law fed = law_of("viscous+van-der-pol");
@@ -180,5 +180,5 @@ TEST(SelfSustained, NeedsItsBound) {
   EXPECT_GE(fit.decay_rate().value, 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Of times 0.02 s apart, `lost` samples after number `at` of which are missing while the times go on.
 SyntheticRecord with_samples_lost(const FreeSwing& truth, std::size_t at, int lost, unsigned seed,
@@ -107,5 +107,5 @@ TEST(SlippedTimes, AreFoundInDerivatives) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double w = 6, g = 0.05, h = 0.02;
 
@@ -112,5 +112,5 @@ TEST(DrivenStart, IsNoneOfARecordThatRests) {
   EXPECT_FALSE(driven_start({t, y}, {}));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

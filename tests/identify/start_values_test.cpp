@@ -13,7 +13,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double w0 = 6, period = two_pi / w0;
 
@@ -240,5 +240,5 @@ TEST(StartValues, ASwingThatDoesNotDecayIsNotTakenToGrow) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

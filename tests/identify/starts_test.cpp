@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Starts, OfASwingAreThoseOfItsFirstPart) {
   const FreeSwing swing{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.2, .position = 0.5};
@@ -114,5 +114,5 @@ TEST(Starts, AlongAnEnvelopeAreThoseOfEachLaw) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

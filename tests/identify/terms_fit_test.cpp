@@ -14,7 +14,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // A coefficient that changes a swing of 1 at 6 rad/s by a few percent. A term for which none is chosen has
 // one that does about as much.
@@ -230,5 +230,5 @@ TEST(TermsFit, APendulumsRestIsTheOneThatItSwingsAbout) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // For one and two degrees of freedom the distribution has a closed form.
 TEST(Student, MeetsItsClosedForms) {
@@ -46,5 +46,5 @@ TEST(Student, QuantileAndProbabilityUndoEachOther) {
           << p << " of " << degrees;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

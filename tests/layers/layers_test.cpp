@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace CROMER_FILE {
 
 namespace fs = std::filesystem;
 
@@ -276,4 +276,4 @@ TEST(Layers, a_wrong_include_is_seen) {
   EXPECT_EQ(complaint("tasks/fit/fit.cpp", "read/recording.h"), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE

@@ -8,7 +8,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -310,5 +310,5 @@ TEST(ArrivalClock, SaysHowManyByTheRate) {
   EXPECT_EQ(name(TimesBy::nothing), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -14,7 +14,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -136,5 +136,5 @@ TEST_F(FullDisk, OnlyWhatIsInTheFileIsCounted) {
   EXPECT_EQ(recorder.rows_since(kept + 5).size(), 0u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "server.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::StartsWith;
 
@@ -131,5 +131,5 @@ TEST(HttpClient, WhereNobodyListensItSaysSo) {
   EXPECT_EQ(got(client, "/"), "Error: 127.0.0.1:" + std::to_string(port) + ": Connection refused");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

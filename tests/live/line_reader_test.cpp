@@ -8,7 +8,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -338,5 +338,5 @@ TEST(LineReader, RowsThatAreLetGoHaveOneValue) {
   EXPECT_EQ(two.size(), 2u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "server.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -129,5 +129,5 @@ TEST(Sources, AreMadeByTheirNames) {
   EXPECT_EQ(input->times().by, TimesBy::nothing);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -12,7 +12,7 @@
 #include "server.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -125,11 +125,11 @@ TEST(Phyphox, WhetherThePhoneMeasuresStandsInItsStatus) {
     EXPECT_FALSE(measuring(other)) << other;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -322,5 +322,5 @@ TEST(PhyphoxSource, WhatItCannotOpenIsAnError) {
               HasSubstr("the phone's experiment \"\" has no values with a time"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

@@ -8,7 +8,7 @@
 #include "arrivals.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 double sum_of_delays(const std::vector<double>& arrivals, const RateLine& line) {
   double sum = 0;
@@ -128,5 +128,5 @@ TEST(RateLine, RoughnessOfThreeIsTheirBend) {
   EXPECT_EQ(roughness(std::vector<double>{}), 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

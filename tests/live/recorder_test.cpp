@@ -14,7 +14,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 namespace fs = std::filesystem;
 
@@ -318,5 +318,5 @@ TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
   EXPECT_FALSE(fs::exists(recorded.path));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

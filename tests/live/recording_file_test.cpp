@@ -13,7 +13,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 namespace fs = std::filesystem;
 
@@ -109,5 +109,5 @@ TEST_F(RecordingFiles, LinesOfAnyLengthAreWrittenWhole) {
             "# " + longer + "\n# short\n# " + piece.substr(2) + "\n# " + longer + "\n" + piece + ",x\n");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 
@@ -38,5 +38,5 @@ TEST(Headings, AreNamedWithOrWithoutTheirUnit) {
   EXPECT_FALSE(is_named("Position (mm)", "mm"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 void expect(std::string_view text, SourceKind kind, std::string_view place, int number) {
   const auto name = parse_source(text);
@@ -40,5 +40,5 @@ TEST(SourceName, WhatIsNoneNamesTheForms) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -257,5 +257,5 @@ TEST(Timekeeper, ThePaceIsKnownAfterTwoSeconds) {
   EXPECT_EQ(clock.pace(), 4);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Oscillating = DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}>;
 using Free = DrivenOscillator<double, Terms{}>;
@@ -210,5 +210,5 @@ TEST_P(EveryMethod, TabulatedDriveIsTheDrive) {
   EXPECT_NEAR(with_table.v, without.v, 1e-13);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

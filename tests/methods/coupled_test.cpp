@@ -8,7 +8,7 @@
 #include "cromer/methods/rk4.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// x'' = -x - z, z' = 2 v - z.
 struct Relaxing {
@@ -40,5 +40,5 @@ TEST(Coupled, CarriesDualsThroughAMethod) {
   EXPECT_NEAR(by(Rk4{}), by(DormandPrince{}), 1e-10);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/model/driven_oscillator.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> swinging({1, 9, 0.4, 0, 0, 0},
                                                                                         {1.0, 2.0, 0.3});
@@ -61,5 +61,5 @@ TEST(DormandPrince, ARejectedCopyLeavesTheMemoryAsItWas) {
             method.step(swinging, 0.0, 0.1, start, fresh).y);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

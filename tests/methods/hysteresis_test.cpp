@@ -14,7 +14,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using System = HystereticOscillator<HarmonicForce<double>>;
 using Both = State<Coupled<double>>;
@@ -162,5 +162,5 @@ TEST(Hysteresis, ItsRateHasTheDerivativeOfItsDifferences) {
       }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using EveryMethodOnNetworks = EveryMethod;
 
@@ -134,5 +134,5 @@ TEST_P(EveryMethodOnNetworks, OneMassIsTheOscillatorToTheBit) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Newton, ConvergesQuadratically) {
   const auto square = [](const Dual<double, 1>& u) { return u * u - 2.0; };
@@ -58,5 +58,5 @@ TEST(Newton, NotANumberIsNotConvergence) {
   EXPECT_FALSE(newton(broken, 1.0, {1, 0}, {}).converged);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Calls f with the law of a problem. The laws of the file are these four; with_terms would compile them all.
 template <class F>
@@ -61,5 +61,5 @@ TEST(PublishedStatesFile, HasNoMethodThatTheRegistryLacks) {
       EXPECT_NE(find_method(method), nullptr) << method << " in " << name;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/all.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Registry, NamesAreUniqueAndFound) {
   for (const auto name : method_names) {
@@ -37,5 +37,5 @@ TEST(Registry, SettingsReachTheMethod) {
   EXPECT_EQ(make_method<GeneralizedAlpha>(settings).rho_inf, 0.4);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/model/driven_oscillator.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // The same law with its terms as a type: what with_terms calls with.
 TEST(AnyTerms, AcceleratesAsTheLawWithExactlyItsTermsDoes) {
@@ -55,5 +55,5 @@ TEST(AnyTerms, AbsentTermsDoNotOverflow) {
   EXPECT_EQ(linear.acceleration(0, 1e300, 1e300), -2e300);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(BandLimited, KeepsTheSamplesAndConstants) {
   const std::vector<double> samples{1, 4, -2, 7, 0, 3};
@@ -51,5 +51,5 @@ TEST(BandLimited, BesselFunction) {
   EXPECT_NEAR(bessel_i0(8) / 427.56411572180474, 1, 2e-15);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

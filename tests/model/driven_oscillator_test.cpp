@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Oscillator<double> everything{
     .mass = 2, .stiffness = 8, .damping = 0.6, .drag = 0.4, .friction = 0.2, .cubic = 3};
@@ -82,5 +82,5 @@ TEST(TabulatedForce, AgreesWithTheCosineAfterAMillionSteps) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

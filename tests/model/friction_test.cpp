@@ -5,7 +5,7 @@
 #include "cromer/model/driven_oscillator.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Smooth = DrivenOscillator<double, Terms{.law = law_of("viscous")}>;
 const Smooth smooth({.mass = 1, .stiffness = 9, .damping = 0.2}, {});
@@ -55,5 +55,5 @@ TEST(Friction, IsInTheLawAsATermOfItsOwn) {
   EXPECT_EQ(holding, 0.5);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

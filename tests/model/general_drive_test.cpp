@@ -16,7 +16,7 @@
 #include "cromer/model/sampled_drive.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(GeneralDrive, JoinsTheLawWithoutLosingATerm) {
   const Oscillator<double> everything{
@@ -317,5 +317,5 @@ TEST(NextTurn, OfAChirpIsItsExtrema) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

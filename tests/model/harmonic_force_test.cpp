@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct FiveNodes {
   static constexpr std::array nodes{1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0};
@@ -58,5 +58,5 @@ TEST(NodeForce, IsTheForceAfterAStepBackAndALeap) {
   EXPECT_LT(worst_in_step(ready, 5.03, 50.0), 1e-13);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// A chain, further links of `reach` masses, and some to the ground with long stretches between them.
 Network chain_of(std::size_t masses, std::ptrdiff_t reach, bool damped, unsigned seed) {
@@ -76,5 +76,5 @@ TEST(LinkBands, ASpringOfNoStiffnessPullsNothing) {
   EXPECT_EQ(a, (std::vector<double>{0, 8, -8}));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

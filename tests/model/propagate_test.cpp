@@ -10,7 +10,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Per unit mass, as with_terms does it.
 template <class Real>
@@ -242,5 +242,5 @@ TEST(Propagate, EnergyIsConservedWithoutDampingAndDrive) {
   }));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

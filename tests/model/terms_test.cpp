@@ -15,7 +15,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using D = Dual<double, 1>;
 
@@ -154,5 +154,5 @@ TEST(Terms, OfEverySetAccelerateAlikeHoweverTheyAreCompiled) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

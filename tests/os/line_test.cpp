@@ -12,7 +12,7 @@
 #include "tests/live/server.h"
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::StartsWith;
 
@@ -113,5 +113,5 @@ TEST(Line, OwnsItsNumber) {
   EXPECT_TRUE(Descriptor(::dup(0)).is_open());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::test

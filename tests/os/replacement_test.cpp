@@ -13,7 +13,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 namespace fs = std::filesystem;
 
@@ -133,5 +133,5 @@ TEST_F(ReplacementOf, WhatCannotBeIsNamed) {
   EXPECT_FALSE(fresh->take_place().ok());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

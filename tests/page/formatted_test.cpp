@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace cromer::core::page {
-namespace {
+namespace CROMER_FILE {
 
 /// Halves, powers of two and ten, the smallest and the largest; then doubles of random bits and of everyday
 /// size.
@@ -99,5 +99,5 @@ TEST(Formatted, PutsTextIn) {
   EXPECT_EQ(formatted("{}", {-7}), "-7");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::page

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace cromer::core::page {
-namespace {
+namespace CROMER_FILE {
 
 TEST(PowersOfFive, AreThoseOfFastFloat) {
   using fast_float::powers;
@@ -13,5 +13,5 @@ TEST(PowersOfFive, AreThoseOfFastFloat) {
   for (std::size_t i = 0; i < computed.size(); ++i) EXPECT_EQ(computed[i], powers::power_of_five_128[i]) << i;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::page

@@ -13,7 +13,7 @@
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -171,5 +171,5 @@ TEST(AngleAboutPivot, IsOfTwoOfOneKindAtTheSameTimes) {
         << name;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 struct Series {
   std::vector<double> t, y;
@@ -112,5 +112,5 @@ TEST(AnswersOfSeries, TopsThatMayBeCutOff) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

@@ -14,7 +14,7 @@
 #include "tests/support/archive_of.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -186,11 +186,11 @@ TEST(Zip, FiftyTimesItsPackedSizeAndTenKilobytesAreUnpacked) {
   EXPECT_EQ(claims(12001), "the ZIP archive claims to hold far more than its size: unpack it by hand");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -323,5 +323,5 @@ TEST(Archive, FilesWithoutTimesAreReadWhereNoneHasThem) {
   EXPECT_TRUE(r->named);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -103,11 +103,11 @@ TEST(Cells, AreShownShort) {
   EXPECT_EQ(dialects::shown(""), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -205,5 +205,5 @@ TEST(BadCell, MostRowsLostIsSaidFirst) {
                     HasSubstr("thousands")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

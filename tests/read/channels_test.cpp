@@ -9,7 +9,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsNan;
@@ -110,5 +110,5 @@ TEST(Channels, TimesThatOneLacksAreLeftOutOfAll) {
   EXPECT_EQ(leave_out_incomplete(channels), 0u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

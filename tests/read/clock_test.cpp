@@ -9,7 +9,7 @@
 #include "cromer/read/time.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 struct Logged {
   double step, rounding, begin;
@@ -192,5 +192,5 @@ TEST(Clock, ARoundStepOrRateIsItsOwnWhereItIsNotThereByChance) {
   EXPECT_EQ(of(1 / 43.2, 0.01, 4000).spacing, 1 / 43.2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

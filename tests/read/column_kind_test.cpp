@@ -13,7 +13,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -244,5 +244,5 @@ TEST(CleanTable, SensorsKeepTheirOwnTimes) {
               HasSubstr("lab.txt: the time runs"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

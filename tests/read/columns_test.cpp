@@ -10,7 +10,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -161,5 +161,5 @@ TEST(Commas, QuotesTellDecimalsFromSeparators) {
   EXPECT_THAT(r.table.columns.at(1).values, ElementsAre(1.5, 2, -3.75e-5));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

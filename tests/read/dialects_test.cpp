@@ -13,7 +13,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -198,5 +198,5 @@ TEST(Capstone, RunsAboveTheNames) {
   EXPECT_EQ(run(",,,"), "plain 1122");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::IsEmpty;
@@ -285,5 +285,5 @@ TEST(DropOuts, ComeBackToWhereTheyLeft) {
   EXPECT_EQ(found_in(zigzag(200, 100, {90, 43, 90})), Found{});
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

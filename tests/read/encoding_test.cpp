@@ -7,7 +7,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -139,5 +139,5 @@ TEST(Encoding, WindowsLettersAreRead) {
             "lab.txt: this is a binary file (a zero byte at offset 8): a text or CSV file is expected");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

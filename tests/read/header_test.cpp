@@ -8,7 +8,7 @@
 #include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -174,5 +174,5 @@ TEST(Header, BetweenBlanksABracketBelongsToItsName) {
   EXPECT_THAT(names(header_of("Time(s) x(m) y\n", 3, ' ')), ElementsAre("Time|s", "x|m", "y|"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

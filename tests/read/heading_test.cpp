@@ -9,7 +9,7 @@
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -86,5 +86,5 @@ TEST(Heading, ATimesUnitIsNeverGuessed) {
   EXPECT_TRUE(read_recording("Time (s),Local time (UTC),x\n0,7,1\n1,8,2\n2,9,1\n", "lab.csv", {}).ok());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -139,5 +139,5 @@ TEST(LabViewFile, ALastLineThatIsCutIsSaid) {
               ElementsAre(HasSubstr("the last line, 16, seems cut within a number")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -222,5 +222,5 @@ TEST(Commas, TheMessageShowsTheFirstRow) {
             "--delimiter comma says the one, --decimal comma the other");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

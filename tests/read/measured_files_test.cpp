@@ -19,7 +19,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// What a file is known to hold: counted and read off in it by hand, beside what its author says of it.
 struct Known {
@@ -449,5 +449,5 @@ TEST(MeasuredFiles, TheLongRunsHaveNoOutliersButRoundingSteps) {
                                  "brackets behind the column's name")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

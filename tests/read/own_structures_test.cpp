@@ -11,7 +11,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::Contains;
@@ -220,5 +220,5 @@ TEST(HeadersAgain, BeginARun) {
   EXPECT_THAT(refusal("t,x\n0,1.5\nerror,error\n2,1\n"), HasSubstr("lab.txt:3: "));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

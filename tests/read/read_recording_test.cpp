@@ -10,7 +10,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -267,5 +267,5 @@ TEST(ReadRecording, ManyShortRowsCostNoMemory) {
   EXPECT_TRUE(!recording || recording->table.rows() * recording->table.columns.size() < text.size());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const std::filesystem::path seeds = std::filesystem::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / "corpus";
 
@@ -79,5 +79,5 @@ INSTANTIATE_TEST_SUITE_P(Corpus, RoundTrip, testing::ValuesIn(readable_seeds()),
   return name;
 });
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

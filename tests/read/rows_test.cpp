@@ -10,7 +10,7 @@
 #include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -159,5 +159,5 @@ TEST(NoRows, TheShortestBadCellIsNamed) {
   EXPECT_EQ(no_rows(split_lines("12:00:00"), option, 0).notice, option.notice);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -403,5 +403,5 @@ TEST(Tops, OneOfTwoFlatOnesMayHaveThreeSamples) {
   EXPECT_FALSE(with(3, 3));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

@@ -11,7 +11,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -173,5 +173,5 @@ TEST(NumberRuns, ColumnsWithoutALabelBelongToTheirNeighbours) {
   EXPECT_EQ(run("x (m),x (mm),x (m)"), "112");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

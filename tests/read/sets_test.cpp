@@ -12,7 +12,7 @@
 #include "cromer/read/columns.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -266,5 +266,5 @@ TEST(Restarts, OfOneTimeOfOneRunOnly) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

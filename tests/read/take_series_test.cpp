@@ -11,7 +11,7 @@
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::Contains;
@@ -360,5 +360,5 @@ TEST(CleanTable, ReadsBackAsItself) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

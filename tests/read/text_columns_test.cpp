@@ -8,7 +8,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -94,5 +94,5 @@ TEST(TextColumns, DatesCountOnlyBesideATime) {
   EXPECT_THAT(refusal(rows("Date,u,x", clock, {""})), HasSubstr("clock time: write the seconds"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -418,5 +418,5 @@ TEST(Steps, MissingSamplesAreNoRounding) {
   EXPECT_FALSE(describe_steps(t).clock);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

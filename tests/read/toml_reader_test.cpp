@@ -7,7 +7,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -127,5 +127,5 @@ TEST(TomlReader, KeysThatNobodyAskedForAreErrors) {
   EXPECT_EQ(why("a = ", asked).substr(0, 12), "lab.toml:1:5");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core::dialects {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -155,5 +155,5 @@ TEST(UffFields, LoadCasesAreRuns) {
               ElementsAre("run 1 is called \"no load case\" in the file"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core::dialects

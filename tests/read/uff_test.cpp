@@ -13,7 +13,7 @@
 #include "tests/read/reading.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -142,5 +142,5 @@ TEST(Uff, AWordAmongTheNumbersIsNoEndOfThem) {
   EXPECT_THAT(in_words(recording.error()), HasSubstr("three"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

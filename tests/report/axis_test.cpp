@@ -9,7 +9,7 @@
 #include <set>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -441,5 +441,5 @@ TEST(XRange, IsThatOfVerySmallAndVeryLargeNumbersToo) {
   EXPECT_NEAR(x_axis(panel_of({-1e9, -close}, {0, 1}))[1], -0.9e9, 1);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

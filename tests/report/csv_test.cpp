@@ -11,7 +11,7 @@
 #include <random>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Csv, WritesHeaderCommentsTextAndMissingValues) {
   const std::vector<double> t{0, 0.5}, x{-1.25e-7, std::nan("")};
@@ -84,5 +84,5 @@ TEST(Csv, AShorterColumnEndsInEmptyCells) {
   EXPECT_EQ(out, "# \n# \n# x\n# \n");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -16,7 +16,7 @@
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -167,5 +167,5 @@ TEST(FigureFormat, NeedsANameBeforeAKnownEnding) {
             "\"x.jpg\" names no figure: end it with .svg, .png or .pdf");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

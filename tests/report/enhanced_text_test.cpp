@@ -12,7 +12,7 @@ void PrintTo(const TextRun& run, std::ostream* out) {
        << " rise " << run.rise;
 }
 
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -121,5 +121,5 @@ TEST(Wrapped, ALineThatJustFitsStays) {
   EXPECT_EQ(wrapped("{a\nb c", 10, false, Typeface::lato, 1), (Lines{"{a", "b c"}));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

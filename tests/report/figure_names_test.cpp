@@ -7,7 +7,7 @@
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Figure of(std::vector<Panel> panels) {
   Figure figure;
@@ -116,5 +116,5 @@ TEST(FigureLayout, APointAloneIsADotAndFewPointsHaveDotsOnTheirLine) {
   EXPECT_EQ(curves[2].dots.size(), 1u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

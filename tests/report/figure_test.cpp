@@ -10,7 +10,7 @@
 #include "tests/report/overlap.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::vector<PlacedText> texts_of(const Layout& layout) {
   std::vector<PlacedText> texts;
@@ -146,5 +146,5 @@ TEST(FigureLayout, AStepBeyondTheAxisLeavesItWithoutTicks) {
   EXPECT_TRUE(lay_out(figure, Typeface::lato).panels[0].y_ticks.empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

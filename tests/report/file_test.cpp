@@ -20,7 +20,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 namespace fs = std::filesystem;
 
@@ -314,5 +314,5 @@ TEST_F(ReadFile, ZerosAfterABeginningAreData) {
   EXPECT_TRUE(*bytes == sent);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 unsigned number(const std::string& bytes, std::size_t at) {
   unsigned value = 0;
@@ -209,5 +209,5 @@ TEST(MapScale, MoreThanTwentyfoldGetsEvenRatios) {
   EXPECT_TRUE(map_scale(map_of({1, 20.1, 10, 10}, true)).range.logarithmic);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Escaped, NothingEndsAnAttributeOrATag) {
   EXPECT_EQ(escaped("a&<>\"'b"), "a&amp;&lt;&gt;&quot;&#39;b");
@@ -107,5 +107,5 @@ TEST(PageText, ALineEndIsABlankAndAnEmptyLineAParagraph) {
   EXPECT_EQ(plain_words("**a** x_{0} > `b`"), "a x0 &gt; b");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

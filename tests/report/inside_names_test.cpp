@@ -10,7 +10,7 @@
 #include "tests/report/overlap.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// The words of a panel whose axes run from 0 to 1 in a frame of 400 by 300 px at (50, 40).
 PlacedPanel words(const Panel& panel) {
@@ -177,5 +177,5 @@ TEST(NameLists, AreForMoreThanSixNamesOrWhereNoPlaceIsGood) {
   EXPECT_TRUE(placed.leaders.empty());  // beside their ends, without pieces of lines
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

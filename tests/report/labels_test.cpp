@@ -9,7 +9,7 @@
 #include "cromer/report/enhanced_text.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Spread, LeavesWhatHasRoom) {
   const std::vector<double> centres{10, 50, 90}, heights{14, 14, 14}, gaps{0, 0, 0};
@@ -367,5 +367,5 @@ TEST_F(OnlyPlace, LooksAgainWhereNoOtherCurveIsWithinEightPx) {
   EXPECT_EQ(found(far, {{43.9, 72}}, far, point).place.target, far[0]);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Panel line(std::vector<double> x, std::vector<double> y) {
   Panel panel;
@@ -475,5 +475,5 @@ TEST(FigureGrid, ARowEndsWhereTheNextPanelDoesNotFit) {
   EXPECT_EQ(rows_of(of(FigureSize::single, 2, {})), Rows{});
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

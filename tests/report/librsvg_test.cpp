@@ -10,7 +10,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -98,5 +98,5 @@ TEST_F(Librsvg, APictureTooLargeForCairoIsAnError) {
   EXPECT_THAT(in_words(png.error()), HasSubstr("too big"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

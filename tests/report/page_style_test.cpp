@@ -11,7 +11,7 @@
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using Colours = std::map<std::string, std::string>;
@@ -129,5 +129,5 @@ TEST(PageStyle, TheHintsOfAScrolledTableMirrorEachOther) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "tests/support/xml.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -214,5 +214,5 @@ TEST(Page, CodeIsAsItWasTyped) {
   EXPECT_EQ(body({Heading{"h"}}), "<h2 id=\"section-1\"><span class=\"number\">1</span> h</h2>\n");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 double channel(std::string_view colour, std::size_t at) {
   const double c = std::stoi(std::string(colour.substr(at, 2)), nullptr, 16) / 255.0;
@@ -155,5 +155,5 @@ TEST(Palette, CurvesAreOneAndAHalfPxWideAndGridLinesThin) {
   EXPECT_EQ(style_of("negative").dash[0], 3);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

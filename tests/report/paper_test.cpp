@@ -19,7 +19,7 @@
 #include "tests/support/xml.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -465,5 +465,5 @@ TEST_F(PaperPdf, SaysItsTitle) {
   EXPECT_THAT(*pdf, HasSubstr("/Title (A plain title)"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "tests/support/written_down.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct DrawnFigure {
   std::string name;
@@ -193,5 +193,5 @@ TEST_P(Picture, IsAsWrittenDown) {
 INSTANTIATE_TEST_SUITE_P(Of, Picture, testing::ValuesIn(pictures()),
                          [](const auto& each) { return each.param.name; });
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

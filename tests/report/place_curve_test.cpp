@@ -9,7 +9,7 @@
 #include "cromer/report/palette.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const double none = std::nan("");
 
@@ -213,5 +213,5 @@ TEST(HeightAtEnd, IsTheLastPointsOrTheLastPeakOfASwing) {
   EXPECT_EQ(height_at_end({{0, 100}, {200, 100}, {220, 160}, {240, 40}, {270, 150}, {300, 90}}, frame), 40);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/report/place_curve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const TextSizes sizes;
 const double none = std::nan("");
@@ -351,5 +351,5 @@ TEST(OutsideNames, GoBelowThePlotOnlyWhereItIsTooLow) {
   EXPECT_LE(lowest(), 400);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "tests/support/written_down.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::string repeated(int times, const std::string& words) {
   std::string all;
@@ -156,5 +156,5 @@ TEST(Sheets, ATableOfUpToAThirdOfASheetStandsOnOne) {
   EXPECT_EQ(sheets_of_table(13), 2);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/support/xml.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -227,5 +227,5 @@ TEST(Svg, WordsAreEscapedAndWellFormed) {
   EXPECT_THAT(drawn(words("\x1b[31m \xff")), HasSubstr("\\x1b[31m \uFFFD"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

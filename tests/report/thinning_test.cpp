@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -278,5 +278,5 @@ TEST(Clip, ABandIsHeldAtTheUpperAndLowerEdge) {
   EXPECT_EQ(band.high[2], 20);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct Run {
   Outcome outcome;
@@ -159,5 +159,5 @@ TEST(FirstStep, FollowsTheMotionNotTheUnits) {
   EXPECT_EQ(first_step(State<double>{0, 1}, 0.0, 1e-5, 4, 0.25), 0.25);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

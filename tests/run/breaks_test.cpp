@@ -12,7 +12,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Oscillator<double> law{.mass = 0.7, .stiffness = 20, .damping = 0.4};
 const State<double> start{0.03, -0.2};
@@ -122,5 +122,5 @@ TEST(Breaks, ASlideGoesOnFromPulseToPulse) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double last_digits = 2e-4;  // two units of the last digit
 
@@ -89,5 +89,5 @@ TEST_F(Chopra, AverageAcceleration) { compare(run_by({.newton = {}, .beta = 0.25
 
 TEST_F(Chopra, LinearAcceleration) { compare(run_by({.newton = {}, .beta = 1.0 / 6, .gamma = 0.5}), 7); }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

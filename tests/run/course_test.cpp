@@ -13,7 +13,7 @@
 #include "cromer/run/keep.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Steps, TheLastOneIsWhatIsLeft) {
   const Steps steps = count_steps({5, 7.75}, 0.5);
@@ -232,5 +232,5 @@ TEST(Event, DistanceIsFromTheValue) {
   EXPECT_FALSE(falling.passed(-1, -2));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr auto position = Event::Quantity::position;
 constexpr auto velocity = Event::Quantity::velocity;
@@ -385,5 +385,5 @@ TEST(LookInside, ATurnNearTheEndOfAPartIsSeenOfAnyPart) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

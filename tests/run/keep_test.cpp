@@ -9,7 +9,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Oscillator<double> spring{.mass = 1, .stiffness = 9};
 const DrivenOscillator<double, Terms{.drive = true}> pushed(spring, {1, 3, 0});
@@ -52,5 +52,5 @@ TEST(KeepEvery, HandsOnAllStatesOfAMassThatSlidesAndSticks) {
   expect_the_same(rubbing, DormandPrince{});
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(FindRoot, IsRightToRoundingWithFewEvaluations) {
   int evaluations = 0;
@@ -81,5 +81,5 @@ TEST(FindRoot, NeverTakesMoreThanSomeSixtyEvaluations) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/run/stick_slip.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Spring = DrivenOscillator<double, Terms{}>;
 const Oscillator<double> law{.mass = 1, .stiffness = 4};
@@ -140,5 +140,5 @@ TEST(FixedSteps, APhaseEndsBetweenRowsOrOnOne) {
   EXPECT_EQ(in_phases({0.3 - 1e-12}).first.row, 3);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/model/driven_oscillator.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const Oscillator<double> spring{.mass = 1, .stiffness = 9};
 const HarmonicDrive<double> push{.amplitude = 1, .frequency = 3};
@@ -299,5 +299,5 @@ TEST(Solve, AWatchedRunIsInterruptedWithinAFewHundredSteps) {
   EXPECT_LT(outcome.step, 1500);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

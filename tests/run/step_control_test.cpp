@@ -15,7 +15,7 @@
 #include "cromer/run/solve.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Trial<double> trial(State<double> y, State<double> error) { return {.y = y, .error = error}; }
 
@@ -235,5 +235,5 @@ TEST(CoarsePower, FarPowersEndAtTheLimits) {
   EXPECT_EQ(coarse_exp2(-1000.5), std::exp2(-1000));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -18,7 +18,7 @@
 #include "tests/support/problems.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct Run {
   Outcome outcome;
@@ -312,5 +312,5 @@ TEST(StickSlip, APullThatJustBalancesIsRest) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -185,5 +185,5 @@ TEST(CollectSpectrum, OfAShockHasItsFourAccelerations) {
   EXPECT_FALSE(results.column("s.1.SD"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::NanSensitiveDoubleEq;
@@ -212,5 +212,5 @@ TEST(CollectFit, HasTheHoldsAndTheirLine) {
   EXPECT_EQ(fact(results, "stairs.2.label"), "5 to 9 s");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

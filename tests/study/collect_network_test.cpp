@@ -8,7 +8,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Network two_masses() {
   Network network;
@@ -160,5 +160,5 @@ TEST(CollectNetwork, AnglesHaveTheirUnits) {
   EXPECT_TRUE(fact(found, "joint.left.position").ends_with(" rad"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

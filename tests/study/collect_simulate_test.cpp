@@ -8,7 +8,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::DoubleEq;
 using testing::ElementsAre;
@@ -170,5 +170,5 @@ TEST(CollectSimulate, SaysWhatGetsThrough) {
   EXPECT_TRUE(std::isnan(value(collected(run), "swing.2.transmissibility.ratio")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 
@@ -87,5 +87,5 @@ TEST(CollectSweep, WhereNothingHasANumberThereIsNoExtreme) {
   EXPECT_TRUE(std::isnan(value(results, "w.2.amplitude.smallest")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

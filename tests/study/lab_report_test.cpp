@@ -18,7 +18,7 @@
 #include "tests/support/written_down.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -631,5 +631,5 @@ TEST(ReportFront, IsReadFromToml) {
               HasSubstr("front.toml:1:9: \"titel\" is not known here; did you mean \"title\"?"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

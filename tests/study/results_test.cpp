@@ -10,7 +10,7 @@
 #include "cromer/study/write_report.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(Results, KeepNumbersTextsAndColumnsByName) {
   Results results;
@@ -166,5 +166,5 @@ TEST_F(Text, says_what_is_wrong) {
   EXPECT_NE(filled("k = {two.position").find("not closed"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

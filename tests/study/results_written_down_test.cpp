@@ -11,7 +11,7 @@
 #include "tests/support/written_down.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::string as_written(const Results& results) {
   std::string text;
@@ -318,5 +318,5 @@ direction = "both"
                                  "curves");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

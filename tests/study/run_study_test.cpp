@@ -15,7 +15,7 @@
 #include "tests/study/collected.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -328,5 +328,5 @@ TEST(RunStudy, OptionsOfOtherTasksAreNone) {
   EXPECT_NE(refusal("[[task]]\nsweep = \"s\"\nmethod = [\"rk4\", \"verlet\"]\n"), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

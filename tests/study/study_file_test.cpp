@@ -7,7 +7,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 std::string message(std::string_view toml) {
   const auto study = read_study(toml, "lab.toml");
@@ -324,5 +324,5 @@ TEST(StudyFile, a_task_keeps_its_settings_as_they_would_be_typed) {
         << setting.option;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

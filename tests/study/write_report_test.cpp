@@ -12,7 +12,7 @@
 #include "cromer/study/study_writer.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 class MakeFigure : public testing::Test {
  protected:
@@ -417,5 +417,5 @@ TEST(StudyText, OfACurveHasWhatIsGiven) {
             "dashed = true\n\n[[figure.curve]]\nof = \"b\"\n\n[[block]]\nfigure = \"f\"\n");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,13 +9,13 @@
 #include <utility>
 
 namespace cromer::core::test {
-namespace {
+namespace CROMER_FILE {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 
 Peer::Peer(int port) {
   socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

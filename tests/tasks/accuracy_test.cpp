@@ -8,7 +8,7 @@
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -142,5 +142,5 @@ TEST(Accuracy, SaysWhatItCannotDo) {
   EXPECT_THAT(refusal(lightly_damped("forward-euler", 1e-9)), HasSubstr("--accuracy"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/tasks/simulate/run_law.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// The end of the run by a method in so many steps for each of the benchmark's.
 State<double> end_of(const bench::ForcedRun& run, std::string_view method, int finer) {
@@ -55,5 +55,5 @@ TEST(BenchCases, EveryMethodRunsThemWithTheErrorOfItsOrder) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/tasks/network_run/network_run.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Three carts in a row, each with a spring and a damper before it, the first tied to the wall.
 Network carts(double first_spring = 60) {
@@ -164,5 +164,5 @@ TEST(BesideNetwork, AnotherNetworkHasNoneBesideIt) {
   EXPECT_EQ(refused.error().message(), "carts.toml: network is of recordings, and this is a network");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

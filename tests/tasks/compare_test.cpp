@@ -16,7 +16,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -473,5 +473,5 @@ TEST(CompareTask, AnInterruptLeavesWhatIsThere) {
   EXPECT_THAT(ended, testing::ElementsAre(2, 3));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

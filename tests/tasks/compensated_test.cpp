@@ -12,7 +12,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -96,5 +96,5 @@ TEST(Compensated, GoesWithAccuracy) {
   EXPECT_EQ(found.outcome.status, Status::reached_end);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

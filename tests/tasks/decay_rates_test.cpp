@@ -13,7 +13,7 @@
 #include "cromer/model/sensor.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -304,5 +304,5 @@ TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
   EXPECT_GT(std::sqrt(squares / count), 0.7);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -81,5 +81,5 @@ TEST(DoubtfulRecordings, ComponentsOfTwoMotionsAreSaid) {
   EXPECT_THAT(warnings("recorded here", "recorded there"), Not(Contains(HasSubstr("two motions"))));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(DriveAtHalf, IsSeen) {
   for (const double order : {2.0, 3.0})
@@ -35,5 +35,5 @@ TEST(DriveAtHalf, IsSeen) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

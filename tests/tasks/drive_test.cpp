@@ -15,7 +15,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -348,5 +348,5 @@ TEST(Drive, SeveralColumnsAreAsked) {
   EXPECT_EQ(record->values.front(), 4);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

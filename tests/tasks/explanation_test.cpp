@@ -9,7 +9,7 @@
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// One rate leaves 0.02 m, the law 0.01 m, alone and by a method.
 CompareResult compared() {
@@ -368,5 +368,5 @@ TEST(RunInWords, SaysWhetherALawThatKeepsItsEnergyDid) {
   EXPECT_EQ(kept(2.5, "verlet"), "verlet had 2 J and at the end 25 % more, which comes and goes");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

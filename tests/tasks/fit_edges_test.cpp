@@ -9,7 +9,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -154,5 +154,5 @@ TEST(FitEdges, ErrorsOfAnOptionBeginWithTheOption) {
   EXPECT_THAT(in_words(result.error()), testing::StartsWith("--law pendulum"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

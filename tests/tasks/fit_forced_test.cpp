@@ -20,7 +20,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -610,5 +610,5 @@ TEST(FitDriven, FindsTheGeneratorOfTheBeats) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -354,5 +354,5 @@ TEST(Quantities, HaveTheirOrderOfDerivative) {
           "all results are those of the angle, except the equilibrium, which is the sensor's offset"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

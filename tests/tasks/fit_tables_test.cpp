@@ -22,7 +22,7 @@
 #include "tests/support/number_sheet.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const std::filesystem::path task_numbers = std::filesystem::path(CROMER_SOURCE_DIR) / "tests/tasks/numbers";
 
@@ -605,5 +605,5 @@ TEST(FitTables, HoldsAndLines) {
   sheet.expect_as_in(task_numbers / "holds.txt");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

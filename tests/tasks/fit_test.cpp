@@ -18,7 +18,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -467,5 +467,5 @@ TEST(FitTask, SuggestsDegreesWhereAPendulumSeemsToTurnOver) {
   EXPECT_FALSE(suggests("t (s),angle", 0.5));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

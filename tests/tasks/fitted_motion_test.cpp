@@ -10,7 +10,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// Of a file whose second column is so named.
 MotionUnits units_of(std::string_view column) {
@@ -89,5 +89,5 @@ TEST(FittedMotion, TheVelocityOfAWidePendulumIsItsOwn) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

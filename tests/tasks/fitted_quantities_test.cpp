@@ -13,7 +13,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double w0 = 3, A = 0.4;
 
@@ -401,5 +401,5 @@ TEST(DerivedQuantities, ABodyWithoutASpringHasItsMass) {
   EXPECT_TRUE(decay_rate_ends(fit, 10).empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

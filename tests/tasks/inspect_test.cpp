@@ -12,7 +12,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::DoubleEq;
@@ -161,5 +161,5 @@ TEST(Inspect, TheFuzzersCorpusEndsInAnswers) {
   EXPECT_GE(read, 15u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

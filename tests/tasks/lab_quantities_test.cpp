@@ -15,7 +15,7 @@
 #include "tests/tasks/disc_recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 FitOptions disc_options() {
   FitOptions options;
@@ -348,5 +348,5 @@ TEST(OtherStiffness, IsThatOfALawWhichFitsNearlyAsWell) {
   EXPECT_FALSE(other_stiffness(fitted));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

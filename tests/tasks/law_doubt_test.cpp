@@ -12,7 +12,7 @@
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 // Five swings at 1 Hz whose amplitude falls from 1 by 0.06 each: by friction, though noise hides it.
 FittedRecording of_friction(unsigned seed, const std::string& law) {
@@ -175,5 +175,5 @@ TEST(LawDoubt, WidensAnIntervalAsItIs) {
   EXPECT_DOUBLE_EQ(with_doubt({"drag", {2, 0.3, 1.4, 2.9}, ""}, doubts).estimate.high, 2.9);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -26,7 +26,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 const std::string ledger_file = std::string(CROMER_SOURCE_DIR) + "/tests/tasks/ledger.txt";
 
@@ -722,5 +722,5 @@ INSTANTIATE_TEST_SUITE_P(Each, LedgerOfTwoLines, each_of<cases_of_two_lines>());
 INSTANTIATE_TEST_SUITE_P(Each, LedgerOfModes, each_of<modes_cases>());
 INSTANTIATE_TEST_SUITE_P(Each, LedgerOfNetworks, each_of<network_cases>());
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/tasks/record/options.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double decay_rate = 0.05, frequency = 1.5;
 
@@ -84,5 +84,5 @@ TEST(RecordOptions, AreCheckedBeforeAnythingIsOpened) {
   EXPECT_EQ(told(options), "-o FILE.csv is needed: where the recording is to go");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 LocalErrorOptions spring(std::vector<std::string> methods) {
   LocalErrorOptions options;
@@ -47,5 +47,5 @@ TEST(LocalErrors, need_a_closed_form_and_a_period) {
   EXPECT_NE(in_words(local_errors(free).error()).find("--stiffness"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -117,5 +117,5 @@ TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
   EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("is fitted as such")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/tasks/curves/work_precision.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -223,5 +223,5 @@ TEST(WorkPrecisionCurves, RefuseWordForWord) {
   EXPECT_EQ(refusal(0.1, 1), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/tasks/curves/work_precision.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(MethodMap, IsTheClosedFormOfTheEulers) {
   MethodMapOptions options;
@@ -75,5 +75,5 @@ TEST(WorkPrecision, FallsWithTheOrder) {
       EXPECT_GT(curve.evaluations[i], curve.evaluations[i - 1]) << curve.method;
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

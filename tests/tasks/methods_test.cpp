@@ -12,7 +12,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(ListMethods, HasTheRegistryInItsOrder) {
   const auto rows = *list_methods();
@@ -196,5 +196,5 @@ TEST(MethodsPage, HasTheTableOfTheRegistry) {
       << "put the output of `cromer methods --markdown` into docs/methods.md";
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

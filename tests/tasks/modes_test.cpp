@@ -18,7 +18,7 @@
 #include "tests/support/shared_data.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Json = nlohmann::json;
 
@@ -363,5 +363,5 @@ TEST(Modes, OptionsOfRecordingsAreKnown) {
   EXPECT_EQ(option_of_recordings({.read = {.skip_bad_rows = true}}), "skip-bad-rows");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/support/answers.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Network some_network(Chance& chance, bool rubs) {
   Network network;
@@ -186,5 +186,5 @@ TEST(NetworkAnswers, OfUnits) {
   said.expect_as_before();
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr std::string_view pendulums = R"([[mass]]
 name = "left"
@@ -125,5 +125,5 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal("[[mass]\n").substr(0, 9), "n.toml:1:");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -20,7 +20,7 @@
 #include "tests/support/shared_data.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -340,5 +340,5 @@ TEST(NetworkFit, OpenValuesAreNotRunAsTheyStand) {
   EXPECT_THAT(in_words(network.error()), HasSubstr("n.toml:10:13: stiffness is \"?\""));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

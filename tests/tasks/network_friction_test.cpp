@@ -17,7 +17,7 @@
 #include "tests/support/every_method.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 struct KeptState {
   double t;
@@ -458,5 +458,5 @@ TEST(ContactPhase, RestsUntilItIsInterrupted) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/methods/all.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 Network chain(std::size_t masses, double damping = 0) {
   Network network;
@@ -329,5 +329,5 @@ TEST(NetworkRuns, SayWhichOptionTheirMethodHasNoUseFor) {
   EXPECT_THAT(in_words(run->notices), testing::ElementsAre("--rho-inf has no effect on newmark"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

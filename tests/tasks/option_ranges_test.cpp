@@ -10,7 +10,7 @@
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 /// What a table's options take.
 template <class Options>
@@ -113,5 +113,5 @@ TEST(OptionOwner, IsTheFirstCommandThatHasIt) {
   EXPECT_EQ(option_owner("nothing"), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -224,5 +224,5 @@ TEST(FitTable, FlagsAreTrueOrFalse) {
   EXPECT_FALSE(assign(find(table, "skip-bad-rows"), "perhaps").ok());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

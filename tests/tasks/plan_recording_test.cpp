@@ -10,7 +10,7 @@
 #include "tests/tasks/disc_recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -146,5 +146,5 @@ TEST(PlanRecording, RefusesGoalsThatAreNone) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

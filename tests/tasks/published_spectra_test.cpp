@@ -9,7 +9,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using test::ground_motion;
 using test::list_of;
@@ -153,5 +153,5 @@ TEST(PublishedGround, IntegratesBackToRest) {
   }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "cromer/tasks/methods/method_effect.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -410,5 +410,5 @@ TEST(Recognise, RefusesWhatIsNoRun) {
   EXPECT_THAT(refusal(file, options), HasSubstr("positive"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -18,7 +18,7 @@
 #include "cromer/tasks/modes/modes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
@@ -348,5 +348,5 @@ TEST(RecordingModes, shear_frame) {
   EXPECT_EQ(result.recording->quantity, "acceleration");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using Complex = std::complex<double>;
 
@@ -127,5 +127,5 @@ TEST(Resonance, says_what_prevents_it) {
   EXPECT_NE(in_words(resonance(backward).error()).find("--frequency-to"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -547,5 +547,5 @@ TEST(ResponseSpectrum, StopsWhenInterrupted) {
   EXPECT_TRUE(result->interrupted);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

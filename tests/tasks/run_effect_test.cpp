@@ -18,7 +18,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -348,5 +348,5 @@ TEST(RunTransmission, ThereIsNoneWhereNothingSettlesOrShakes) {
   EXPECT_FALSE(simulated(options).runs[0].transmission) << "a constant force";
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

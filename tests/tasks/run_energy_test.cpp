@@ -13,7 +13,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -263,5 +263,5 @@ TEST(ModifiedEnergy, IsSaidInWords) {
   EXPECT_EQ(in_words(modified_energy_notice(run(options))), "");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -17,7 +17,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::AllOf;
 using testing::Contains;
@@ -438,5 +438,5 @@ TEST(SaidOfRecordings, UsedAreTheSamplesThatTheFitSaw) {
   EXPECT_EQ(fit.used(), 1493u);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -62,5 +62,5 @@ TEST(SelfSustainedTask, NeverDiesDown) {
   EXPECT_THAT(in_words(fit->plan->text), Not(HasSubstr("died down")));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

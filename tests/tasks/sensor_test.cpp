@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(SplitMix64, GivesThePublishedNumbers) {
   // The sequence of seed 1234567 that implementations in other languages are checked against.
@@ -93,5 +93,5 @@ TEST(SensorReadings, HaveTheNoiseAskedFor) {
   EXPECT_NEAR(std::sqrt(square), 3e-4, 3e-4 * 4 / std::sqrt(2.0 * n));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

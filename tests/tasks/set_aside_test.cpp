@@ -8,7 +8,7 @@
 #include "tests/tasks/disc_recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 TEST(SetAside, NeitherStretchesNorTextbookRulesSeeThem) {
   const Series clean = disc_recording(4, 60);
@@ -81,5 +81,5 @@ TEST(SetAside, TopsThatAreCutOffLeaveTheRestToTellTheLaw) {
     }
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -391,5 +391,5 @@ TEST(EventOption, FrictionNeedsNoSmallerStaticFriction) {
   EXPECT_THAT(in_words(driven.error()), HasSubstr("drive"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

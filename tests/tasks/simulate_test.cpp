@@ -15,7 +15,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -222,5 +222,5 @@ TEST(LaidOver, SamplesAreThoseWithinTheLongestRun) {
               HasSubstr("a run is laid over positions or angles, and column \"Speed (m/s)\" holds velocity"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

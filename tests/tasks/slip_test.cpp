@@ -12,7 +12,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 constexpr double w0 = 6, rate = 0.03, spacing = 0.02;
 
@@ -86,5 +86,5 @@ TEST(SlippedRecordings, SayWhatWasShiftedAndWhatTheTimesAsToldWouldGive) {
   EXPECT_TRUE(twice.left_out.t.empty());
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -301,5 +301,5 @@ TEST(Correction, AFilterNeedsTheRecordingToHoldItsCorners) {
     EXPECT_NEAR(both.acceleration[middle - i], both.acceleration[middle + i], 1e-9);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

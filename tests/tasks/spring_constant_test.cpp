@@ -11,7 +11,7 @@
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -486,5 +486,5 @@ TEST(MassLine, LeavesOutWhatFailedAndRefusesTheRest) {
   EXPECT_THAT(in_words(mass_line(fits, {{0.2, 0}, {0.15, 0}, {0.1, 0}}).error()), HasSubstr("in the order"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

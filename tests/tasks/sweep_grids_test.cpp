@@ -13,7 +13,7 @@
 #include "sweep_options.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -253,5 +253,5 @@ TEST(SweepGrids, GridsMultiplyAndTheFrequencyRunsFastest) {
   EXPECT_EQ(result.rows[5 + 1], 0);
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -77,5 +77,5 @@ TEST(SweepLossFactor, IsSaidOfSettledMotionsOfTheLinearLawAlone) {
               HasSubstr("--loss-factor"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "tests/tasks/sweep_options.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -457,5 +457,5 @@ TEST(SweepCounts, AStatusIsAWord) {
   EXPECT_EQ(status_word(plan, done), "reached_end");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

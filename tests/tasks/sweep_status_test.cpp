@@ -12,7 +12,7 @@
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -157,5 +157,5 @@ TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
               HasSubstr("after 1 cycles the free motion may still be there"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "tests/support/cases.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -358,5 +358,5 @@ TEST(Sweep, RefusesWhatCannotBe) {
   EXPECT_THAT(refusal(small), HasSubstr("memory"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using testing::HasSubstr;
 
@@ -306,5 +306,5 @@ TEST(Axis, OfASpringThatTheCameraBendsTheLivelierIsTaken) {
   EXPECT_EQ(take_motion(*recording, "", 1, {})->column, "y (m)");
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "tests/support/simulated.h"
 
 namespace cromer::core {
-namespace {
+namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
@@ -214,5 +214,5 @@ TEST(TermsInTasks, AreSweptAsTheyAreRun) {
   EXPECT_THAT(in_words(sweep_refusal("hysteresis-exponent", "2")), HasSubstr("run it with simulate"));
 }
 
-}  // namespace
+}  // namespace CROMER_FILE
 }  // namespace cromer::core
