@@ -118,7 +118,7 @@ TEST(ParseQuantity, RefusalsNameWhatWasExpected) {
   EXPECT_EQ(message("5 zorg", "m"),
             "\"5 zorg\": unknown unit \"zorg\"; expected a length, for instance 12 cm");
   EXPECT_EQ(message("217,6 g", "kg"),
-            "\"217,6 g\" has a decimal comma: write 217.6 g; expected a mass, for instance 217.6 g");
+            "\"217,6 g\" has a decimal comma: write \"217.6 g\"; expected a mass, for instance 217.6 g");
   EXPECT_EQ(message("1e999", "m"), "\"1e999\" is too large; expected a length, for instance 12 cm");
   EXPECT_EQ(message("5 ± -1 g", "kg"),
             "\"5 ± -1 g\" has a negative uncertainty; expected a mass, for instance 217.6 g");

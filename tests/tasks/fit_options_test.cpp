@@ -232,14 +232,14 @@ TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
 }
 
 TEST(Masses, ADecimalCommaMakesNoTwoOfThem) {
-  EXPECT_THAT(masses("217,6 g"), testing::HasSubstr("decimal comma: write 217.6"));
-  EXPECT_THAT(masses("217,6 ± 0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
-  EXPECT_THAT(masses("217,6+/-0,3 g"), testing::HasSubstr("decimal comma: write 217.6"));
+  EXPECT_THAT(masses("217,6 g"), testing::HasSubstr("decimal comma: write \"217.6"));
+  EXPECT_THAT(masses("217,6 ± 0,3 g"), testing::HasSubstr("decimal comma: write \"217.6"));
+  EXPECT_THAT(masses("217,6+/-0,3 g"), testing::HasSubstr("decimal comma: write \"217.6"));
   EXPECT_EQ(masses("217, 6 g"), "0.217;0.006;");
   EXPECT_EQ(masses("0,2 kg, 0,3 kg"),
             "--mass: \"0,2 kg, 0,3 kg\" has a decimal comma: write \"0.2 kg, 0.3 kg\"");
   EXPECT_THAT(masses("48,4 g; 67,9 ± 0,1 g"),
-              testing::HasSubstr("\"48,4 g\" has a decimal comma: write 48.4"));
+              testing::HasSubstr("\"48,4 g\" has a decimal comma: write \"48.4"));
 }
 
 /// Ten samples, one each second, from 0 to 9 s; y is the square of the time, the lines are from 2.

@@ -357,8 +357,7 @@ class Part : public LabTold {
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})
       for (const Parameter& each : *list) {
         const Estimate& e = each.estimate;
-        const double reach = std::max(e.high - e.value, e.value - e.low);
-        if (!std::isfinite(reach) || !(e.standard_error > 0)) continue;
+        if (!std::isfinite(reach(e)) || !(e.standard_error > 0)) continue;
         ++all;
         const std::string name = name_in_table(each.name);
         if (is_wider(e) && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);

@@ -246,8 +246,10 @@ class LabTold {
   /// freedom.
   static bool is_wider(const Estimate& e) {
     constexpr double wide = 3;  // of a standard uncertainty, to each side
-    return std::max(e.high - e.value, e.value - e.low) > wide * e.standard_error;
+    return reach(e) > wide * e.standard_error;
   }
+  /// Of the interval, to its farther end.
+  static double reach(const Estimate& e) { return std::max(e.high - e.value, e.value - e.low); }
 
   std::string rms() const { return rms("rms", fitted_.fit.residual.rms); }
   /// Of the result `name`, whose value this is.

@@ -27,7 +27,7 @@ struct PowerNear {
 
 PowerNear power_near(const Eigen::VectorXd& values, const ModalRecord& record,
                      const Eigenvalues& eigenvalues) {
-  const Periodogram spectrum = periodogram(values, record.step);
+  const Periodogram spectrum = periodogram(values, record);
   const double resolution = two_pi / (static_cast<double>(values.size()) * record.step);
   PowerNear power;
   std::vector<double> elsewhere;
@@ -196,16 +196,18 @@ std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eige
   return found;
 }
 
-Periodogram periodogram(const Eigen::MatrixXd& values, double step, std::size_t padding) {
+Periodogram periodogram(const Eigen::MatrixXd& values, const ModalRecord& record, std::size_t padding) {
+  const std::vector<std::size_t> places = places_with_short_gaps(record);
   std::size_t padded = 8;
-  while (padded < padding * static_cast<std::size_t>(values.rows())) padded *= 2;
+  while (padded < padding * (places.back() + 1)) padded *= 2;
   Eigen::FFT<double> fft;
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  Periodogram result{two_pi / (static_cast<double>(padded) * step), std::vector<double>(padded / 2 + 1)};
+  Periodogram result{two_pi / (static_cast<double>(padded) * record.step),
+                     std::vector<double>(padded / 2 + 1)};
   std::vector<std::complex<double>> transform;
   for (const auto& column : values.colwise()) {
     std::vector<double> y(padded, 0.0);
-    std::copy(column.begin(), column.end(), y.begin());
+    for (std::size_t i = 0; i < places.size(); ++i) y[places[i]] = column(static_cast<Eigen::Index>(i));
     fft.fwd(transform, y);
     for (std::size_t k = 0; k < transform.size(); ++k) result.power[k] += std::norm(transform[k]);
   }

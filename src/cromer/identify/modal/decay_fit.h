@@ -85,7 +85,8 @@ struct Periodogram {
   std::vector<double> power;
 };
 
-/// Padded with zeros to a power of two, `padding` times the length at least.
-Periodogram periodogram(const Eigen::MatrixXd& values, double step, std::size_t padding = 1);
+/// Of values at the record's times; zeros stand in its short gaps (places_with_short_gaps), and behind the
+/// end up to a power of two that is `padding` times the length at least.
+Periodogram periodogram(const Eigen::MatrixXd& values, const ModalRecord& record, std::size_t padding = 1);
 
 }  // namespace cromer::core

@@ -264,7 +264,7 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
 // Where the highest peak of the rest stands out, and is no harmonic of another: a start value with the
 // damping ratio of the least damped.
 std::optional<std::complex<double>> start_in_rest(const ModalRecord& record, const FitFromStart& fit) {
-  const Periodogram spectrum = periodogram(fit.rest, record.step);
+  const Periodogram spectrum = periodogram(fit.rest, record);
   const auto highest = std::max_element(spectrum.power.begin() + 1, spectrum.power.end() - 1);
   std::vector<double> sorted = spectrum.power;
   constexpr double stands_out = 30;

@@ -106,7 +106,8 @@ bool follows(const FreeDecay& decay) {
 ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& settings) {
   ModalAnalysis result;
   const auto straightened = without_oscillations(record, {});
-  const ModalRecord straight = with_channels(record, straightened);
+  const BridgedRecord bridged(with_channels(record, straightened));
+  const ModalRecord& straight = bridged.record();
   result.spectrum = spectral_matrix(straight);
   result.peaks = spectral_peaks(result.spectrum);
   auto search = search_modes(straight, result.peaks, settings);
@@ -120,11 +121,12 @@ ModalAnalysis modes_of_motion(const ModalRecord& record, const ModalSettings& se
       steady_lines(straight, candidates_for_lines(straight, *search, result.peaks, settings),
                    two_pi * result.spectrum.step);
   std::vector<std::vector<double>> without_lines;
-  ModalRecord rest = straight;
+  ModalRecord rest = with_channels(record, straightened);
   if (!lines.empty()) {
     without_lines = without_oscillations(record, lines);
     rest = with_channels(record, without_lines);
-    search = search_modes(rest, spectral_peaks(spectral_matrix(rest)), settings);
+    const BridgedRecord even(rest);
+    search = search_modes(even.record(), spectral_peaks(spectral_matrix(even.record())), settings);
   }
 
   Eigenvalues start = search ? eigenvalues_of_groups(*search, settings) : Eigenvalues{};

@@ -28,6 +28,60 @@ void set_times(ModalRecord& record, const std::vector<double>& t) {
   record.times = t;
 }
 
+std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
+  constexpr double longest = 3;
+  std::vector<std::size_t> places(record.samples());
+  for (std::size_t i = 1; i < places.size(); ++i) places[i] = i;
+  std::size_t missing = 0;
+  for (std::size_t stretch = 1; stretch < record.starts.size(); ++stretch) {
+    const std::size_t start = record.starts[stretch];
+    const double lost = std::round((record.time(start) - record.time(start - 1)) / record.step) - 1;
+    if (lost > 0 && lost <= longest) missing += static_cast<std::size_t>(lost);
+    for (std::size_t i = start; i < record.end(stretch); ++i) places[i] = i + missing;
+  }
+  return places;
+}
+
+BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
+  const std::vector<std::size_t> places = places_with_short_gaps(record);
+  if (places.empty() || places.back() + 1 == places.size()) return;
+  // Whether no longer gap is before this sample.
+  const auto follows = [&](std::size_t i) {
+    return i > 0 && (places[i] > places[i - 1] + 1 ||
+                     !std::binary_search(record.starts.begin(), record.starts.end(), i));
+  };
+  const auto value_before = [&](std::size_t i, double place, std::span<const double> y) {
+    const std::size_t first = follows(i - 1) ? i - 2 : i - 1,
+                      last = i + 1 < places.size() && follows(i + 1) ? i + 1 : i;
+    double sum = 0;
+    for (std::size_t k = first; k <= last; ++k) {
+      double weight = 1;
+      for (std::size_t j = first; j <= last; ++j)
+        if (j != k)
+          weight *= (place - static_cast<double>(places[j])) /
+                    (static_cast<double>(places[k]) - static_cast<double>(places[j]));
+      sum += weight * y[k];
+    }
+    return sum;
+  };
+  values_.resize(record.channels.size());
+  record_.times.clear();
+  record_.starts = {0};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t steps = i > 0 ? places[i] - places[i - 1] : 1;
+    if (i > 0 && !follows(i)) record_.starts.push_back(places[i]);
+    for (std::size_t k = 1; k < steps; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(steps);
+      record_.times.push_back(std::lerp(record.time(i - 1), record.time(i), share));
+      for (std::size_t c = 0; c < values_.size(); ++c)
+        values_[c].push_back(value_before(i, static_cast<double>(places[i - 1] + k), record.channels[c]));
+    }
+    record_.times.push_back(record.time(i));
+    for (std::size_t c = 0; c < values_.size(); ++c) values_[c].push_back(record.channels[c][i]);
+  }
+  record_.channels.assign(values_.begin(), values_.end());
+}
+
 Notice drifting_clock(const ModalRecord& record) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < record.times.size(); ++i)

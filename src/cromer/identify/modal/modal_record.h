@@ -65,6 +65,25 @@ struct StabilityPole {
 /// those that are no gaps, and a gap is longer than 1.75 medians.
 void set_times(ModalRecord& record, const std::vector<double>& t);
 
+/// Where each sample stands when short gaps, of up to three samples, are as long as they are, and longer ones
+/// are not there: from 0 on.
+std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record);
+
+/// A record whose short gaps are filled in by the cubics through the two samples to each side, where there
+/// are two. For spectra and start values: what is filled in was not measured.
+class BridgedRecord {
+ public:
+  explicit BridgedRecord(const ModalRecord& record);
+  BridgedRecord(BridgedRecord&&) = default;
+  BridgedRecord& operator=(BridgedRecord&&) = default;
+
+  const ModalRecord& record() const { return record_; }
+
+ private:
+  std::vector<std::vector<double>> values_;  // of the channels; empty where nothing is filled in
+  ModalRecord record_;
+};
+
 /// Says by what share the steps between samples are longer in the last third than in the first, gaps left
 /// out; empty unless the difference is significant, and more than a twentieth of a percent.
 Notice drifting_clock(const ModalRecord& record);

@@ -17,7 +17,7 @@ Eigenvalues steady_lines(const ModalRecord& record, const std::vector<double>& c
   values = DecayBasis(record, values, {}).residuals();
   const Eigen::VectorXd sizes = values.colwise().norm().cwiseMax(1e-300);
   values *= sizes.cwiseInverse().asDiagonal();
-  const Periodogram spectrum = periodogram(values, record.step, 4);
+  const Periodogram spectrum = periodogram(values, record, 4);
   const auto last = static_cast<double>(spectrum.power.size() - 1);
   for (const double candidate : candidates) {
     const auto bin = [&](double w) {

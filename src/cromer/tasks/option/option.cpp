@@ -6,7 +6,6 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
-#include "cromer/base/for_page.h"
 #include "cromer/base/nearest.h"
 
 namespace cromer::core {
@@ -66,26 +65,23 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
   return quantity;
 }
 
-/// Whether the commas of a text are those of one number and its uncertainty: "217,6 g", "217,6 ± 0,3 g".
+/// Whether commas of a text are decimal ones: those of one number and its uncertainty, "217,6 g", "217,6 ± 0,3 g",
+/// or of a list with blanks behind its other commas, "0,2 kg, 0,3 kg".
 bool has_decimal_comma(std::string_view text) {
   const auto digit = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
   const auto decimal = [&](std::size_t comma) { return digit(comma - 1) && digit(comma + 1); };
+  if (text.find_first_of(".;") != text.npos) return false;
   const std::size_t first = text.find(','), last = text.rfind(',');
-  if (first == text.npos || text.find_first_of(".;") != text.npos || !decimal(first) || !decimal(last))
+  if (first == text.npos) return false;
+  if (text.find(", ") != text.npos) {
+    for (std::size_t comma = first; comma != text.npos; comma = text.find(',', comma + 1))
+      if (decimal(comma)) return true;
     return false;
+  }
+  if (!decimal(first) || !decimal(last)) return false;
   const std::string_view between = text.substr(first + 1, last - first);
   return first == last || (between.find(',') == between.size() - 1 &&
                            (between.find("±") != between.npos || between.find("+") != between.npos));
-}
-
-/// The text with points for its decimal commas, where it is a list with blanks behind its other commas, as
-/// "0,2 kg, 0,3 kg"; else empty.
-[[maybe_unused]] std::string without_decimal_commas(std::string_view text) {
-  if (text.find('.') != text.npos || text.find(", ") == text.npos) return {};
-  std::string plain(text);
-  for (std::size_t i = 1; i + 1 < plain.size(); ++i)
-    if (plain[i] == ',' && is_digit(plain[i - 1]) && is_digit(plain[i + 1])) plain[i] = '.';
-  return plain == text ? std::string() : plain;
 }
 
 /// What follows the last digit or bracket: "g" of "48.4(2) g".
@@ -98,9 +94,6 @@ std::string_view unit_in(std::string_view part) {
 /// could mean anything.
 Result<std::vector<Quantity>> parse_list(const Option& option, std::string_view text) {
   const char between = text.find(';') == text.npos ? ',' : ';';
-  if constexpr (!for_page)  // where lists are hardly typed
-    if (const std::string cure = without_decimal_commas(text); between == ',' && !cure.empty())
-      return wrong_option(option, Notice{"has_decimal_comma", {{"text", text}, {"cure", '"' + cure + '"'}}});
   const std::vector<std::string_view> given =
       has_decimal_comma(text) ? std::vector{text} : split(text, between);
   const auto with_unit =
