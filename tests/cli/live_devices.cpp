@@ -15,7 +15,7 @@
 #include <utility>
 
 namespace cromer::core::test {
-namespace CROMER_FILE {
+namespace {
 
 /// A socket that listens at a port of this computer; at a free one where that is 0, which is then told.
 int listen_at(int& port) {
@@ -34,7 +34,7 @@ int listen_at(int& port) {
   return listener;
 }
 
-}  // namespace CROMER_FILE
+}  // namespace
 
 double swing(double t) {
   return 0.2 + 0.05 * std::exp(-swing_decay_rate * t) * std::cos(2 * M_PI * swing_frequency * t);

@@ -21,7 +21,7 @@
 #include "tests/support/bytes_of.h"
 
 namespace cromer::core::test {
-namespace CROMER_FILE {
+namespace {
 
 constexpr const char* out_name = ".standard-output";
 constexpr const char* err_name = ".standard-error";
@@ -32,7 +32,7 @@ void redirect(int descriptor, const std::string& path) {
   close(file);
 }
 
-}  // namespace CROMER_FILE
+}  // namespace
 
 Folder::Folder() {
   std::string pattern = std::filesystem::temp_directory_path().string() + "/cromer-cli-XXXXXX";

@@ -19,7 +19,7 @@
 #include "cromer/cluster/rows_file.h"
 #include "cromer/documents/words/words.h"
 
-namespace CROMER_FILE {
+namespace {
 
 std::atomic<bool> stop_asked{false};
 
@@ -50,7 +50,7 @@ int fail(const std::string& message, int status) {
   return status;
 }
 
-}  // namespace CROMER_FILE
+}  // namespace
 
 int main(int count, char** words) {
   using namespace cromer::core;

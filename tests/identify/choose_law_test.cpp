@@ -17,7 +17,7 @@ namespace cromer::core {
 namespace CROMER_FILE {
 
 TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
-  const FreeSwing truth{.angular_frequency = 8.849,
+  const TrueSwing truth{.angular_frequency = 8.849,
                         .decay_rate = 0.002,
                         .drag = 0.1,
                         .equilibrium = 0.2,

@@ -182,7 +182,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, double noise, unsigned seed) {
+SyntheticRecord record_of(const TrueSwing& truth, std::size_t n, double h, double noise, unsigned seed) {
   SyntheticRecord record{even_times(n, h), {}, 0};
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> normal(0, noise);
@@ -193,7 +193,7 @@ SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, doubl
 // Viscous damping and drag over so short a time that each could be the other: the coefficients are off by
 // many of their errors, and what the record does know holds.
 TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
-  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
+  const TrueSwing truth{.angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
   int said = 0, simple = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const SyntheticRecord record = record_of(truth, 701, 0.02, 1e-3, seed);
@@ -217,7 +217,7 @@ TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
 }
 
 TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
-  const FreeSwing truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
+  const TrueSwing truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const LawChoice choice = choose_law(record_of(truth, 500, 0.02, 1e-3, seed).record(), {});
     for (const LawFit& other : choice.candidates)
@@ -228,7 +228,7 @@ TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
 }
 
 TEST(RivalLaws, NoneWhereTheRecordTells) {
-  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
+  const TrueSwing truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
   const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
   EXPECT_THAT(in_words(choice.chosen.notices), Not(Contains(HasSubstr("cannot tell"))));
@@ -257,7 +257,7 @@ TEST(RivalLaws, NoneWhereNoNumberWouldMove) {
 
 // The rate that drag makes is proportional to the amplitude: noise of a quarter of it must not count.
 TEST(MeanDecay, IsThatAtTheSwingsAmplitudeWhateverTheNoise) {
-  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0, .drag = 2, .position = 0.05};
+  const TrueSwing truth{.angular_frequency = 8.944, .decay_rate = 0, .drag = 2, .position = 0.05};
   const SyntheticRecord quiet = record_of(truth, 1201, 0.03, 1e-6, 1);
   const double amplitude = sinusoid_amplitude(quiet.y), rate = 4 * 2 * 8.944 / (3 * 3.14159265) * amplitude;
   for (unsigned seed = 1; seed <= 10; ++seed) {

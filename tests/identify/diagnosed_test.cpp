@@ -228,7 +228,7 @@ TEST(Diagnosed, WhatDropsOut) {
 
 /// A swing with what the seed adds: noise, a coarse sensor, a second mode, harmonics, a drift, a jump.
 SyntheticRecord seen(Chance& chance) {
-  FreeSwing swing{.angular_frequency = two_pi * chance.between(0.9, 1.1),
+  TrueSwing swing{.angular_frequency = two_pi * chance.between(0.9, 1.1),
                   .decay_rate = chance.between(0, 0.12),
                   .equilibrium = 0.3,
                   .position = 1,

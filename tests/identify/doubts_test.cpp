@@ -38,7 +38,7 @@ TEST(Doubts, NoneAboutAFreeDecay) {
 
 // A linear law loses step with a bent spring and sees no decay: the record does.
 TEST(Doubts, AWrongLawIsNoSwingThatDoesNotDieDown) {
-  const FreeSwing truth{.angular_frequency = 6, .decay_rate = 0.05, .cubic = 40, .position = 0.3};
+  const TrueSwing truth{.angular_frequency = 6, .decay_rate = 0.05, .cubic = 40, .position = 0.3};
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SyntheticRecord record{even_times(2000, 0.02), {}, 0};
     std::mt19937_64 engine(seed);
@@ -139,7 +139,7 @@ TEST(Doubts, NameWhatTheDataShow) {
 }
 
 TEST(Departures, APendulumThatTurnsOver) {
-  const FreeSwing over{
+  const TrueSwing over{
       .angular_frequency = 3, .decay_rate = 0.1, .position = 0.1, .velocity = 9, .pendulum = true};
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   record.y = free_motion(over, record.t, 1e-3).x;

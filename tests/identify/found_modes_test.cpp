@@ -258,7 +258,7 @@ TEST(FoundModes, Spectra) {
       say(said, spectrum);
       say(said, spectral_peaks(spectrum));
     }
-    const Periodogram powers = periodogram(values_of(record), record.step, 1 + seed % 4);
+    const Periodogram powers = periodogram(values_of(record), record, 1 + seed % 4);
     said << powers.step << powers.power.size() << powers.power.front() << powers.power.back();
     said.end_line();
   }

@@ -13,7 +13,7 @@
 namespace cromer::core {
 namespace CROMER_FILE {
 
-const FreeSwing disc{.angular_frequency = 8.849,
+const TrueSwing disc{.angular_frequency = 8.849,
                      .decay_rate = 0.0018,
                      .drag = 0.0939,
                      .cubic = 0,
@@ -36,7 +36,7 @@ SyntheticRecord motion_record(const Motion& motion, const std::vector<double>& t
 TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
   const ViscousTruth truth;
   const std::vector<double> t = even_times(3000, 0.01);
-  const FreeSwing motion{.angular_frequency = truth.w0,
+  const TrueSwing motion{.angular_frequency = truth.w0,
                          .decay_rate = truth.g,
                          .position = truth.position,
                          .velocity = truth.velocity};
@@ -48,7 +48,7 @@ TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
 TEST(FreeMotion, DragAloneLosesAmplitudeAsTheTurningPointsSay) {
   // From turning point to turning point (1 + 2 q x) e^{-2 q x} is conserved, x the displacement towards the
   // side it comes from: the energy equation of x'' + q x'|x'| + w² x = 0 integrated over half a swing.
-  const FreeSwing motion{.angular_frequency = 3, .drag = 2, .position = 0.5};
+  const TrueSwing motion{.angular_frequency = 3, .drag = 2, .position = 0.5};
   double t = 0;
   const Trajectory run = free_motion(motion, even_times(4000, 5e-4), 5e-4);
   std::size_t i = 10;
@@ -74,7 +74,7 @@ TEST(FreeMotion, StepKeepsTheMotionWithinItsError) {
 
 TEST(FreeMotion, DerivativesAreThoseOfSmallChanges) {
   const Law law = law_of("viscous+drag+cubic");
-  FreeSwing swing = disc;
+  TrueSwing swing = disc;
   swing.cubic = 500;
   const Motion motion = swing;
   const FittedParameters fitted = fitted_parameters(law, DriveKind::none, {}, motion);
@@ -112,7 +112,7 @@ TEST(FreeMotion, AtNoTimesIsNone) {
 }
 
 TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
-  FreeSwing motion = disc;
+  TrueSwing motion = disc;
   motion.cubic = -600;
   const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 0);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
@@ -127,7 +127,7 @@ TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
 TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
   // Released at 1.5 rad the frequency changes by a sixth along the record: no single sinusoid keeps count of
   // the periods.
-  const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
+  const TrueSwing motion{.angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
   const SyntheticRecord record = motion_record(motion, even_times(4000, 0.02), 1e-3);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+cubic")});
   ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
@@ -136,7 +136,7 @@ TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
 }
 
 TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
-  const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
+  const TrueSwing motion{.angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
   const SyntheticRecord record = motion_record(motion, even_times(8000, 0.02), 1e-3);
   const LawChoice choice = choose_law(record.record(), {});
   ASSERT_EQ(choice.chosen.status, FitStatus::converged) << in_words(choice.chosen.message);
@@ -172,12 +172,12 @@ TEST(FreeMotion, StronglyBentSpringsAreFoundOverWholeRecords) {
 }
 
 TEST(ChooseLaw, TakesTheTermsThatAreThere) {
-  FreeSwing drag = disc, viscous = disc, damped = disc, cubic = disc, all = disc;
+  TrueSwing drag = disc, viscous = disc, damped = disc, cubic = disc, all = disc;
   drag.decay_rate = 0;
   viscous.drag = cubic.drag = 0;
   viscous.decay_rate = damped.decay_rate = cubic.decay_rate = all.decay_rate = 0.02;
   cubic.cubic = all.cubic = 3000;
-  const std::pair<FreeSwing, const char*> motions[] = {{viscous, "viscous"},
+  const std::pair<TrueSwing, const char*> motions[] = {{viscous, "viscous"},
                                                        {drag, "drag"},
                                                        {damped, "viscous+drag"},
                                                        {cubic, "viscous+cubic"},

@@ -14,8 +14,8 @@ namespace cromer::core {
 namespace CROMER_FILE {
 
 // A motion with noise at 50 Hz.
-template <class FreeSwing>
-SyntheticRecord recorded(double duration, double noise, const FreeSwing& motion) {
+template <class TrueSwing>
+SyntheticRecord recorded(double duration, double noise, const TrueSwing& motion) {
   SyntheticRecord record{even_times(static_cast<std::size_t>(duration * 50), 0.02), {}, 0};
   std::mt19937_64 engine(5);
   std::normal_distribution<double> normal(0, noise);
@@ -94,13 +94,13 @@ TEST(FreePart, NoFreeDecayOrBeatCutAnywhereIsADriveThatStops) {
             recorded(duration, noise, [&](double t) { return decay(t, rate) * std::cos(6 * t); });
         seen += find_free_part(record.record()).has_value();
       }
-    for (const FreeSwing& motion :
-         {FreeSwing{.angular_frequency = 6, .friction = 0.1, .position = 1},
-          FreeSwing{.angular_frequency = 6, .friction = 0.3, .position = 1},
-          FreeSwing{.angular_frequency = 6, .decay_rate = 0.01, .drag = 0.03, .position = 1},
-          FreeSwing{.angular_frequency = 6, .drag = 0.1, .cubic = -8, .position = 1},
-          FreeSwing{.angular_frequency = 4, .decay_rate = 0.01, .position = 2.5, .pendulum = true},
-          FreeSwing{.angular_frequency = 6, .decay_rate = 0.004, .friction = 0.05, .position = 1}}) {
+    for (const TrueSwing& motion :
+         {TrueSwing{.angular_frequency = 6, .friction = 0.1, .position = 1},
+          TrueSwing{.angular_frequency = 6, .friction = 0.3, .position = 1},
+          TrueSwing{.angular_frequency = 6, .decay_rate = 0.01, .drag = 0.03, .position = 1},
+          TrueSwing{.angular_frequency = 6, .drag = 0.1, .cubic = -8, .position = 1},
+          TrueSwing{.angular_frequency = 4, .decay_rate = 0.01, .position = 2.5, .pendulum = true},
+          TrueSwing{.angular_frequency = 6, .decay_rate = 0.004, .friction = 0.05, .position = 1}}) {
       SyntheticRecord record{even_times(static_cast<std::size_t>(duration * 50), 0.02), {}, 0};
       record.y = free_motion(motion, record.t, 5e-3).x;
       seen += find_free_part(record.record()).has_value();
@@ -161,12 +161,12 @@ TEST(FreePart, NoneWhereItIsFreeFromTheStart) {
         EXPECT_FALSE(find_free_part(record.record()).has_value()) << noise << " " << phase << " " << rate;
       }
   // Friction, drag, and all the frequency does in a large swing.
-  const FreeSwing motions[] = {
+  const TrueSwing motions[] = {
       {.angular_frequency = 6, .friction = 0.3, .position = 1},
       {.angular_frequency = 6, .friction = 0.3, .position = -1, .velocity = 1},
       {.angular_frequency = 6, .drag = 0.1, .position = 1},
       {.angular_frequency = 4, .decay_rate = 0.03, .position = 2.5, .pendulum = true}};
-  for (const FreeSwing& motion : motions) {
+  for (const TrueSwing& motion : motions) {
     SyntheticRecord record{even_times(6000, 0.02), {}, 0};
     record.y = free_motion(motion, record.t, 5e-3).x;
     EXPECT_FALSE(find_free_part(record.record()).has_value());

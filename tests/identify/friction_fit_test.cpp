@@ -13,7 +13,7 @@
 namespace cromer::core {
 namespace CROMER_FILE {
 
-SyntheticRecord noisy(const FreeSwing& motion, const std::vector<double>& t, double noise,
+SyntheticRecord noisy(const TrueSwing& motion, const std::vector<double>& t, double noise,
                       unsigned seed = 1) {
   SyntheticRecord record{t, free_motion(motion, t, 5e-4).x, 0};
   std::mt19937_64 engine(seed);
@@ -26,7 +26,7 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
   // x'' = -w0² x - f sgn x': the amplitude about ±f/w0² falls by 2 f/w0² in each half period, and the mass
   // stays where |x| <= f/w0² at a turn. With f/w0² = 0.01 it turns at 0.055, -0.035, 0.015, 0.005.
   const double w0 = 6, shift = 0.01;
-  const FreeSwing motion{
+  const TrueSwing motion{
       .angular_frequency = w0, .friction = shift * w0 * w0, .position = 0.055, .velocity = 0};
   const std::vector<double> t = even_times(400, 0.01);
   const Trajectory run = free_motion(motion, t, 2e-3);
@@ -40,7 +40,7 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
 
 TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
   const Law law = law_of("viscous+drag+friction+cubic");
-  const Motion motion = FreeSwing{.angular_frequency = 6,
+  const Motion motion = TrueSwing{.angular_frequency = 6,
                                   .decay_rate = 0.05,
                                   .drag = 0.3,
                                   .friction = 0.15,
@@ -71,7 +71,7 @@ TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
 }
 
 TEST(FrictionFit, RecoversEverySumWithoutNoise) {
-  const FreeSwing all{.angular_frequency = 6,
+  const TrueSwing all{.angular_frequency = 6,
                       .decay_rate = 0.03,
                       .drag = 0.2,
                       .friction = 0.04,
@@ -82,7 +82,7 @@ TEST(FrictionFit, RecoversEverySumWithoutNoise) {
   for (const char* text : {"friction", "viscous+friction", "drag+friction", "friction+cubic",
                            "viscous+drag+friction", "viscous+drag+friction+cubic"}) {
     const Law law = *parse_law(text);
-    FreeSwing motion = all;
+    TrueSwing motion = all;
     if (!law.has<Viscous>()) motion.decay_rate = 0;
     if (!law.has<Drag>()) motion.drag = 0;
     if (!law.has<Cubic>()) motion.cubic = 0;
@@ -97,7 +97,7 @@ TEST(FrictionFit, RecoversEverySumWithoutNoise) {
 }
 
 TEST(FrictionFit, ARecordThatComesToRestIsFittedToItsEnd) {
-  const FreeSwing motion{
+  const TrueSwing motion{
       .angular_frequency = 6, .decay_rate = 0.02, .friction = 0.15, .equilibrium = 0.3, .position = 0.08};
   const std::vector<double> t = even_times(2000, 0.01);
   ASSERT_EQ(free_motion(motion, even_times(1200, 0.01), 1e-3).v.back(), 0);
@@ -113,7 +113,7 @@ TEST(FrictionFit, ARecordThatComesToRestIsFittedToItsEnd) {
 }
 
 TEST(FrictionFit, IsChosenWhereItIsThere) {
-  FreeSwing motion{.angular_frequency = 6, .friction = 0.03, .equilibrium = 0.3, .position = 0.08};
+  TrueSwing motion{.angular_frequency = 6, .friction = 0.03, .equilibrium = 0.3, .position = 0.08};
   for (const char* law : {"friction", "viscous+friction"}) {
     int right = 0;
     for (unsigned seed = 1; seed <= 4; ++seed)
@@ -126,7 +126,7 @@ TEST(FrictionFit, IsChosenWhereItIsThere) {
 }
 
 TEST(Bounds, CoefficientsAreNeverNegativeAndIntervalsSayWhereTheyAreCut) {
-  FreeSwing motion{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.3, .position = 0.08};
+  TrueSwing motion{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.3, .position = 0.08};
   int on_bound = 0, covered = 0;
   constexpr int trials = 30;
   for (unsigned seed = 1; seed <= trials; ++seed) {
@@ -157,7 +157,7 @@ TEST(FrictionFit, AMotionThatStopsAfterAFewHalfSwingsIsFound) {
     int held = 0, lowest = 0;
     constexpr int seeds = 20;
     for (unsigned seed = 1; seed <= seeds; ++seed) {
-      const FreeSwing truth{
+      const TrueSwing truth{
           .angular_frequency = 6, .decay_rate = 0.02, .friction = friction, .position = 0.1};
       SyntheticRecord record{even_times(301, 0.02), {}, 0};
       std::mt19937_64 engine(seed);

@@ -14,7 +14,7 @@ namespace CROMER_FILE {
 
 // In coarse steps the method's own error is a hundred times the noise, and any term more takes some of it up.
 TEST(HardlyAnyNoise, TheLawIsNotOneTermTooMany) {
-  const FreeSwing swings[] = {
+  const TrueSwing swings[] = {
       {.angular_frequency = 3, .drag = 0.5, .position = 0.05},
       {.angular_frequency = 3, .decay_rate = 0.01, .drag = 0.5, .position = 0.05},
       {.angular_frequency = 5, .decay_rate = 0.02, .position = 1.2, .pendulum = true},
@@ -32,7 +32,7 @@ TEST(HardlyAnyNoise, TheLawIsNotOneTermTooMany) {
 
 // A long recording with hardly any noise asks for fine steps: laws are compared on fewer swings of it then.
 TEST(HardlyAnyNoise, ALongRecordingIsComparedOnItsBeginning) {
-  const FreeSwing truth{.angular_frequency = 9.4, .decay_rate = 1e-3, .drag = 0.05, .position = 0.03};
+  const TrueSwing truth{.angular_frequency = 9.4, .decay_rate = 1e-3, .drag = 0.05, .position = 0.03};
   const std::vector<double> t = even_times(260'000, 0.008);
   const std::vector<double> y = noisy(free_motion(truth, t, 0.005).x, 3e-6 * truth.position);
   const LawFit fit = choose_law({t, y}, {}).chosen;
@@ -85,7 +85,7 @@ TEST(HardlyAnyNoise, StepsThroughHysteresisAreShortEnough) {
 TEST(HardlyAnyNoise, ALawIsNotGivenUpForItsNumberOfHalfSwings) {
   const std::vector<double> t = even_times(1500, 0.00673);
   for (const double friction : {0.017, 0.0194, 0.022}) {
-    const FreeSwing truth{.angular_frequency = 3.91,
+    const TrueSwing truth{.angular_frequency = 3.91,
                           .decay_rate = 0.0725,
                           .friction = friction,
                           .position = 0.0122,

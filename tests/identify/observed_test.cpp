@@ -13,7 +13,7 @@
 namespace cromer::core {
 namespace CROMER_FILE {
 
-const FreeSwing disc{.angular_frequency = 6,
+const TrueSwing disc{.angular_frequency = 6,
                      .decay_rate = 0.02,
                      .drag = 0.3,
                      .friction = 0.02,
@@ -23,7 +23,7 @@ const FreeSwing disc{.angular_frequency = 6,
                      .velocity = 0.1};
 
 // The record of a motion's derivative, with the sensor's offset disc.equilibrium.
-SyntheticRecord derivative_record(const FreeSwing& motion, int derivative, double noise) {
+SyntheticRecord derivative_record(const TrueSwing& motion, int derivative, double noise) {
   SyntheticRecord record{even_times(1500, 0.01), {}, 0};
   const std::vector<double> zeros(record.t.size());
   std::mt19937_64 engine(7);
@@ -49,7 +49,7 @@ TEST(Observed, TheDerivativesAreThoseOfTheMotion) {
 TEST(Observed, VelocitiesAndAccelerationsGiveTheLawOfTheDisplacement) {
   for (int derivative : {1, 2}) {
     for (const char* text : {"viscous", "viscous+drag+friction+cubic"}) {
-      FreeSwing motion = disc;
+      TrueSwing motion = disc;
       const Law law = *parse_law(text);
       if (!law.has<Drag>()) motion.drag = motion.friction = motion.cubic = 0;
       const SyntheticRecord made = derivative_record(motion, derivative, 0);
@@ -68,7 +68,7 @@ TEST(Observed, VelocitiesAndAccelerationsGiveTheLawOfTheDisplacement) {
 
 TEST(Observed, TheUncertaintiesAreThoseOfTheDisplacement) {
   // The closed form and the integrated motion must say the same of one record.
-  FreeSwing motion = disc;
+  TrueSwing motion = disc;
   motion.drag = motion.friction = motion.cubic = 0;
   const SyntheticRecord made = derivative_record(motion, 1, 5e-3);
   const Record record{made.t, made.y, 0, 1};
@@ -85,14 +85,14 @@ TEST(Observed, TheUncertaintiesAreThoseOfTheDisplacement) {
 TEST(Pendulum, ReturnsAfterThePeriodOfTheEllipticIntegral) {
   const double w0 = 4, amplitude = 1.5;
   const double period = 4 * std::comp_ellint_1(std::sin(amplitude / 2)) / w0;
-  const FreeSwing motion{.angular_frequency = w0, .position = amplitude, .pendulum = true};
+  const TrueSwing motion{.angular_frequency = w0, .position = amplitude, .pendulum = true};
   const Trajectory run = free_motion(motion, std::vector<double>{0, period}, 1e-3);
   EXPECT_NEAR(run.x[1], amplitude, 1e-9);
   EXPECT_NEAR(run.v[1], 0, 1e-8);
 }
 
 TEST(Pendulum, IsFittedAndPreferredToACubicSpring) {
-  const FreeSwing motion{.angular_frequency = 4,
+  const TrueSwing motion{.angular_frequency = 4,
                          .decay_rate = 0.03,
                          .equilibrium = 0.1,
                          .position = 1.4,

@@ -15,7 +15,7 @@ namespace CROMER_FILE {
 
 constexpr double noise = 1e-3;
 
-SyntheticRecord record_of(const FreeSwing& motion, unsigned seed) {
+SyntheticRecord record_of(const TrueSwing& motion, unsigned seed) {
   const std::vector<double> t = even_times(3000, 0.021);
   SyntheticRecord record{t, free_motion(motion, t, 5e-3).x, 0};
   std::mt19937_64 engine(seed);
@@ -25,7 +25,7 @@ SyntheticRecord record_of(const FreeSwing& motion, unsigned seed) {
 }
 
 TEST(RestMinima, NoFitStartedAtTheTruthIsCloser) {
-  const FreeSwing truth{
+  const TrueSwing truth{
       .angular_frequency = 6, .decay_rate = 0.04, .friction = 0.006, .equilibrium = 0.2, .position = -0.05};
   const Law law = law_of("viscous+friction");
   int covered = 0, said = 0;
@@ -46,7 +46,7 @@ TEST(RestMinima, NoFitStartedAtTheTruthIsCloser) {
 }
 
 TEST(RestMinima, ARestBeyondTheBandSettlesAtItsEnd) {
-  FreeSwing truth{.angular_frequency = 6, .friction = 0.012, .position = 0, .velocity = -0.3};
+  TrueSwing truth{.angular_frequency = 6, .friction = 0.012, .position = 0, .velocity = -0.3};
   const double band = truth.friction / 36;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     SyntheticRecord record = record_of(truth, seed);

@@ -35,7 +35,7 @@ TEST(SecondMode, NoneInWhiteNoise) {
 TEST(SecondMode, NoneWhereTheLawIsWrongButTheSwingIsOne) {
   // Drag and a cubic spring seen by the viscous law: what is left lies about the swing's own line, and at
   // its third harmonic at most.
-  const FreeSwing motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
+  const TrueSwing motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
   SyntheticRecord record{even_times(4000, 0.01), {}, 0};
   record.y = free_motion(motion, record.t, 1e-3).x;
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
@@ -95,7 +95,7 @@ TEST(SecondMode, HarmonicsAreCalledThat) {
 
 TEST(SecondMode, TheSwingOfAHarmonicHasItsFrequencyAtThatAmplitude) {
   // A hardening spring, half as fast again where it swings widely, and five times that.
-  const FreeSwing motion{.angular_frequency = 6, .decay_rate = 0.02, .cubic = 60, .position = 0.9};
+  const TrueSwing motion{.angular_frequency = 6, .decay_rate = 0.02, .cubic = 60, .position = 0.9};
   SyntheticRecord record{even_times(4000, 0.01), {}, 0};
   record.y = free_motion(motion, record.t, 1e-3).x;
   const double wide = std::sqrt(36 + 0.75 * 60 * 0.9 * 0.9), line = 5 * 0.98 * wide;

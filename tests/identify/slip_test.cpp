@@ -11,7 +11,7 @@ namespace cromer::core {
 namespace CROMER_FILE {
 
 // Of times 0.02 s apart, `lost` samples after number `at` of which are missing while the times go on.
-SyntheticRecord with_samples_lost(const FreeSwing& truth, std::size_t at, int lost, unsigned seed,
+SyntheticRecord with_samples_lost(const TrueSwing& truth, std::size_t at, int lost, unsigned seed,
                                   int derivative = 0) {
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   std::vector<double> when = record.t;
@@ -24,7 +24,7 @@ SyntheticRecord with_samples_lost(const FreeSwing& truth, std::size_t at, int lo
 }
 
 TEST(SlippedTimes, AreFoundUnderEachLaw) {
-  const FreeSwing straight{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
+  const TrueSwing straight{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const auto record = with_samples_lost(straight, 800 + 40 * seed, 1 + seed % 2, seed);
     for (const char* law : {"viscous", "viscous+cubic", ""}) {
@@ -40,7 +40,7 @@ TEST(SlippedTimes, AreFoundUnderEachLaw) {
 }
 
 TEST(SlippedTimes, ABentSpringIsNoSlip) {
-  FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
+  TrueSwing bent{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
   for (unsigned seed = 1; seed <= 10; ++seed) {
     bent.cubic = seed % 2 ? 6 : -6;
     const auto record = with_samples_lost(bent, 2000, 0, seed);
@@ -50,7 +50,7 @@ TEST(SlippedTimes, ABentSpringIsNoSlip) {
 }
 
 TEST(SlippedTimes, AreFoundBesideABentSpring) {
-  FreeSwing bent{.angular_frequency = 6, .decay_rate = 0.04, .position = 0.3};
+  TrueSwing bent{.angular_frequency = 6, .decay_rate = 0.04, .position = 0.3};
   for (const int derivative : {0, 1})
     for (unsigned seed = 1; seed <= 10; ++seed) {
       bent.cubic = (seed % 2 ? 0.3 : -0.3) * 36 / 0.09;
@@ -86,7 +86,7 @@ TEST(SlippedTimes, NoiseThatWandersIsNoSlip) {
 TEST(SlippedTimes, AreFoundInDerivatives) {
   for (const int derivative : {1, 2})
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      const FreeSwing straight{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
+      const TrueSwing straight{.angular_frequency = 6, .decay_rate = 0.03, .position = 0.3};
       SyntheticRecord record = with_samples_lost(straight, 2000, 0, seed);
       std::mt19937_64 engine(seed);
       std::normal_distribution<double> normal(0, 2e-3 * std::pow(6, derivative));

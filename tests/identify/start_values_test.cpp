@@ -184,7 +184,7 @@ TEST(StartValues, RecordBeginsWithAFewSamplesFarAhead) {
 // A pendulum released so far that its frequency rises by half and more as it fades: no sinusoid keeps step.
 SyntheticRecord large_swing(double amplitude, double periods, double folds, unsigned seed) {
   const double T = periods * period;
-  const FreeSwing truth{.angular_frequency = w0,
+  const TrueSwing truth{.angular_frequency = w0,
                         .decay_rate = folds / T,
                         .equilibrium = 0.1,
                         .position = amplitude,

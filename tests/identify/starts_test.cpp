@@ -12,7 +12,7 @@ namespace cromer::core {
 namespace CROMER_FILE {
 
 TEST(Starts, OfASwingAreThoseOfItsFirstPart) {
-  const FreeSwing swing{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.2, .position = 0.5};
+  const TrueSwing swing{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.2, .position = 0.5};
   for (const double h : {0.01, 0.07, 0.3}) {
     const std::vector<double> t = even_times(600, h);
     const std::vector<double> y = noisy(observed_motion(swing, {}, t, 0, 0.002), 1e-3);
@@ -89,7 +89,7 @@ TEST(Starts, AlongAnEnvelopeAreThoseOfEachLaw) {
        {Followed{"viscous+drag", 0.02, 0.1, 0, 0}, Followed{"drag", 0, 0.2, 0, 0},
         Followed{"friction", 0, 0, 0.1, 0}, Followed{"viscous+friction", 0.03, 0, 0.05, 0},
         Followed{"viscous+cubic", 0.04, 0, 0, 8}}) {
-    const FreeSwing swing{.angular_frequency = 6,
+    const TrueSwing swing{.angular_frequency = 6,
                           .decay_rate = truth.decay_rate,
                           .drag = truth.drag,
                           .friction = truth.friction,

@@ -19,7 +19,7 @@ inline std::vector<double> even_times(std::size_t n, double h) {
 }
 
 /// A free motion by its parameters; terms that are 0 are not in its law, but for the viscous one.
-struct FreeSwing {
+struct TrueSwing {
   double angular_frequency = 0, decay_rate = 0, drag = 0, friction = 0, cubic = 0;
   double equilibrium = 0, position = 0, velocity = 0;
   bool pendulum = false;

@@ -212,7 +212,7 @@ TEST(TermsFit, EachTermIsChosen) {
 
 // A whole turn further on it swings in the same way.
 TEST(TermsFit, APendulumsRestIsTheOneThatItSwingsAbout) {
-  FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.05, .position = 2.2, .pendulum = true};
+  TrueSwing motion{.angular_frequency = 4, .decay_rate = 0.05, .position = 2.2, .pendulum = true};
   SyntheticRecord record{even_times(600, 0.02), {}, 0};
   record.y = free_motion(motion, record.t, 1e-3).x;
   for (double& y : record.y) y += 0.1;

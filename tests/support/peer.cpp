@@ -9,13 +9,13 @@
 #include <utility>
 
 namespace cromer::core::test {
-namespace CROMER_FILE {
+namespace {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace CROMER_FILE
+}  // namespace
 
 Peer::Peer(int port) {
   socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

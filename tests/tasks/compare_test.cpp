@@ -308,7 +308,7 @@ TEST(CompareTask, AStepTooLongForTheMethodLeavesTheVerdict) {
 
 TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
   // The amplitude falls by 4 f/w² a cycle: it rests after 8 of them, 10 s.
-  const FreeSwing cart{
+  const TrueSwing cart{
       .angular_frequency = 5, .decay_rate = 0.01, .friction = 0.08, .equilibrium = 0, .position = 0.1};
   const Series series = recording_of(cart, 30, 3e-4, "position");
   CompareOptions options;
@@ -329,7 +329,7 @@ TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
 }
 
 TEST(CompareTask, APendulumIsSimulatedAsOne) {
-  const FreeSwing pendulum{.angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
+  const TrueSwing pendulum{.angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
   CompareOptions options;
   options.fit.law = "viscous+pendulum";
   options.method = {"rk4"};
@@ -344,7 +344,7 @@ TEST(CompareTask, APendulumIsSimulatedAsOne) {
 
 // The rates of segments are those of an amplitude, which a bent spring changes.
 TEST(CompareTask, SegmentsSayNothingOfTheRateOfABentSpring) {
-  const FreeSwing pendulum{.angular_frequency = 3, .decay_rate = 0.03, .position = 2, .pendulum = true};
+  const TrueSwing pendulum{.angular_frequency = 3, .decay_rate = 0.03, .position = 2, .pendulum = true};
   CompareOptions options;
   options.fit.segment = 10;
   options.method = {"rk4"};

@@ -214,7 +214,7 @@ TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
     set(fit, "drag", certain(2e-5));
     set(fit, "friction", certain(2e-6));
     if (!pendulum) set(fit, "cubic", certain(-1.5));
-    FreeSwing law{.angular_frequency = w0,
+    TrueSwing law{.angular_frequency = w0,
                   .decay_rate = 1e-5,
                   .drag = 2e-5,
                   .friction = 2e-6,
@@ -356,7 +356,7 @@ TEST(DecayRateEnds, OfBentSpringsAreThoseOfTheirMotion) {
   LawFit fit = dragged(0.02, 0.3);
   fit.law = law_of("viscous+drag+cubic");
   set(fit, "cubic", certain(20));
-  FreeSwing law{.angular_frequency = w0, .decay_rate = 0.02, .drag = 0.3, .cubic = 20, .position = A};
+  TrueSwing law{.angular_frequency = w0, .decay_rate = 0.02, .drag = 0.3, .cubic = 20, .position = A};
   std::vector<double> t;
   for (int i = 0; i <= 20000; ++i) t.push_back(40.0 * i / 20000);
   const Trajectory motion = free_motion(law, t, 0.002);

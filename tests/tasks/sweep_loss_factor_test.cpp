@@ -8,27 +8,20 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep.h"
+#include "tests/tasks/sweep_options.h"
 
 namespace cromer::core {
 namespace CROMER_FILE {
 
 using ::testing::HasSubstr;
 
-SweepOptions options_with(std::map<std::string_view, std::string> values) {
-  values.insert(
-      {{"mass", "2"}, {"stiffness", "50"}, {"drive-amplitude", "3"}, {"drive-frequency", "1:9:17"}});
-  SweepOptions options;
-  options.values = std::move(values);
-  return options;
-}
-
-std::string refusal(const SweepOptions& options) {
-  const auto result = sweep(options);
-  return result ? "not refused" : in_words(result.error());
+SweepOptions spring_with(const Values& values) {
+  return options_with(with(
+      {{"mass", "2"}, {"stiffness", "50"}, {"drive-amplitude", "3"}, {"drive-frequency", "1:9:17"}}, values));
 }
 
 TEST(SweepLossFactor, MeetsTheComplexStiffness) {
-  const auto result = sweep(options_with({{"loss-factor", "0.02,0.1,0.5"}}));
+  const auto result = sweep(spring_with({{"loss-factor", "0.02,0.1,0.5"}}));
   ASSERT_TRUE(result) << in_words(result.error());
   ASSERT_EQ(result->plan.rows.rows, 51u);
   EXPECT_EQ(in_words(result->plan.way), "closed form");
@@ -45,8 +38,8 @@ TEST(SweepLossFactor, MeetsTheComplexStiffness) {
 // At resonance as much as the damping ratio eta/2, and at every frequency the same loss in a cycle: pi eta k
 // X^2.
 TEST(SweepLossFactor, DampsAtResonanceAsHalfItsDampingRatio) {
-  const auto hysteretic = sweep(options_with({{"loss-factor", "0.1"}}));
-  const auto viscous = sweep(options_with({{"damping-ratio", "0.05"}}));
+  const auto hysteretic = sweep(spring_with({{"loss-factor", "0.1"}}));
+  const auto viscous = sweep(spring_with({{"damping-ratio", "0.05"}}));
   ASSERT_TRUE(hysteretic && viscous);
   for (std::size_t row = 0; row < 17; ++row) {
     const double *h = hysteretic->rows.data() + 3 * row, *v = viscous->rows.data() + 3 * row;
@@ -61,19 +54,19 @@ TEST(SweepLossFactor, DampsAtResonanceAsHalfItsDampingRatio) {
 
 TEST(SweepLossFactor, IsSaidOfSettledMotionsOfTheLinearLawAlone) {
   for (const char* other : {"damping", "damping-ratio", "cubic", "drag", "friction", "until"})
-    EXPECT_THAT(refusal(options_with({{"loss-factor", "0.1"}, {other, "0.2"}})),
+    EXPECT_THAT(refusal(spring_with({{"loss-factor", "0.1"}, {other, "0.2"}})),
                 HasSubstr(std::string("--") + other));
-  SweepOptions options = options_with({{"loss-factor", "0.1"}});
+  SweepOptions options = spring_with({{"loss-factor", "0.1"}});
   options.simulate.method = {"rk4"};
   EXPECT_THAT(refusal(options), HasSubstr("--method"));
-  options = options_with({{"loss-factor", "0.1"}});
+  options = spring_with({{"loss-factor", "0.1"}});
   options.direction = "up";
   EXPECT_THAT(refusal(options), HasSubstr("--direction"));
-  options = options_with({{"loss-factor", "0.1"}});
+  options = spring_with({{"loss-factor", "0.1"}});
   options.measure = {"final"};
   EXPECT_THAT(refusal(options), HasSubstr("final"));
-  EXPECT_THAT(refusal(options_with({{"loss-factor", "-0.1"}})), HasSubstr("--loss-factor"));
-  EXPECT_THAT(refusal(options_with({{"loss-factor", "0.1"}, {"drive-amplitude", ""}})),
+  EXPECT_THAT(refusal(spring_with({{"loss-factor", "-0.1"}})), HasSubstr("--loss-factor"));
+  EXPECT_THAT(refusal(spring_with({{"loss-factor", "0.1"}, {"drive-amplitude", ""}})),
               HasSubstr("--loss-factor"));
 }
 
