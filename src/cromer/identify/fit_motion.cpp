@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -308,7 +309,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   }
   if (steps.recorded()) settings.error_tolerance = 1e-3;
   // Corners that fall between steps, now here, now there, make the sum of squares rough.
-  if (options.law.has<Hysteresis>() && options.drive.kind == DriveKind::none) settings.roughness = 0.1;
+  if (options.law.has<Hysteresis>() && !steps.recorded()) settings.roughness = 0.1;
   // What feeds itself swings in bursts, or grows, and a hysteretic force has corners: a formula for sinusoids
   // knows nothing of either.
   const bool measured = options.law.has<VanDerPol>() || options.law.has<Hysteresis>() || options.may_grow;
@@ -382,23 +383,55 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   return known;
 }
 
+// The fundamental of a hysteretic force over a steady swing, per unit of its amplitude [1/s^2]: along the
+// displacement, and along the velocity as the imaginary part. The force starts with this slope and levels off
+// at `top`. N. Krylov & N. Bogoliubov, Introduction to Non-linear Mechanics, 1943.
+std::complex<double> loop_of(double slope, double top, double exponent, double amplitude) {
+  constexpr int steps = 200;
+  double z = 0;
+  std::complex<double> sum = 0;
+  for (int i = 0; i < 3 * steps; ++i) {  // in the third turn it repeats itself
+    const double angle = two_pi * (i + 0.5) / steps, dx = -amplitude * std::sin(angle) * two_pi / steps;
+    const double before = z, level = std::pow(std::abs(z) / top, exponent);
+    z = std::clamp(z + slope * (dx - std::abs(dx) * std::copysign(level, z)), -top, top);
+    if (i >= 2 * steps) sum += (before + z) / 2 * std::polar(2.0 / steps, -angle);
+  }
+  return sum / amplitude;
+}
+
 // A hysteretic force beside the spring: shares of the stiffness that the linear law has, loops of the width
-// that the motion has, and most of the damping in them.
+// that the motion has, and most of the damping in them. The drive keeps up the swing that it has by the
+// linear law.
 std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions& options, double amplitude) {
   std::vector<Motion> starts;
   const double stiffness = linear.angular_frequency() * linear.angular_frequency();
+  const bool is_driven = options.drive.kind == DriveKind::harmonic;
+  const std::vector<double> widths =
+      is_driven ? std::vector{0.03, 0.1, 0.3, 1.0, 3.0} : std::vector{0.3, 1.0, 3.0};
   for (const double share : {0.3, 0.6})
-    for (const double width : {0.3, 1.0, 3.0}) {
+    for (const double width : widths) {
       Motion motion = linear;
       motion.law = options.law;
-      motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
       motion.set_decay_rate(0.3 * linear.decay_rate());
       // The force levels off where beta |z|^n = A, at z = 2 width amplitude A.
-      const double slope = share * stiffness, n = options.hysteresis_exponent;
+      const double slope = share * stiffness, n = options.hysteresis_exponent,
+                   top = 2 * width * amplitude * slope;
       motion.per_mass.hysteresis_stiffness = slope;
-      motion.per_mass.hysteresis_beta = slope / std::pow(2 * width * amplitude * slope, n);
+      motion.per_mass.hysteresis_beta = slope / std::pow(top, n);
       motion.per_mass.hysteresis_gamma = 0;
       motion.per_mass.hysteresis_exponent = n;
+      if (is_driven) {
+        const std::complex<double> loop = loop_of(slope, top, n, amplitude);
+        motion.set_angular_frequency(std::sqrt(stiffness - loop.real()));
+        const double w = linear.drive_frequency, elastic = stiffness - w * w;
+        const std::complex<double> by_linear(elastic, w * linear.per_mass.damping),
+            by_loop(elastic, w * motion.per_mass.damping + loop.imag());
+        const auto drive = std::complex(motion.cosine, -motion.sine) * by_loop / by_linear;
+        motion.cosine = drive.real();
+        motion.sine = -drive.imag();
+      } else {
+        motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
+      }
       starts.push_back(motion);
     }
   return starts;
