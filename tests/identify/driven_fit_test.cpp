@@ -8,6 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 #include "tests/identify/forced_truth.h"
+#include "tests/identify/synthetic.h"
 #include "tests/support/cases.h"
 
 namespace cromer::core {
@@ -62,6 +63,39 @@ void expect_truth(const LawFit& fit, const DrivenTruth& p) {
   near("equilibrium", fit.equilibrium(), p.equilibrium);
   near("position", fit.position(), p.position);
   near("velocity", fit.velocity(), p.velocity);
+}
+
+// Loops that level off at a half to a twentieth of the amplitude: the linear law takes much of the drive for
+// damping, so that its drive is no start.
+TEST(DrivenFit, AHystereticSpringIsFoundFromRest) {
+  struct Loop {
+    double stiffness, damping, slope, beta, gamma, drive, frequency;
+  };
+  const std::vector<double> t = even_times(3000, 0.02);
+  for (const Loop& loop :
+       {Loop{25.9, 0.110, 20.7, 1.18, 0.41, 5.85, 7.247}, Loop{57.0, 0.060, 28.4, 3.25, 0.67, 3.78, 8.670},
+        Loop{45.0, 0.098, 26.9, 3.87, 2.95, 2.00, 8.193}, Loop{53.0, 0.041, 23.4, 75.2, 26.2, 1.38, 6.488}}) {
+    Motion motion{.law = law_of("viscous+hysteresis")};
+    motion.per_mass.stiffness = loop.stiffness;
+    motion.per_mass.damping = loop.damping;
+    motion.per_mass.hysteresis_stiffness = loop.slope;
+    motion.per_mass.hysteresis_beta = loop.beta;
+    motion.per_mass.hysteresis_gamma = loop.gamma;
+    motion.sine = loop.drive;
+    motion.drive_frequency = loop.frequency;
+    std::vector<double> y = observed_motion(motion, Drive::harmonic(), t, 0, 0.001);
+    y = noisy(y, 0.01 * sinusoid_amplitude(y));
+    const LawFit fit = fit_law({t, y}, {.law = motion.law, .drive = Drive::harmonic()});
+    ASSERT_EQ(fit.status, FitStatus::converged) << loop.stiffness << ": " << in_words(fit.message);
+    const auto near = [&](const char* name, double truth) {
+      EXPECT_NEAR(fit[name].value, truth, 4 * fit[name].standard_error) << name << " of " << loop.stiffness;
+    };
+    near("hysteresis_stiffness", loop.slope);
+    near("hysteresis_beta", loop.beta);
+    near("hysteresis_gamma", loop.gamma);
+    near("drive_amplitude", loop.drive);
+    EXPECT_LT(fit["drive_amplitude"].standard_error, 0.02 * loop.drive);
+  }
 }
 
 TEST(DrivenFit, BeatsTellSpringAndDrive) {
