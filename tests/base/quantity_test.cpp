@@ -203,9 +203,9 @@ TEST(ParseQuantity, BracketsHoldDigitsOnly) {
 }
 
 TEST(ParseQuantity, ADecimalCommaIsCured) {
-  EXPECT_THAT(message("3,14159 m", "m"), HasSubstr("write 3.14159 m;"));
-  EXPECT_THAT(message("3,09 m", "m"), HasSubstr("write 3.09 m;"));
-  EXPECT_THAT(message("5 ± 0,9", "m"), HasSubstr("write 5 ± 0.9;"));
+  EXPECT_THAT(message("3,14159 m", "m"), HasSubstr("write \"3.14159 m\";"));
+  EXPECT_THAT(message("3,09 m", "m"), HasSubstr("write \"3.09 m\";"));
+  EXPECT_THAT(message("5 ± 0,9", "m"), HasSubstr("write \"5 ± 0.9\";"));
   EXPECT_THAT(message("3,", "m"), HasSubstr("unknown unit \",\""));
   EXPECT_THAT(message("3,x", "m"), HasSubstr("unknown unit"));
 }
