@@ -73,7 +73,7 @@ TEST(DrivenFit, AHystereticSpringIsFoundFromRest) {
   const std::vector<double> t = even_times(3000, 0.02);
   for (const Loop& loop :
        {Loop{25.9, 0.110, 20.7, 1.18, 0.41, 5.85, 7.247}, Loop{57.0, 0.060, 28.4, 3.25, 0.67, 3.78, 8.670},
-        Loop{45.0, 0.098, 26.9, 3.87, 2.95, 2.00, 8.193}}) {
+        Loop{45.0, 0.098, 26.9, 3.87, 2.95, 2.00, 8.193}, Loop{53.0, 0.041, 23.4, 75.2, 26.2, 1.38, 6.488}}) {
     Motion motion{.law = law_of("viscous+hysteresis")};
     motion.per_mass.stiffness = loop.stiffness;
     motion.per_mass.damping = loop.damping;

@@ -313,7 +313,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   // What feeds itself swings in bursts, or grows, and a hysteretic force has corners: a formula for sinusoids
   // knows nothing of either.
   const bool measured = options.law.has<VanDerPol>() || options.law.has<Hysteresis>() || options.may_grow;
-  found.h = steps.fine(summary, coarse.residuals, found.h, false);
+  found.h = steps.fine(summary, coarse.residuals, found.h, options.law.has<Hysteresis>());
   Parameters from = summary.parameters;
   for (int round = 0; round < 4; ++round) {
     found.minimum = minimise_both(problem.model(found.h), from, settings);
