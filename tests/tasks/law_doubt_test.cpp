@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cromer/base/number.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/read/recording.h"
 #include "cromer/tasks/fit/fit.h"
 
@@ -60,6 +61,44 @@ TEST(LawDoubt, IsInWhatAllLawsHaveAndNotInTheirTerms) {
   EXPECT_GT(open, 25);
   EXPECT_GT(held, 0.9 * open);
   EXPECT_GE(held, held_if_right + 5);
+}
+
+// Whether the little viscous damping beside a hysteretic force is there the record does not tell; the drive
+// by the law without it is too weak.
+TEST(LawDoubt, IsInTheDriveOfAHystereticSwing) {
+  Motion motion{.law = law_of("viscous+hysteresis")};
+  motion.per_mass.stiffness = 31.0;
+  motion.per_mass.damping = 0.2;
+  motion.per_mass.hysteresis_stiffness = 28.6;
+  motion.per_mass.hysteresis_beta = 5.44;
+  motion.per_mass.hysteresis_gamma = 0.84;
+  motion.sine = 4.32;
+  motion.drive_frequency = 8.829;
+  std::vector<double> t;
+  for (int i = 0; i <= 3000; ++i) t.push_back(0.02 * i);
+  const std::vector<double> y = observed_motion(motion, Drive::harmonic(), t, 0, 0.001);
+  int without = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> noise(0, 0.0011);
+    std::string bytes = "Time (s),Position (m)\n";
+    for (std::size_t i = 0; i < t.size(); ++i)
+      bytes += shortest(t[i]) + "," + shortest(y[i] + noise(engine)) + "\n";
+    FitOptions options;
+    options.mass = {Quantity{1, 0}};
+    const auto recording = read_recording(bytes, "lab.csv", options.read);
+    const FittedRecording found = fit(*recording, options)->front();
+    ASSERT_TRUE(found.fit.law.has<Hysteresis>()) << to_text(found.fit.law);
+    without += !found.fit.law.has<Viscous>();
+    EXPECT_EQ(found.says("rival_laws_of_a_fed_swing"), !found.fit.law.has<Viscous>());
+    for (const auto& [name, truth] : {std::pair{"drive_force", 4.32}, std::pair{"stiffness", 31.0}}) {
+      const Estimate* number = found.find(name);
+      ASSERT_TRUE(number);
+      EXPECT_TRUE(number->low < truth && truth < number->high)
+          << name << " " << number->low << " to " << number->high;
+    }
+  }
+  EXPECT_GT(without, 0);
 }
 
 double of_frequency(const std::vector<LawDoubt>& doubts) {

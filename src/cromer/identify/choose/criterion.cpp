@@ -194,14 +194,14 @@ Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, s
   const LawFit& best = candidates[chosen];
   const std::vector<const LawFit*> rivals = rivals_of(best, candidates);
   if (rivals.empty()) return {};
-  const std::optional<MeanDecay> decay = mean_decay(best, record);
-  if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
+  const std::optional<MeanDecay> decay = mean_decay(best, record);  // a hysteretic force has none
+  if (decay && !(decay->rate.low > 0 || is_fed(best))) return {};   // no damping is seen, whichever it be
   constexpr std::size_t most = 3;
   std::vector<Notice> named;
   for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i)
     named.push_back(named_rival(*rivals[i], record));
   // At which rate a driven motion would die down each law says for itself.
-  if (is_fed(best) || best.drive.kind != DriveKind::none)
+  if (!decay || is_fed(best) || best.drive.kind != DriveKind::none)
     return Notice{"rival_laws_of_a_fed_swing", {{"law", to_text(best.law)}, {"rivals", named}}};
   return Notice{"rival_laws", {{"law", to_text(best.law)}, {"rivals", named}, {"known", as_clause(*decay)}}};
 }

@@ -15,24 +15,28 @@
 namespace cromer::core {
 namespace {
 
-// Those of one law of the same motion.
+// Those of one law of the same motion. `of_spring`: with its own frequency, which beside a hysteretic force
+// is not that of small swings.
 std::vector<Parameter> common_numbers(const LawFit& fit, const FittedRecording& result,
-                                      std::string_view force_unit) {
+                                      std::string_view force_unit, bool of_spring) {
   const int derivative = std::max(0, derivative_order(result.series.quantity));
   const std::vector<double>& t = result.series.t;
   std::vector<Parameter> all =
       derived_quantities(fit, unit_of(result.series), derivative,
                          result.driven ? result.driven->states.x : std::vector<double>{}, force_unit);
   for (Parameter& end : decay_rate_ends(fit, t.back() - t.front())) all.push_back(std::move(end));
-  // Beside a hysteretic force the spring's own frequency is not that of small swings.
-  if (fit.law.has<Hysteresis>()) return all;
+  const Body body = body_of(result.options);
+  const double mass = body.mass ? body.effective_mass().value : 0;
+  if (const Estimate* drive = fit.find("drive_amplitude")) {
+    all.push_back({"drive_amplitude", *drive, "m/s^2"});
+    if (mass > 0) all.push_back({"drive_force", {mass * drive->value, mass * drive->standard_error}, "N"});
+  }
+  if (!of_spring) return all;
   const Estimate& w = fit.angular_frequency();
   all.push_back({"angular_frequency", w, "rad/s"});
   if (!named(all, "pendulum_length")) all.push_back(pendulum_length(w));
-  if (const Body body = body_of(result.options); body.mass) {
-    const double k_over_w = body.effective_mass().value * w.value;
-    all.push_back({"stiffness", {k_over_w * w.value, 2 * k_over_w * w.standard_error}, "N/m"});
-  }
+  if (mass > 0)
+    all.push_back({"stiffness", {mass * w.value * w.value, 2 * mass * w.value * w.standard_error}, "N/m"});
   return all;
 }
 
@@ -96,7 +100,10 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
   if (shorter_law) laws.push_back(shorter_law);
   if (laws.size() == 1) return {};
   std::vector<std::vector<Parameter>> numbers(laws.size());
-  at_once(laws.size(), [&](std::size_t i) { numbers[i] = common_numbers(*laws[i], result, force_unit); });
+  at_once(laws.size(), [&](std::size_t i) {
+    const bool is_same_spring = laws[i]->law.has<Hysteresis>() == chosen->law.has<Hysteresis>();
+    numbers[i] = common_numbers(*laws[i], result, force_unit, is_same_spring);
+  });
   const std::vector<Parameter> of_shorter = shorter_law ? numbers.back() : std::vector<Parameter>{};
   std::vector<LawDoubt> doubts;
   for (const Parameter& number : numbers.front()) {
