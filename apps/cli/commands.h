@@ -34,4 +34,7 @@ int run_record(const Arguments& arguments);
 int run_serve(const Arguments& arguments);
 int run_report(const Arguments& arguments);
 
+/// Whether an option says what stands on a report's page, as its title.
+bool is_option_of_page(std::string_view name);
+
 }  // namespace cromer::core::cli

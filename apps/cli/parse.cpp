@@ -40,7 +40,8 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   const bool is_right_but_for_dashes = std::find(names.begin(), names.end(), name) != names.end();
   if (syntax.refusal && !is_right_but_for_dashes)
     if (const Notice why = syntax.refusal(name, ""); !why.empty()) return refuse(Error{why});
-  if (const std::string_view owner = option_owner(name); !owner.empty() && !is_right_but_for_dashes)
+  const std::string_view owner = is_option_of_page(name) ? "report" : option_owner(name);
+  if (!owner.empty() && !is_right_but_for_dashes)
     return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
                               owner, syntax.command, syntax.command));
   const std::string near = nearest(name, names);
@@ -182,6 +183,8 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     for (const auto& text : texts)
       if (is_option(text))
         return refuse(fmt::format("--{} needs a value, and {} is an option", option->name, text));
+  for (const std::string& word : arguments)  // which -o would take for a file named "ut"
+    if (word == "-out" || word == "-output") return unknown_option(syntax, word);
   for (const auto& left : app.remaining()) {
     if (left.size() > 1 && left.front() == '-') return unknown_option(syntax, left);
     files.push_back(left);

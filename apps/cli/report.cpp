@@ -226,6 +226,12 @@ int finish(Result<WrittenReport> report, const OutputOptions& output,
 
 }  // namespace
 
+bool is_option_of_page(std::string_view name) {
+  ReportOptions options;
+  const std::vector<Option> front = front_options_of(options);
+  return std::any_of(front.begin(), front.end(), [&](const Option& option) { return option.name == name; });
+}
+
 int run_report(const Arguments& arguments) {
   OutputOptions output;
   ReportOptions options;

@@ -69,7 +69,7 @@ TEST(MeasuredLaws, APhoneBetweenTwoHandsIsAPendulum) {
   SKIP_WITHOUT_FIT(result);
   EXPECT_TRUE(result->fit.law.has<Pendulum>());
   EXPECT_GT(result->series.t.front(), 2);
-  EXPECT_LT(result->series.t.back(), 9.1);
+  EXPECT_LT(result->series.t.back(), 8.5);  // the next half swing is a seventh smaller, and has two humps
 }
 
 TEST(MeasuredLaws, APendulumOnFilm) {

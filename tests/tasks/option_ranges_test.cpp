@@ -106,10 +106,12 @@ TEST(OptionRanges, OfSweepAndSpectrum) {
 }
 
 TEST(OptionOwner, IsTheFirstCommandThatHasIt) {
-  EXPECT_EQ(option_owner("mass"), "simulate");
+  EXPECT_EQ(option_owner("mass"), "fit");
   EXPECT_EQ(option_owner("disc-diameter"), "fit");
   EXPECT_EQ(option_owner("method"), "simulate");
   EXPECT_EQ(option_owner("markdown"), "methods");
+  EXPECT_EQ(option_owner("ductility"), "spectrum");
+  EXPECT_EQ(option_owner("of-method"), "modes");
   EXPECT_EQ(option_owner("nothing"), "");
 }
 

@@ -36,7 +36,13 @@ constexpr std::array symbols{
     Symbol{"sec", 1, {0, 0, 1}},
     Symbol{"min", 60, {0, 0, 1}},
     Symbol{"h", 3600, {0, 0, 1}},
-    // As loggers and Arduino sketches spell them out.
+    // As people, loggers and Arduino sketches spell them out.
+    Symbol{"gram", 1e-3, {1}},
+    Symbol{"grams", 1e-3, {1}},
+    Symbol{"Gramm", 1e-3, {1}},
+    Symbol{"kilogram", 1, {1}},
+    Symbol{"kilograms", 1, {1}},
+    Symbol{"Kilogramm", 1, {1}},
     Symbol{"secs", 1, {0, 0, 1}},
     Symbol{"second", 1, {0, 0, 1}},
     Symbol{"seconds", 1, {0, 0, 1}},

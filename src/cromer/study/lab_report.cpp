@@ -358,6 +358,7 @@ class Part : public LabTold {
       for (const Parameter& each : *list) {
         const Estimate& e = each.estimate;
         if (!std::isfinite(reach(e)) || !(e.standard_error > 0)) continue;
+        if (each.name == "quality_factor") continue;  // one over the damping ratio: its interval is skewed
         ++all;
         const std::string name = name_in_table(each.name);
         if (is_wider(e) && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);

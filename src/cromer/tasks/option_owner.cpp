@@ -4,9 +4,11 @@
 
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/modes/modes.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/recognise/recognise.h"
 #include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
 
 namespace cromer::core {
 namespace {
@@ -21,9 +23,11 @@ bool has(std::string_view name) {
 }  // namespace
 
 std::string_view option_owner(std::string_view name) {
-  if (has<SimulateOptions>(name)) return "simulate";
   if (has<FitOptions>(name)) return "fit";
+  if (has<SimulateOptions>(name)) return "simulate";
   if (has<CompareOptions>(name)) return "compare";
+  if (has<SpectrumOptions>(name)) return "spectrum";
+  if (has<ModesOptions>(name)) return "modes";
   return has<RecogniseOptions>(name) ? "methods" : "";
 }
 

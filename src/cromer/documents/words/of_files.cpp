@@ -8,8 +8,8 @@ using enum Use;
 constexpr Entry entries[] = {
     // Files read.
     {"cannot_be_read", clause, "cannot be read: {why}", "lässt sich nicht lesen: {why}"},
-    {"cannot_be_read_but", clause, "cannot be read: {why}; did you mean {near}?",
-     "lässt sich nicht lesen: {why}; ist {near} gemeint?"},
+    {"cannot_be_read_but", clause, "cannot be read: {why}; did you mean \"{near}\"?",
+     "lässt sich nicht lesen: {why}; ist „{near}“ gemeint?"},
     {"reads_no_folder", clause, "is a folder; name a file in it",
      "ist ein Ordner; bitte eine Datei darin nennen"},
     {"reads_no_device", clause, "is a device, not a file; - reads standard input",
@@ -41,7 +41,7 @@ constexpr Entry entries[] = {
     {"no_panel", error, "{--panels}: there is no panel \"{panel}\"; there are {panels:and}",
      "{--panels}: ein Teilbild „{panel}“ gibt es nicht; es gibt {panels:and}"},
     {"no_panel_but", error,
-     "{--panels}: there is no panel \"{panel}\"; did you mean {near}? There are {panels:and}",
+     "{--panels}: there is no panel \"{panel}\"; did you mean \"{near}\"? There are {panels:and}",
      "{--panels}: ein Teilbild „{panel}“ gibt es nicht; ist {near} gemeint? Es gibt {panels:and}"},
     {"panel_twice", error, "{--panels}: {panel} stands there twice; name it once",
      "{--panels}: {panel} steht doppelt da; bitte nur einmal nennen"},

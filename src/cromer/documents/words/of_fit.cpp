@@ -302,9 +302,11 @@ constexpr Entry entries[] = {
      "hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {one} und {other}; sie "
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
-     "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}",
+     "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}{|; of "
+     "masses that are coupled, cromer modes finds each mode|}",
      "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder {|mit {--column} "
-     "eine|eine} andere Spalte wählen"},
+     "eine|eine} andere Spalte wählen{|; von gekoppelten Massen findet cromer modes jede "
+     "Eigenschwingung|}"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
@@ -520,10 +522,11 @@ constexpr Entry entries[] = {
     {"rate_changes_with_amplitude", clause,
      "One decay rate is not enough. By the law it {goes} from {first:n} to {last:n}\u00a01/s as the swing "
      "{swing} from "
-     "{from:n} to {to:n}; {one_rate} and {end}, {with_law}. Quote the law instead.{method}",
+     "{from:n} to {to:n}; {one_rate}, {with_law}; by one rate {end}. Quote the law instead.{method}",
      "Eine Abklingrate genügt nicht. Nach dem Gesetz {goes} sie von {first:n} auf {last:n}\u00a01/s, während "
      "die Schwingung "
-     "von {from:n} auf {to:n} {swing}; {one_rate}, und {end}, {with_law}. Bitte das Gesetz angeben.{method}"},
+     "von {from:n} auf {to:n} {swing}; {one_rate}, {with_law}; nur eine Rate: {end}. Bitte das Gesetz "
+     "angeben.{method}"},
     {"falls", clause, "falls", "fällt"},
     {"rises", clause, "rises", "steigt"},
     {"swing_grows", clause, "grows", "wächst"},

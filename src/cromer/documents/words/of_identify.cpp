@@ -143,8 +143,8 @@ constexpr Entry entries[] = {
      "and the interval of the {parameters} is cut at its bound 0",
      "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
      "ihre Teile, und der Vertrauensbereich ist an der Grenze 0 abgeschnitten ({parameters})"},
-    {"mean_decay_rate", clause, "decay rate {rate:n} at the swing's rms amplitude",
-     "Abklingrate {rate:n} bei der quadratisch gemittelten Amplitude der Schwingung"},
+    {"mean_decay_rate", clause, "decay rate {rate:n} at the swing's rms amplitude, {amplitude:.3g}{unit}",
+     "Abklingrate {rate:n} bei der quadratisch gemittelten Amplitude der Schwingung, {amplitude:.3g}{unit}"},
     {"parameter_on_bound", worth_knowing, "the {parameter} is on its bound 0: the record shows no {damping}",
      "{parameter} liegt an der Grenze 0: die Aufnahme zeigt nichts davon ({damping})"},
     {"interval_cut_at_bound", worth_knowing,
@@ -321,10 +321,10 @@ constexpr Entry entries[] = {
     {"lasting_with", clause, " with", " und"},
     {"second_harmonic", clause,
      "twice the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its second harmonic, from "
-     "an asymmetry of the restoring force or the sensor that the law does not tell",
+     "a restoring force or a sensor that is asymmetric in another way than the law",
      "das Doppelte ihrer Frequenz{frequencies? von|, wo diese} {swing:.5g} Hz{frequencies?| ist}: die "
-     "zweite Harmonische, von einer Asymmetrie der Rückstellkraft oder des Sensors, die das Gesetz nicht "
-     "beschreibt"},
+     "zweite Harmonische, von einer Rückstellkraft oder einem Sensor, die anders asymmetrisch sind als das "
+     "Gesetz"},
     {"third_harmonic", clause,
      "three times the swing's frequency {frequencies?of|where that is} {swing:.5g} Hz: its third harmonic, "
      "from a restoring force, a damping or a sensor that is nonlinear in another way than the law",
@@ -358,7 +358,8 @@ constexpr Entry entries[] = {
     {"disturbed_until", clause,
      "what comes before {time:.4g} s does not belong to the swing after it, as while a hand still moves it",
      "was vor {time:.4g} s liegt, gehört nicht zur Schwingung danach, wie wenn eine Hand es noch bewegt"},
-    {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
+    {"held_still_until", clause, "it is held still until {time:.4g} s",
+     "bis {time:.4g} s wird es festgehalten"},
     {"held_still_then_set_going", clause, "it does not swing until {time:.4g} s and is then set going",
      "bis {time:.4g} s schwingt es nicht, dann wird es in Gang gesetzt"},
 

@@ -153,10 +153,11 @@ constexpr Entry entries[] = {
     {"slip_taken_out", worth_knowing,
      "the times slip by {slip:.2g} s at {t:.4g} s, as if the recorder had {how} there (a knock looks alike): "
      "later times are {shift} by as much, and the uncertainties include that of this slip. With the times as "
-     "recorded the fit gives {law} and {frequency:.5g} Hz",
+     "recorded the fit gives {law} and {frequency:.5g} Hz for small swings",
      "die Zeiten springen bei {t:.4g} s um {slip:.2g} s, als wären dort Messwerte {how} (ein Stoß sieht "
      "ebenso aus): spätere Zeiten sind um so viel {shift}, und die Unsicherheiten enthalten die dieses "
-     "Sprungs. Mit den Zeiten wie aufgezeichnet ergibt die Anpassung {law} und {frequency:.5g} Hz"},
+     "Sprungs. Mit den Zeiten wie aufgezeichnet ergibt die Anpassung {law} und {frequency:.5g} Hz bei "
+     "kleinen Schwingungen"},
     {"samples_lost", clause, "lost samples", "verloren"},
     {"samples_repeated", clause, "repeated samples", "wiederholt"},
     {"shifted_later", clause, "put later", "nach hinten verschoben"},

@@ -156,14 +156,19 @@ constexpr Entry entries[] = {
      "{x} und {y} sind nicht dieselbe Größe oder nicht zu denselben Zeiten gemessen: sie sind kein Punkt "
      "auf einem Bogen"},
     {"liveliest_axis_taken", worth_knowing,
-     "of the axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} (\"{other}\" by "
-     "{less:.2g}); {|{--column} names another|another one can be chosen}",
-     "von den Achsen wird „{column}“ genommen: sie schwingt am deutlichsten, um {amplitude:.2g}{unit} "
-     "(„{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "of the axes \"{column}\" is taken: it swings most clearly, in a quarter of the recording by "
+     "{amplitude:.2g}{unit} (\"{other}\" by {less:.2g}); {|{--column} names another|another one can be "
+     "chosen}",
+     "von den Achsen wird „{column}“ genommen: sie schwingt am deutlichsten, in einem Viertel der Aufnahme "
+     "um "
+     "{amplitude:.2g}{unit} („{other}“ um {less:.2g}); {|{--column} nennt eine andere|eine andere ist "
+     "wählbar}"},
     {"axes_alike", worth_knowing,
-     "of the axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit}; \"{other}\" swings about as "
+     "of the axes \"{column}\" is taken, which in a quarter of the recording swings by "
+     "{amplitude:.2g}{unit}; \"{other}\" swings about as "
      "far, by {less:.2g}; {|{--column} names another|another one can be chosen}",
-     "von den Achsen wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt; „{other}“ schwingt "
+     "von den Achsen wird „{column}“ genommen, die in einem Viertel der Aufnahme um {amplitude:.2g}{unit} "
+     "schwingt; „{other}“ schwingt "
      "etwa ebenso weit, um {less:.2g}; {|{--column} nennt eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
@@ -285,8 +290,8 @@ constexpr Entry entries[] = {
      "instead",
      "die Zeiten sind auf {rounding:n} s gerundet und passen zu gleichmäßigen im Abstand {spacing:n} s: "
      "stattdessen gelten diese"},
-    {"gaps_in_times", worth_knowing, "{gaps:gap|gaps} in the times, the longest {longest:n} s at {at:n} s",
-     "{gaps:Lücke|Lücken} in den Zeiten, die längste {longest:n} s bei {at:n} s"},
+    {"gaps_in_times", worth_knowing, "{gaps:gap|gaps} between samples, the longest {longest:n} s at {at:n} s",
+     "{gaps:Lücke|Lücken} zwischen den Messwerten, die längste {longest:n} s bei {at:n} s"},
 
     // Runs and tables
     {"no_such_run", error, "there is no run {run}: the file has {runs:run|runs}",

@@ -6,6 +6,7 @@
 
 #include "cromer/analysis/swing.h"
 #include "cromer/base/quantity.h"
+#include "cromer/identify/motion/parameter_unit.h"
 
 namespace cromer::core {
 namespace {
@@ -32,6 +33,7 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
   MeanDecay decay;
   const double w = fit.motion.angular_frequency();
   decay.amplitude = sinusoid_amplitude(record.y) / std::pow(w, record.derivative);
+  decay.unit = unit_of_parameter("position", fit.motion, record.unit, record.derivative);
   if (fit.explained > 0) decay.amplitude *= std::sqrt(fit.explained);  // noise is none of it
   const auto parts = parts_of(fit, decay.amplitude);
   double rate = 0, variance = 0;
@@ -74,7 +76,9 @@ bool is_fed(const LawFit& fit) {
 
 Notice as_clause(const MeanDecay& decay) {
   return Notice{"mean_decay_rate",
-                {{"rate", format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s")}}};
+                {{"rate", format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s")},
+                 {"amplitude", decay.amplitude},
+                 {"unit", decay.unit.empty() ? "" : "\u00a0" + decay.unit}}};
 }
 
 }  // namespace cromer::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cromer/identify/law_fit.h"
 
@@ -9,6 +10,7 @@ namespace cromer::core {
 
 struct MeanDecay {
   double amplitude = 0;  ///< of a lasting sinusoid as strong as the law's motion, in the displacement's unit
+  std::string unit{};    ///< of the amplitude, for sentences; "" if it is not known
   Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
 };
 
@@ -22,7 +24,7 @@ bool dampings_are_collinear(const LawFit& fit);
 /// True if negative damping surely feeds the swing.
 bool is_fed(const LawFit& fit);
 
-/// A clause: "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude".
+/// A clause: "decay rate 0.0123 ± 0.0004 1/s at the swing's rms amplitude, 0.038 m".
 Notice as_clause(const MeanDecay& decay);
 
 }  // namespace cromer::core

@@ -35,11 +35,22 @@ struct Part {
 };
 
 constexpr double alike = 1.15;  // times the least rms residual
+constexpr double fewest = 4;    // periods
+
+// Whether a viscous law of what comes before the last period is no worse in that: a touch there changes a fit
+// of the whole, and so hides in it.
+bool leads_to_its_end(const Record& part, double period, const Watch& watch) {
+  const double cut = part.t.back() - period;
+  const auto samples =
+      static_cast<std::size_t>(std::lower_bound(part.t.begin(), part.t.end(), cut) - part.t.begin());
+  if (cut - part.t.front() < fewest * period) return true;
+  const LawFit before = fit_law(part.first(samples), {}, watch);
+  return !before.is_usable() || is_as_the_rest(before, part, cut, HUGE_VAL);
+}
 
 std::optional<Part> described_part(const Record& record, std::size_t first, std::size_t end, int from_part,
                                    int parts_out, const Watch& watch) {
   constexpr double nearly_all = 0.95;  // of the motion's squares
-  constexpr double fewest = 4;         // periods
   const Record part = record.part(first, end - first);
   const LawFit swing = fit_law(part, {}, watch);
   if (!swing.is_usable() || swing.explained < nearly_all || !(swing.decay_rate().low > 0))
@@ -127,6 +138,8 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
   Part best = *longest();
+  while (!leads_to_its_end(record.part(best.first, best.samples()), best.period, watch))
+    best.end = place(parts - ++best.out);
   // The page, which must be small, takes what a viscous law describes.
   if constexpr (!for_page) best = extended(best, record, parts, place, watch);
   return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cromer/base/at_once.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/tasks/fit/decay_rates.h"
 #include "cromer/tasks/fit/fit.h"
@@ -67,20 +68,36 @@ const LawFit* shorter_series(const LawFit& chosen, const std::vector<LawFit>& ca
   return closest;
 }
 
-// A law with one decay rate has it at start and end: in as much doubt as the larger of both; under a drive,
-// which has no such ends, in that of the damping ratio.
-void add_one_rate(std::vector<LawDoubt>& doubts, const LawFit& fit) {
+double doubt_in(const std::vector<LawDoubt>& doubts, std::string_view name) {
+  const auto found =
+      std::find_if(doubts.begin(), doubts.end(), [&](const LawDoubt& each) { return each.name == name; });
+  return found == doubts.end() ? 0 : found->by;
+}
+
+void raise_doubt(std::vector<LawDoubt>& doubts, std::string_view name, double by) {
+  if (!(by > doubt_in(doubts, name))) return;
+  std::erase_if(doubts, [&](const LawDoubt& each) { return each.name == name; });
+  doubts.push_back({std::string(name), by});
+}
+
+// A linear law has one decay rate, at start and end: in as much doubt as the larger of both; under a drive,
+// which has no such ends, in that of the damping ratio. And one frequency, of small swings and others.
+void share_doubts_of_linear_law(std::vector<LawDoubt>& doubts, const LawFit& fit, double mass) {
   if (fit.law != Law{fit.law.terms & springs.terms}.with(law_with<Viscous>) || !is_linear(fit.law)) return;
-  double most = 0;
-  const auto is_rate = [](const LawDoubt& each) { return each.name.starts_with("decay_rate_"); };
-  for (const LawDoubt& each : doubts)
-    if (is_rate(each)) most = std::max(most, each.by);
-  for (LawDoubt& each : doubts)
-    if (is_rate(each)) each.by = most;
-  for (const LawDoubt& each : doubts)
-    if (fit.drive.kind != DriveKind::none && each.name == "damping_ratio")
-      most = each.by * fit.motion.angular_frequency();
-  if (most > 0) doubts.push_back({"decay_rate", most});
+  const double w = fit.motion.angular_frequency();
+  const bool is_driven = fit.drive.kind != DriveKind::none;
+  const double rate =
+      is_driven ? doubt_in(doubts, "damping_ratio") * w
+                : std::max(doubt_in(doubts, "decay_rate_start"), doubt_in(doubts, "decay_rate_end"));
+  for (const std::string_view name : {"decay_rate_start", "decay_rate_end"})
+    if (!is_driven && doubt_in(doubts, name) > 0) raise_doubt(doubts, name, rate);
+  raise_doubt(doubts, "decay_rate", rate);
+  raise_doubt(doubts, "damping", 2 * mass * rate);
+  const double turn = std::max(doubt_in(doubts, "angular_frequency"), two_pi * doubt_in(doubts, "frequency"));
+  raise_doubt(doubts, "angular_frequency", turn);
+  raise_doubt(doubts, "frequency", turn / two_pi);
+  raise_doubt(doubts, "period", turn * two_pi / (w * w));
+  raise_doubt(doubts, "stiffness", 2 * mass * w * turn);
 }
 
 }  // namespace
@@ -124,7 +141,8 @@ std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vecto
     const double by = std::hypot(std::sqrt(squares / all), std::isfinite(last) ? last : 0);
     if (by > 0) doubts.push_back({number.name, by});
   }
-  add_one_rate(doubts, *chosen);
+  const Body body = body_of(result.options);
+  share_doubts_of_linear_law(doubts, *chosen, body.mass ? body.effective_mass().value : 0);
   return doubts;
 }
 
@@ -137,25 +155,17 @@ void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<Am
   const auto add = [&](std::string_view name, const AmplitudeRate& end) {
     const double off = end.rate.value - end.law_rate, seen = by_chance * end.rate.standard_error;
     if (!(std::abs(off) > seen)) return;
-    const double by = std::sqrt(off * off - seen * seen);
-    const auto known =
-        std::find_if(doubts.begin(), doubts.end(), [&](const LawDoubt& each) { return each.name == name; });
-    if (known == doubts.end())
-      doubts.push_back({std::string(name), by});
-    else
-      known->by = std::hypot(known->by, by);
+    raise_doubt(doubts, name, std::hypot(doubt_in(doubts, name), std::sqrt(off * off - seen * seen)));
   };
   add("decay_rate_start", first);
   add("decay_rate_end", last);
 }
 
 Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {
-  const auto doubt = std::find_if(doubts.begin(), doubts.end(),
-                                  [&](const LawDoubt& each) { return each.name == number.name; });
+  const double by = doubt_in(doubts, number.name);
   Estimate& known = number.estimate;
-  if (doubt == doubts.end() || !(known.standard_error > 0) || !std::isfinite(known.standard_error))
-    return number;
-  const double error = std::hypot(known.standard_error, doubt->by), wider = error / known.standard_error;
+  if (!(by > 0 && known.standard_error > 0) || !std::isfinite(known.standard_error)) return number;
+  const double error = std::hypot(known.standard_error, by), wider = error / known.standard_error;
   const bool is_not_negative = known.low >= 0;
   known = {known.value, error, known.value - wider * (known.value - known.low),
            known.value + wider * (known.high - known.value)};
@@ -169,8 +179,7 @@ void add_doubts(std::vector<Parameter>& numbers, const std::vector<LawDoubt>& do
   const Parameter* damping = named(numbers, "damping_ratio");
   const auto quality = std::find_if(numbers.begin(), numbers.end(),
                                     [](const Parameter& each) { return each.name == "quality_factor"; });
-  const auto is_doubted = [](const LawDoubt& each) { return each.name == "damping_ratio"; };
-  if (!damping || quality == numbers.end() || std::none_of(doubts.begin(), doubts.end(), is_doubted)) return;
+  if (!damping || quality == numbers.end() || !(doubt_in(doubts, "damping_ratio") > 0)) return;
   const Estimate& zeta = damping->estimate;
   if (!(zeta.value > 0)) return;
   const auto inverse = [](double ratio) { return ratio > 0 ? 1 / (2 * ratio) : HUGE_VAL; };
