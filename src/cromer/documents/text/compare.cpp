@@ -39,8 +39,7 @@ std::string compare_text(const std::vector<CompareResult>& comparisons) {
     const FittedRecording& recording = comparison.recording;
     if (asks_for_the_fit(recording.options)) out += fit_text({recording}) + "\n";
     out += recording_title(recording);
-    if (!recording.succeeded())
-      out += fmt::format(": {}, {}", recording.status(), in_words(recording.fit.message));
+    if (!recording.succeeded()) out += ": " + in_words(recording.fit.message);
     out += '\n';
     std::vector<std::vector<std::string>> rows{{with_unit("rms", comparison), "R squared",
                                                 "amplitude ratio at the end", "phase drift (rad)", "method",

@@ -35,11 +35,11 @@ std::string drive_in_words(const FittedRecording& fitted) {
 
 std::string first_line(const FittedRecording& fitted) {
   const Series& series = fitted.series;
-  const std::string text = fmt::format("{}: {}", recording_title(fitted), fitted.status());
-  if (fitted.fit.status != FitStatus::converged) return text + ", " + in_words(fitted.fit.message) + "\n";
-  return text +
-         fmt::format(", {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(), fitted.samples,
-                     series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
+  const std::string title = recording_title(fitted) + ": ";
+  if (fitted.fit.status != FitStatus::converged) return title + in_words(fitted.fit.message) + "\n";
+  return title +
+         fmt::format("converged, {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(),
+                     fitted.samples, series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
          drive_in_words(fitted);
 }
 
@@ -205,8 +205,7 @@ std::string fit_text(const std::vector<FittedRecording>& fits) {
 }
 
 std::string failure_text(const FittedRecording& fitted) {
-  return fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
-                     in_words(fitted.fit.message));
+  return fmt::format("{}: run {}: {}", fitted.file, fitted.series.run, in_words(fitted.fit.message));
 }
 
 namespace {
