@@ -201,9 +201,9 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
     results.set(id + ".other_stiffness.rms", other->rms, unit_of(fitted.series));
   }
   if (fitted.common_decay) {
-    const auto& [amplitude, rate] = *fitted.common_decay;
-    results.set(id + ".common_decay", Quantity{rate.value, rate.standard_error}, "1/s");
-    results.set(id + ".common_decay.amplitude", amplitude, motion_units(fitted).displacement);
+    const MeanDecay& common = *fitted.common_decay;
+    results.set(id + ".common_decay", Quantity{common.rate.value, common.rate.standard_error}, "1/s");
+    results.set(id + ".common_decay.amplitude", common.amplitude, motion_units(fitted).displacement);
   }
   set_optional(results, id + ".mass", body_of(fitted.options).mass, "kg");
   set_optional(results, id + ".spring_mass", fitted.options.spring_mass, "kg");

@@ -10,8 +10,8 @@ namespace cromer::core {
 
 struct MeanDecay {
   double amplitude = 0;  ///< of a lasting sinusoid as strong as the law's motion, in the displacement's unit
-  std::string unit{};    ///< of the amplitude, for sentences; "" if it is not known
   Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
+  std::string unit{};    ///< of the amplitude, for sentences; "" if it is not known
 };
 
 /// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. Empty
