@@ -443,8 +443,8 @@ TEST(MeanDecay, IsFedWhereTheIntervalIsBelowNone) {
 }
 
 TEST(MeanDecay, IsWrittenWithItsError) {
-  EXPECT_EQ(in_words(as_clause(MeanDecay{1, {0.0123, 0.0004, 0, 0}})),
-            "decay rate 0.0123\u00a0±\u00a00.0004\u00a01/s at the swing's rms amplitude");
+  EXPECT_EQ(in_words(as_clause(MeanDecay{1, {0.0123, 0.0004, 0, 0}, "m"})),
+            "decay rate 0.0123\u00a0±\u00a00.0004\u00a01/s at the swing's rms amplitude, 1\u00a0m");
 }
 
 }  // namespace CROMER_FILE
