@@ -8,6 +8,7 @@
 #include <complex>
 #include <fstream>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -206,19 +207,22 @@ struct WithoutSamples {
 TEST(Modal, short_gaps_are_filled_in_by_cubics_and_longer_ones_stay) {
   MadeChannels channels{{{}, {}}, 0.5};
   const auto cubic = [](double x) { return 1 + x * (2 - x * (0.3 - 0.01 * x)); };
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 60; ++i) {
     channels.values[0].push_back(cubic(i));
     channels.values[1].push_back(-2 * cubic(i));
   }
-  const WithoutSamples given(channels, {5, 7, 8, 12, 13, 14, 20, 21, 22, 23});
+  std::vector<std::size_t> lost{5, 7, 8, 12, 13, 14};
+  for (std::size_t i = 20; i < 44; ++i) lost.push_back(i);
+  const WithoutSamples given(channels, lost);
   const ModalRecord record = given.record();
   EXPECT_THAT(record.starts, testing::ElementsAre(0, 5, 6, 9, 14));
   EXPECT_EQ(places_with_short_gaps(record).back(), 35u);
   const BridgedRecord bridged(record);
   EXPECT_THAT(bridged.record().starts, testing::ElementsAre(0, 20));
   ASSERT_EQ(bridged.record().samples(), 36u);
+  EXPECT_EQ(std::accumulate(bridged.record().measured.begin(), bridged.record().measured.end(), 0.0), 30);
   for (std::size_t i = 0; i < 36; ++i) {
-    const double place = static_cast<double>(i < 20 ? i : i + 4);
+    const double place = static_cast<double>(i < 20 ? i : i + 24);
     EXPECT_NEAR(bridged.record().time(i), 0.5 * place, 1e-12);
     EXPECT_NEAR(bridged.record().channels[0][i], cubic(place), 1e-9) << i;
     EXPECT_NEAR(bridged.record().channels[1][i], -2 * cubic(place), 1e-9) << i;
@@ -231,8 +235,12 @@ TEST(Modal, samples_that_are_missing_here_and_there_cost_no_mode) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const bool is_free = seed % 2 == 0;
     const std::size_t samples = is_free ? 3000 : 12000;
+    // Single ones, few and many, and up to five together.
+    const std::size_t most = seed % 3 == 2 ? 5 : 1, all_lost = samples / (seed % 3 == 0 ? 200 : 8);
     std::set<std::size_t> lost;
-    while (lost.size() < (seed % 4 < 2 ? samples / 200 : samples / 20)) lost.insert(random() % samples);
+    while (lost.size() < all_lost)
+      for (std::size_t first = random() % samples, end = first + 1 + random() % most; first < end; ++first)
+        lost.insert(std::min(first, samples - 1));
     const WithoutSamples given(is_free ? let_go(two_masses(), {1, 0.5}, samples, 0.02, 0.02, seed)
                                        : under_white_forces(two_masses(), samples, 0.0625, seed),
                                {lost.begin(), lost.end()});

@@ -270,6 +270,7 @@ class LawSearch {
     try_quadratic(beginning);
     try_named_hysteresis(beginning);
     add_terms(beginning);
+    try_hysteresis();
     try_longer_spring(beginning);
     add_to_bounded();
   }
@@ -310,6 +311,16 @@ class LawSearch {
     const Law law = law_of("viscous+hysteresis");
     try_law(law, of_fit(candidates_.front(), law));
     settle();
+  }
+
+  // Under a drive loops damp more the wider the swing, and pull less: drag or friction and a bent spring can
+  // stand in for them and leave nothing.
+  void try_hysteresis() {
+    const Law best = candidates_[best_].law, law = law_of("viscous+hysteresis");
+    if (options_.drive.kind != DriveKind::harmonic || is_linear(best) || !best.shares(springs)) return;
+    try_law(law, of_fit(candidates_.front(), law));
+    settle();
+    drop_terms();
   }
 
   // What stood in for a term that was missing may not be needed beside it: the best law without each of the

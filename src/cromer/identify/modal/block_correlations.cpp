@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace cromer::core {
 
@@ -19,6 +21,8 @@ ScaledChannels scale_channels(const ModalRecord& record) {
     y -= y.dot(place) / place.squaredNorm() * place;
     scaled.scale(c) = std::sqrt(y.squaredNorm() / static_cast<double>(n));
     scaled.values.row(c) = y / scaled.scale(c);
+    if (!record.measured.empty())
+      scaled.values.row(c).array() *= Eigen::Map<const Eigen::RowVectorXd>(record.measured.data(), n).array();
   }
   return scaled;
 }
@@ -45,7 +49,10 @@ BlockCorrelations block_correlations(const ScaledChannels& channels, const Modal
       for (Eigen::Index l = 0; l < lags; ++l) {
         const Eigen::Index shift = (l + 1) * stride, many = std::min(length, end - shift - from);
         if (many <= 0) break;
-        count(l) = static_cast<double>(many);
+        const std::span<const double> was(record.measured);
+        count(l) = was.empty() ? static_cast<double>(many)
+                               : std::inner_product(was.begin() + from, was.begin() + from + many,
+                                                    was.begin() + from + shift, 0.0);
         for (Eigen::Index a = 0; a < r; ++a)
           for (Eigen::Index b = 0; b < r; ++b)
             sum(a, l * r + b) = y.row(a).segment(from + shift, many).dot(y.row(b).segment(from, many));

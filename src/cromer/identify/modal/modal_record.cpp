@@ -29,7 +29,7 @@ void set_times(ModalRecord& record, const std::vector<double>& t) {
 }
 
 std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
-  constexpr double longest = 3;
+  constexpr double longest = 20;
   std::vector<std::size_t> places(record.samples());
   for (std::size_t i = 1; i < places.size(); ++i) places[i] = i;
   std::size_t missing = 0;
@@ -51,8 +51,10 @@ BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
                      !std::binary_search(record.starts.begin(), record.starts.end(), i));
   };
   const auto value_before = [&](std::size_t i, double place, std::span<const double> y) {
-    const std::size_t first = follows(i - 1) ? i - 2 : i - 1,
-                      last = i + 1 < places.size() && follows(i + 1) ? i + 1 : i;
+    constexpr std::size_t steps_of_cubic = 4;
+    const bool bends = places[i] - places[i - 1] <= steps_of_cubic;
+    const std::size_t first = bends && follows(i - 1) ? i - 2 : i - 1,
+                      last = bends && i + 1 < places.size() && follows(i + 1) ? i + 1 : i;
     double sum = 0;
     for (std::size_t k = first; k <= last; ++k) {
       double weight = 1;
@@ -73,10 +75,12 @@ BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
     for (std::size_t k = 1; k < steps; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(steps);
       record_.times.push_back(std::lerp(record.time(i - 1), record.time(i), share));
+      record_.measured.push_back(0);
       for (std::size_t c = 0; c < values_.size(); ++c)
         values_[c].push_back(value_before(i, static_cast<double>(places[i - 1] + k), record.channels[c]));
     }
     record_.times.push_back(record.time(i));
+    record_.measured.push_back(1);
     for (std::size_t c = 0; c < values_.size(); ++c) values_[c].push_back(record.channels[c][i]);
   }
   record_.channels.assign(values_.begin(), values_.end());

@@ -21,6 +21,7 @@ struct ModalRecord {
   double step = 1;                                // [s] > 0 from sample to sample
   std::vector<std::size_t> starts{0};  ///< the first sample of each stretch without a gap, from 0 on
   std::vector<double> times{};         // [s] of the samples; empty: one step apart from 0 on
+  std::vector<double> measured{};      ///< 1 where a sample was measured, 0 where filled in; empty: all 1
 
   std::size_t samples() const { return channels.front().size(); }
   /// One past the last sample of a stretch.
@@ -65,12 +66,13 @@ struct StabilityPole {
 /// those that are no gaps, and a gap is longer than 1.75 medians.
 void set_times(ModalRecord& record, const std::vector<double>& t);
 
-/// Where each sample stands when short gaps, of up to three samples, are as long as they are, and longer ones
-/// are not there: from 0 on.
+/// Where each sample stands when short gaps, of up to twenty samples, are as long as they are, and longer
+/// ones are not there: from 0 on.
 std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record);
 
-/// A record whose short gaps are filled in by the cubics through the two samples to each side, where there
-/// are two. For spectra and start values: what is filled in was not measured.
+/// A record whose short gaps are filled in: up to three samples by the cubic through the two to each side,
+/// where there are two, longer ones by a straight line. For spectra and start values: what is filled in was
+/// not measured.
 class BridgedRecord {
  public:
   explicit BridgedRecord(const ModalRecord& record);
