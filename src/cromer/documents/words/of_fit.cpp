@@ -303,10 +303,10 @@ constexpr Entry entries[] = {
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
      "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}{|; of "
-     "masses that are coupled, cromer modes finds each mode|}",
+     "masses that are coupled, cromer modes finds each mode, and {--drive-frequency} auto tries a drive|}",
      "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder {|mit {--column} "
      "eine|eine} andere Spalte wählen{|; von gekoppelten Massen findet cromer modes jede "
-     "Eigenschwingung|}"},
+     "Eigenschwingung, und {--drive-frequency} auto versucht einen Antrieb|}"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},

@@ -91,10 +91,12 @@ constexpr Entry entries[] = {
      "die Schwingung bei {frequency:.4g} Hz klingt nicht messbar ab: eine Eigenschwingung fast ohne "
      "Dämpfung, oder die einer Maschine"},
     {"steady_line", worth_knowing,
-     "the line at {frequency:.4g} Hz is steady: it is a machine's and no mode, and was taken out before the "
-     "modes were sought",
-     "die Linie bei {frequency:.4g} Hz ist gleichbleibend: sie ist die einer Maschine und keine "
-     "Eigenschwingung; sie wurde vor der Suche nach Eigenschwingungen abgezogen"},
+     "the line at {frequency:.4g} Hz is steady, as a machine's is, and was taken out before the modes were "
+     "sought; a mode that hardly decays within the recording looks the same",
+     "die Linie bei {frequency:.4g} Hz ist gleichbleibend, wie die einer Maschine, und wurde vor der Suche "
+     "nach Eigenschwingungen abgezogen; eine Eigenschwingung, die in der Aufnahme kaum abklingt, sieht "
+     "ebenso "
+     "aus"},
     {"more_modes_than_channels", wrong_if_ignored,
      "there are {modes} modes and {channels} channels: if each channel is a mass, some of them are no modes "
      "but part of a motion that is not linear (dry friction, large angles, a nonlinear spring)",

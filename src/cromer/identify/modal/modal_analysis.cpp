@@ -207,10 +207,17 @@ ModalAnalysis modes_of_lively_part(const ModalRecord& record, const ModalSetting
   return modes_of_motion(record, settings);
 }
 
+// Of what is let go nothing grows; what random forces set going may, for a while.
+bool grows(const ModalAnalysis& found) {
+  return std::any_of(found.modes.begin(), found.modes.end(),
+                     [](const MeasuredMode& mode) { return mode.damping_ratio.high < 0; });
+}
+
 ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettings& settings) {
   if (const std::size_t still = settings.from_first_sample ? 0 : still_samples(record); still > 0) {
     ModalAnalysis result = modes_of_lively_part(from_sample(record, still), settings);
-    if (result.motion == ModalMotion::free_decay && is_still_before(record, still, result.modes)) {
+    if (result.motion == ModalMotion::free_decay && !grows(result) &&
+        is_still_before(record, still, result.modes)) {
       result.still = still;
       if (const std::size_t released = samples_of_release(from_sample(record, still), result.modes)) {
         ModalAnalysis after = modes_of_lively_part(from_sample(record, still + released), settings);
