@@ -313,11 +313,13 @@ class LawSearch {
     settle();
   }
 
-  // Under a drive loops damp more the wider the swing, and pull less: drag or friction and a bent spring can
-  // stand in for them and leave nothing.
+  // Under a drive loops damp more the wider the swing: drag or friction, with a bent spring, can stand in for
+  // them and leave nothing.
   void try_hysteresis() {
     const Law best = candidates_[best_].law, law = law_of("viscous+hysteresis");
-    if (options_.drive.kind != DriveKind::harmonic || is_linear(best) || !best.shares(springs)) return;
+    if (options_.drive.kind != DriveKind::harmonic || !best.shares(law_with<Drag, Friction>) ||
+        !best.shares(springs))
+      return;
     try_law(law, of_fit(candidates_.front(), law));
     settle();
     drop_terms();
