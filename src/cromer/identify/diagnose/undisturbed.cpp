@@ -37,14 +37,14 @@ struct Part {
 constexpr double alike = 1.15;  // times the least rms residual
 constexpr double fewest = 4;    // periods
 
-// Whether a viscous law of what comes before the last period is no worse in that: a touch there changes a fit
-// of the whole, and so hides in it.
-bool leads_to_its_end(const Record& part, double period, const Watch& watch) {
+// Whether a law of what comes before the last period is no worse in that: a touch there changes a fit of the
+// whole, and so hides in it.
+bool leads_to_its_end(const Record& part, double period, const LawFitOptions& law, const Watch& watch) {
   const double cut = part.t.back() - period;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(part.t.begin(), part.t.end(), cut) - part.t.begin());
-  if (cut - part.t.front() < fewest * period) return true;
-  const LawFit before = fit_law(part.first(samples), {}, watch);
+  if (cut - part.t.front() < (fewest - 1) * period) return true;
+  const LawFit before = fit_law(part.first(samples), law, watch);
   return !before.is_usable() || is_as_the_rest(before, part, cut, HUGE_VAL);
 }
 
@@ -88,7 +88,8 @@ template <class Place>
     return swing.is_usable() && !watch.interrupted() &&
            swing.residual.rms <= hardly_more * known.residual.rms &&
            is_as_the_rest(swing, part, part.t.front(), part.t.front() + best.period) &&
-           is_as_the_rest(swing, part, part.t.back() - best.period, HUGE_VAL);
+           is_as_the_rest(swing, part, part.t.back() - best.period, HUGE_VAL) &&
+           leads_to_its_end(part, best.period, options, watch);
   };
   // The least of a number down to `least` for which it still follows: taken to do so above once it does.
   const auto lowest = [&](int sure, int least, const auto& still_follows) {
@@ -138,7 +139,7 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
   Part best = *longest();
-  while (!leads_to_its_end(record.part(best.first, best.samples()), best.period, watch))
+  while (!leads_to_its_end(record.part(best.first, best.samples()), best.period, {}, watch))
     best.end = place(parts - ++best.out);
   // The page, which must be small, takes what a viscous law describes.
   if constexpr (!for_page) best = extended(best, record, parts, place, watch);
