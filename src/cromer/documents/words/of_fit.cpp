@@ -275,10 +275,10 @@ constexpr Entry entries[] = {
      "passt den Winkel um den Aufhängepunkt an|die Spalte angle(x,y) ist der Winkel um den Aufhängepunkt}"},
     {"beats_at_first", detail,
      "the motion beats at first, every {beat:.3g} s: beside the {drive:.5g} Hz of the drive the body swings "
-     "at {own:.5g} Hz, its own frequency, and that dies down at {rate:.2g} 1/s",
+     "at {own:.5g} Hz, its own frequency, and that dies down at {rate:n}",
      "die Bewegung schwebt anfangs, mit einer Periode von {beat:.3g} s: neben den {drive:.5g} Hz des "
-     "Antriebs schwingt der Körper mit {own:.5g} Hz, seiner eigenen Frequenz, und das klingt mit {rate:.2g} "
-     "1/s ab"},
+     "Antriebs schwingt der Körper mit {own:.5g} Hz, seiner eigenen Frequenz, und das klingt mit {rate:n} "
+     "ab"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}{unit: }, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}{unit: }, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,

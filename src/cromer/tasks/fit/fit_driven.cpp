@@ -39,8 +39,12 @@ Notice beats_at_first(const FittedRecording& result) {
   if (swing < shows * steady.amplitude || steady.amplitude < shows * swing || beat < close * two_pi / w ||
       beat * g > gone || beat > duration)
     return {};
+  const Estimate* rate = result.find("decay_rate");  // with its doubt
   return Notice{"beats_at_first",
-                {{"beat", beat}, {"own", own / two_pi}, {"drive", w / two_pi}, {"rate", g}}};
+                {{"beat", beat},
+                 {"own", own / two_pi},
+                 {"drive", w / two_pi},
+                 {"rate", format_quantity({g, rate ? rate->standard_error : 0}, "1/s")}}};
 }
 
 }  // namespace
