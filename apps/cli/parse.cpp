@@ -184,7 +184,8 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
       if (is_option(text))
         return refuse(fmt::format("--{} needs a value, and {} is an option", option->name, text));
   for (const std::string& word : arguments)  // which -o would take for a file named "ut"
-    if (word == "-out" || word == "-output") return unknown_option(syntax, word);
+    if (const std::string name = word.substr(0, word.find('=')); name == "-out" || name == "-output")
+      return unknown_option(syntax, name);
   for (const auto& left : app.remaining()) {
     if (left.size() > 1 && left.front() == '-') return unknown_option(syntax, left);
     files.push_back(left);

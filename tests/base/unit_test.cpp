@@ -68,6 +68,12 @@ TEST(ParseUnit, EverySymbolIsWhatTheSiSays) {
   }
 }
 
+TEST(ParseUnit, NamesOfMassesAreSpelledOut) {
+  const Dimension mass{.kilogram = 1};
+  for (const char* text : {"gram", "grams", "Gramm"}) expect(text, 1e-3, mass);
+  for (const char* text : {"kilogram", "kilograms", "Kilogramm"}) expect(text, 1, mass);
+}
+
 TEST(ParseUnit, TimesAreUnderstoodAsLoggersSpellThem) {
   const auto all = [](double factor, std::initializer_list<const char*> spellings) {
     for (const char* text : spellings) {

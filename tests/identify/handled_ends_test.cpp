@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "cromer/identify/diagnose/undisturbed.h"
@@ -77,6 +78,32 @@ TEST(FreeSwing, IsTakenWholeWhereDragOrABentSpringChangeIt) {
     ASSERT_TRUE(found && found->to) << bent;
     EXPECT_NEAR(found->from, 5, 0.7) << bent;
     EXPECT_NEAR(*found->to, 40, 0.7) << bent;
+  }
+}
+
+// Five periods between two hands; from 8 s on one may touch it already. What swings along besides lets no law
+// leave noise alone.
+std::optional<FreeSwing> swing_of_five_periods(double touch, std::uint64_t seed) {
+  NormalDeviates noise(seed);
+  std::vector<double> t, y;
+  for (int i = 0; i < 600; ++i) {
+    const double at = 0.02 * i, late = std::max(0.0, at - 8);
+    const bool is_free = at >= 2.8 && at < 9.2;
+    t.push_back(at);
+    y.push_back((is_free ? std::exp(-rate * at - touch * late) * std::cos(2 * M_PI / period * at)
+                         : 0.5 * std::cos(2.1 * at + std::sin(at))) +
+                0.03 * std::cos(15 * at) + 3e-3 * noise.next());
+  }
+  return find_free_swing({t, y});
+}
+
+TEST(FreeSwing, EndsWhereItIsTouched) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto free = swing_of_five_periods(0, seed), touched = swing_of_five_periods(0.3, seed);
+    ASSERT_TRUE(free && free->to && touched && touched->to) << seed;
+    EXPECT_NEAR(*free->to, 9.2, 0.3) << seed;
+    EXPECT_LT(*touched->to, 8.7) << seed;
+    EXPECT_GT(*touched->to, 7.7) << seed;
   }
 }
 

@@ -204,6 +204,31 @@ struct WithoutSamples {
   }
 };
 
+TEST(Modal, gaps_of_up_to_twenty_samples_are_filled_in_by_lines) {
+  MadeChannels channels{{{}}, 0.5};
+  for (int i = 0; i < 200; ++i) channels.values[0].push_back(3 - 0.1 * i);
+  std::vector<std::size_t> lost;
+  for (std::size_t i = 10; i < 14; ++i) lost.push_back(i);
+  for (std::size_t i = 30; i < 50; ++i) lost.push_back(i);
+  for (std::size_t i = 100; i < 121; ++i) lost.push_back(i);
+  const WithoutSamples given(channels, lost);
+  const BridgedRecord bridged(given.record());
+  EXPECT_THAT(bridged.record().starts, testing::ElementsAre(0, 100));
+  ASSERT_EQ(bridged.record().samples(), 179u);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(bridged.record().channels[0][i], 3 - 0.1 * i, 1e-12) << i;
+}
+
+// So few are left together that some lags would have none.
+TEST(Modal, bursts_are_not_joined) {
+  MadeChannels channels{{std::vector<double>(500, 1.0)}, 0.5};
+  std::vector<std::size_t> lost;
+  for (std::size_t i = 0; i < 500; ++i)
+    if (i % 25 >= 10) lost.push_back(i);
+  const WithoutSamples given(channels, lost);
+  const ModalRecord record = given.record();
+  EXPECT_EQ(places_with_short_gaps(record).back() + 1, record.samples());
+}
+
 TEST(Modal, short_gaps_are_filled_in_by_cubics_and_longer_ones_stay) {
   MadeChannels channels{{{}, {}}, 0.5};
   const auto cubic = [](double x) { return 1 + x * (2 - x * (0.3 - 0.01 * x)); };

@@ -95,6 +95,7 @@ TEST(LawDoubt, IsInTheDriveOfAHystereticSwing) {
       const Estimate* number = found.find(name);
       ASSERT_TRUE(number);
       EXPECT_NEAR(number->value, truth, 3 * number->standard_error) << name;
+      EXPECT_LT(number->standard_error, 0.1 * truth) << name;
     }
   }
   EXPECT_GT(without, 0);

@@ -313,6 +313,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   // What feeds itself swings in bursts, or grows, and a hysteretic force has corners: a formula for sinusoids
   // knows nothing of either.
   const bool measured = options.law.has<VanDerPol>() || options.law.has<Hysteresis>() || options.may_grow;
+  // Corners make a coarse sum of squares too rough to descend.
   found.h = steps.fine(summary, coarse.residuals, found.h, options.law.has<Hysteresis>());
   Parameters from = summary.parameters;
   for (int round = 0; round < 4; ++round) {
@@ -426,9 +427,11 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions&
         const double w = linear.drive_frequency, elastic = stiffness - w * w;
         const std::complex<double> by_linear(elastic, w * linear.per_mass.damping),
             by_loop(elastic, w * motion.per_mass.damping + loop.imag());
-        const auto drive = std::complex(motion.cosine, -motion.sine) * by_loop / by_linear;
-        motion.cosine = drive.real();
-        motion.sine = -drive.imag();
+        if (std::abs(by_linear) > 0) {
+          const auto drive = std::complex(motion.cosine, -motion.sine) * by_loop / by_linear;
+          motion.cosine = drive.real();
+          motion.sine = -drive.imag();
+        }
       } else {
         motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
       }

@@ -5,7 +5,8 @@
 
 namespace cromer::core {
 
-/// The first of simulate, fit, compare and methods that has an option of this name; "" if none has.
+/// The first of fit, simulate, compare, spectrum, modes and methods that has an option of this name; "" if
+/// none has.
 std::string_view option_owner(std::string_view name);
 
 }  // namespace cromer::core

@@ -41,7 +41,7 @@ constexpr Entry entries[] = {
     {"no_panel", error, "{--panels}: there is no panel \"{panel}\"; there are {panels:and}",
      "{--panels}: ein Teilbild „{panel}“ gibt es nicht; es gibt {panels:and}"},
     {"no_panel_but", error,
-     "{--panels}: there is no panel \"{panel}\"; did you mean \"{near}\"? There are {panels:and}",
+     "{--panels}: there is no panel \"{panel}\"; did you mean {near}? There are {panels:and}",
      "{--panels}: ein Teilbild „{panel}“ gibt es nicht; ist {near} gemeint? Es gibt {panels:and}"},
     {"panel_twice", error, "{--panels}: {panel} stands there twice; name it once",
      "{--panels}: {panel} steht doppelt da; bitte nur einmal nennen"},

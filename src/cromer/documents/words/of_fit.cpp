@@ -302,11 +302,12 @@ constexpr Entry entries[] = {
      "hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {one} und {other}; sie "
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
-     "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}{|; of "
-     "masses that are coupled, cromer modes finds each mode, and {--drive-frequency} auto tries a drive|}",
+     "no single swing: {modes}. Let one of them swing alone, or choose another {|{--column}|column}.{| If "
+     "masses are coupled, cromer modes finds each mode; if something drives it, try {--drive-frequency} "
+     "auto|}",
      "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder {|mit {--column} "
-     "eine|eine} andere Spalte wählen{|; von gekoppelten Massen findet cromer modes jede "
-     "Eigenschwingung, und {--drive-frequency} auto versucht einen Antrieb|}"},
+     "eine|eine} andere Spalte wählen.{| Sind Massen gekoppelt, findet cromer modes jede Eigenschwingung; "
+     "treibt etwas an, hilft {--drive-frequency} auto|}"},
     {"modes_beside_the_law", wrong_if_ignored,
      "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
      "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
@@ -525,7 +526,8 @@ constexpr Entry entries[] = {
      "{from:n} to {to:n}; {one_rate}, {with_law}; by one rate {end}. Quote the law instead.{method}",
      "Eine Abklingrate genügt nicht. Nach dem Gesetz {goes} sie von {first:n} auf {last:n}\u00a01/s, während "
      "die Schwingung "
-     "von {from:n} auf {to:n} {swing}; {one_rate}, {with_law}; nur eine Rate: {end}. Bitte das Gesetz "
+     "von {from:n} auf {to:n} {swing}; {one_rate}, {with_law}; mit nur einer Rate gilt: {end}. Bitte das "
+     "Gesetz "
      "angeben.{method}"},
     {"falls", clause, "falls", "fällt"},
     {"rises", clause, "rises", "steigt"},

@@ -206,10 +206,12 @@ constexpr Entry entries[] = {
      "wie weit diese Gesetze auseinanderliegen. Am besten bekannt, welches auch stimmt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
      "this record cannot tell {law} from {rivals:or}: the uncertainties of single terms hold only if {law} "
-     "is right; those of frequency, decay rate and any spring constant also cover how far these laws differ",
+     "is right; those of what these laws have in common, as frequency, decay rate and a drive's force, also "
+     "cover how far they differ",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten der einzelnen Terme gelten "
-     "nur, wenn {law} stimmt; die von Frequenz, Abklingrate und etwaiger Federkonstante enthalten auch, "
-     "wie weit diese Gesetze auseinanderliegen"},
+     "nur, wenn {law} stimmt; die dessen, was diese Gesetze gemeinsam haben, wie Frequenz, Abklingrate und "
+     "die "
+     "Kraft eines Antriebs, enthalten auch, wie weit sie auseinanderliegen"},
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
 

@@ -95,8 +95,7 @@ constexpr Entry entries[] = {
      "sought; a mode that hardly decays within the recording looks the same",
      "die Linie bei {frequency:.4g} Hz ist gleichbleibend, wie die einer Maschine, und wurde vor der Suche "
      "nach Eigenschwingungen abgezogen; eine Eigenschwingung, die in der Aufnahme kaum abklingt, sieht "
-     "ebenso "
-     "aus"},
+     "genauso aus"},
     {"more_modes_than_channels", wrong_if_ignored,
      "there are {modes} modes and {channels} channels: if each channel is a mass, some of them are no modes "
      "but part of a motion that is not linear (dry friction, large angles, a nonlinear spring)",

@@ -192,10 +192,11 @@ constexpr Entry entries[] = {
      "(mittlerer MAC {reversed:.2f}), so wie die Spalte ist nicht ({mac:.2f}); bitte die Richtungen der "
      "Sensoren prüfen"},
     {"mode_unlike_network", worth_knowing,
-     "of the network's modes that are left none matches that at {frequency:.4g} Hz in shape, and to a "
-     "factor of two in frequency",
-     "zur Eigenschwingung bei {frequency:.4g} Hz passt keine der übrigen des Netzes in der Form und, bis auf "
-     "das Doppelte, in der Frequenz"},
+     "the mode at {frequency:.4g} Hz matches none of the network's remaining modes: none has a similar shape "
+     "and "
+     "a frequency within a factor of two",
+     "zur Eigenschwingung bei {frequency:.4g} Hz passt keine der übrigen des Netzes: keine hat eine ähnliche "
+     "Form und eine Frequenz zwischen der halben und der doppelten"},
     {"network_mode_not_found", worth_knowing,
      "the network's mode {mode}, at {frequency:.4g} Hz, was not found in the recording",
      "die Eigenschwingung {mode} des Netzes, bei {frequency:.4g} Hz, wurde in der Aufnahme nicht gefunden"},

@@ -268,9 +268,9 @@ class LawSearch {
     drop_terms();
     try_look_alikes(beginning);
     try_quadratic(beginning);
-    try_named_hysteresis(beginning);
+    try_named_hysteresis();
     add_terms(beginning);
-    try_hysteresis();
+    try_driven_hysteresis();
     try_longer_spring(beginning);
     add_to_bounded();
   }
@@ -306,20 +306,20 @@ class LawSearch {
   }
 
   // Whoever gives an exponent looks for hysteresis.
-  void try_named_hysteresis(const Beginning& beginning) {
-    if (options_.hysteresis_exponent == 1 || !beginning.linear.law.shares(springs)) return;
-    const Law law = law_of("viscous+hysteresis");
-    try_law(law, of_fit(candidates_.front(), law));
-    settle();
+  void try_named_hysteresis() {
+    if (options_.hysteresis_exponent != 1) try_hysteresis();
   }
 
-  // Under a drive loops damp more the wider the swing: drag or friction, with a bent spring, can stand in for
-  // them and leave nothing.
+  // Under a drive loops take more energy the wider the swing, or, once they are much narrower than that, as
+  // friction does: drag or friction can stand in for them and leave nothing.
+  void try_driven_hysteresis() {
+    if (options_.drive.kind == DriveKind::harmonic && candidates_[best_].law.shares(law_with<Drag, Friction>))
+      try_hysteresis();
+  }
+
   void try_hysteresis() {
-    const Law best = candidates_[best_].law, law = law_of("viscous+hysteresis");
-    if (options_.drive.kind != DriveKind::harmonic || !best.shares(law_with<Drag, Friction>) ||
-        !best.shares(springs))
-      return;
+    if (!candidates_.front().law.shares(springs)) return;
+    const Law law = law_of("viscous+hysteresis");
     try_law(law, of_fit(candidates_.front(), law));
     settle();
     drop_terms();

@@ -41,9 +41,9 @@ constexpr double fewest = 4;    // periods
 // whole, and so hides in it.
 bool leads_to_its_end(const Record& part, double period, const LawFitOptions& law, const Watch& watch) {
   const double cut = part.t.back() - period;
+  if (cut - part.t.front() < (fewest - 1) * period) return true;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(part.t.begin(), part.t.end(), cut) - part.t.begin());
-  if (cut - part.t.front() < (fewest - 1) * period) return true;
   const LawFit before = fit_law(part.first(samples), law, watch);
   return !before.is_usable() || is_as_the_rest(before, part, cut, HUGE_VAL);
 }
@@ -139,8 +139,16 @@ std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watc
     for (int from = 1 - finer; from < finer; ++from)
       if (from != 0 || out != 0) look_at(rough->from + from, rough->out + out);
   Part best = *longest();
-  while (!leads_to_its_end(record.part(best.first, best.samples()), best.period, {}, watch))
-    best.end = place(parts - ++best.out);
+  // The longest that a touch in its last period does not end, if there is one.
+  for (int out = best.out; out <= most_out && !watch.interrupted(); ++out) {
+    const std::size_t end = out == 0 ? n : place(parts - out);
+    const auto part = out == best.out ? std::optional(best)
+                                      : described_part(record, best.first, end, best.from, out, watch);
+    if (!part || !leads_to_its_end(record.part(part->first, part->samples()), part->period, {}, watch))
+      continue;
+    best = *part;
+    break;
+  }
   // The page, which must be small, takes what a viscous law describes.
   if constexpr (!for_page) best = extended(best, record, parts, place, watch);
   return FreeSwing{record.t[best.first], best.end < n ? std::optional(record.t[best.end - 1]) : std::nullopt,

@@ -40,6 +40,7 @@ BlockCorrelations block_correlations(const ScaledChannels& channels, const Modal
   result.block_length = static_cast<double>(length) * record.step;
   result.mean = Eigen::MatrixXd::Zero(r, r * lags);
   result.count = Eigen::VectorXd::Zero(lags);
+  const std::span<const double> was(record.measured);
   for (std::size_t piece = 0; piece < record.starts.size(); ++piece) {
     const auto begin = static_cast<Eigen::Index>(record.starts[piece]);
     const auto end = static_cast<Eigen::Index>(record.end(piece));
@@ -49,7 +50,6 @@ BlockCorrelations block_correlations(const ScaledChannels& channels, const Modal
       for (Eigen::Index l = 0; l < lags; ++l) {
         const Eigen::Index shift = (l + 1) * stride, many = std::min(length, end - shift - from);
         if (many <= 0) break;
-        const std::span<const double> was(record.measured);
         count(l) = was.empty() ? static_cast<double>(many)
                                : std::inner_product(was.begin() + from, was.begin() + from + many,
                                                     was.begin() + from + shift, 0.0);

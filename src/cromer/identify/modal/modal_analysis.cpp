@@ -194,7 +194,8 @@ ModalRecord until_sample(const ModalRecord& record, std::size_t end) {
   ModalRecord part = record;
   for (std::span<const double>& channel : part.channels) channel = channel.first(end);
   std::erase_if(part.starts, [&](std::size_t start) { return start >= end; });
-  if (!part.times.empty()) part.times.resize(end);
+  for (std::vector<double>* each : {&part.times, &part.measured})
+    if (!each->empty()) each->resize(end);
   return part;
 }
 
@@ -207,21 +208,22 @@ ModalAnalysis modes_of_lively_part(const ModalRecord& record, const ModalSetting
   return modes_of_motion(record, settings);
 }
 
-// Of what is let go nothing grows; what random forces set going may, for a while.
-bool grows(const ModalAnalysis& found) {
-  return std::any_of(found.modes.begin(), found.modes.end(),
-                     [](const MeasuredMode& mode) { return mode.damping_ratio.high < 0; });
+// A free motion of which nothing grows, as nothing does of what is let go; under random forces something may
+// for a while.
+bool is_let_go(const ModalAnalysis& found) {
+  return found.motion == ModalMotion::free_decay &&
+         std::none_of(found.modes.begin(), found.modes.end(),
+                      [](const MeasuredMode& mode) { return mode.damping_ratio.high < 0; });
 }
 
 ModalAnalysis after_still_beginning(const ModalRecord& record, const ModalSettings& settings) {
   if (const std::size_t still = settings.from_first_sample ? 0 : still_samples(record); still > 0) {
     ModalAnalysis result = modes_of_lively_part(from_sample(record, still), settings);
-    if (result.motion == ModalMotion::free_decay && !grows(result) &&
-        is_still_before(record, still, result.modes)) {
+    if (is_let_go(result) && is_still_before(record, still, result.modes)) {
       result.still = still;
       if (const std::size_t released = samples_of_release(from_sample(record, still), result.modes)) {
         ModalAnalysis after = modes_of_lively_part(from_sample(record, still + released), settings);
-        if (after.motion == ModalMotion::free_decay) {
+        if (is_let_go(after)) {
           after.still = still + released;
           after.released = released;
           return after;
@@ -253,11 +255,11 @@ ModalAnalysis after_hold(const ModalRecord& record, const ModalSettings& setting
   if (settings.from_first_sample || whole.still > 0 || half < fewest_modal_samples || !dies_down(record))
     return whole;
   const ModalAnalysis later = modes_of_lively_part(from_sample(record, half), settings);
-  if (later.motion != ModalMotion::free_decay) return whole;
+  if (!is_let_go(later)) return whole;
   const std::size_t held = samples_of_hold(record, half, later.modes);
   if (held == 0) return whole;
   ModalAnalysis after = modes_of_lively_part(from_sample(record, held), settings);
-  if (after.motion != ModalMotion::free_decay) return whole;
+  if (!is_let_go(after)) return whole;
   // What the later half no longer shows may have died down since, as a part of the whole.
   if (whole.motion == ModalMotion::free_decay && !is_spoilt_by(record, held, whole.modes, after.modes))
     return whole;

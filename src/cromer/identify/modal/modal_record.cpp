@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "cromer/base/quantile.h"
@@ -39,22 +40,26 @@ std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
     if (lost > 0 && lost <= longest) missing += static_cast<std::size_t>(lost);
     for (std::size_t i = start; i < record.end(stretch); ++i) places[i] = i + missing;
   }
+  // With a third missing, samples any number of steps apart are still there together.
+  if (2 * missing > places.size()) std::iota(places.begin(), places.end(), std::size_t{0});
   return places;
 }
 
 BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
   const std::vector<std::size_t> places = places_with_short_gaps(record);
   if (places.empty() || places.back() + 1 == places.size()) return;
+  constexpr std::size_t steps_of_cubic = 4;
   // Whether no longer gap is before this sample.
   const auto follows = [&](std::size_t i) {
     return i > 0 && (places[i] > places[i - 1] + 1 ||
                      !std::binary_search(record.starts.begin(), record.starts.end(), i));
   };
   const auto value_before = [&](std::size_t i, double place, std::span<const double> y) {
-    constexpr std::size_t steps_of_cubic = 4;
-    const bool bends = places[i] - places[i - 1] <= steps_of_cubic;
-    const std::size_t first = bends && follows(i - 1) ? i - 2 : i - 1,
-                      last = bends && i + 1 < places.size() && follows(i + 1) ? i + 1 : i;
+    const auto is_near = [&](std::size_t k) {
+      return k < places.size() && follows(k) && places[k] - places[k - 1] <= steps_of_cubic;
+    };
+    const std::size_t first = is_near(i) && is_near(i - 1) ? i - 2 : i - 1,
+                      last = is_near(i) && is_near(i + 1) ? i + 1 : i;
     double sum = 0;
     for (std::size_t k = first; k <= last; ++k) {
       double weight = 1;

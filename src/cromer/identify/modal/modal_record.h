@@ -67,7 +67,7 @@ struct StabilityPole {
 void set_times(ModalRecord& record, const std::vector<double>& t);
 
 /// Where each sample stands when short gaps, of up to twenty samples, are as long as they are, and longer
-/// ones are not there: from 0 on.
+/// ones are not there: from 0 on. Where more than a third would be missing, no gap counts as short.
 std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record);
 
 /// A record whose short gaps are filled in: up to three samples by the cubic through the two to each side,
@@ -76,8 +76,8 @@ std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record);
 class BridgedRecord {
  public:
   explicit BridgedRecord(const ModalRecord& record);
-  BridgedRecord(BridgedRecord&&) = default;
-  BridgedRecord& operator=(BridgedRecord&&) = default;
+  BridgedRecord(const BridgedRecord&) = delete;  // record() looks into values_
+  BridgedRecord& operator=(const BridgedRecord&) = delete;
 
   const ModalRecord& record() const { return record_; }
 

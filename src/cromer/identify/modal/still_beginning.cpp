@@ -227,8 +227,8 @@ ModalRecord from_sample(const ModalRecord& record, std::size_t first) {
   part.starts = {0};
   for (const std::size_t start : record.starts)
     if (start > first) part.starts.push_back(start - first);
-  if (!part.times.empty())
-    part.times.erase(part.times.begin(), part.times.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::vector<double>* each : {&part.times, &part.measured})
+    if (!each->empty()) each->erase(each->begin(), each->begin() + static_cast<std::ptrdiff_t>(first));
   return part;
 }
 

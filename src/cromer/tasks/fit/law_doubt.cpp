@@ -80,19 +80,19 @@ void raise_doubt(std::vector<LawDoubt>& doubts, std::string_view name, double by
   doubts.push_back({std::string(name), by});
 }
 
-// A linear law has one decay rate, at start and end: in as much doubt as the larger of both; under a drive,
-// which has no such ends, in that of the damping ratio. And one frequency, of small swings and others.
+// A linear law has one decay rate and one frequency, at all amplitudes and by all their names.
 void share_doubts_of_linear_law(std::vector<LawDoubt>& doubts, const LawFit& fit, double mass) {
   if (fit.law != Law{fit.law.terms & springs.terms}.with(law_with<Viscous>) || !is_linear(fit.law)) return;
   const double w = fit.motion.angular_frequency();
-  const bool is_driven = fit.drive.kind != DriveKind::none;
-  const double rate =
-      is_driven ? doubt_in(doubts, "damping_ratio") * w
-                : std::max(doubt_in(doubts, "decay_rate_start"), doubt_in(doubts, "decay_rate_end"));
-  for (const std::string_view name : {"decay_rate_start", "decay_rate_end"})
-    if (!is_driven && doubt_in(doubts, name) > 0) raise_doubt(doubts, name, rate);
+  double rate = w * doubt_in(doubts, "damping_ratio");
+  for (const std::string_view end : {"decay_rate_start", "decay_rate_end"})
+    rate = std::max(rate, doubt_in(doubts, end));
+  for (const std::string_view end : {"decay_rate_start", "decay_rate_end"})
+    if (doubt_in(doubts, end) > 0) raise_doubt(doubts, end, rate);
   raise_doubt(doubts, "decay_rate", rate);
   raise_doubt(doubts, "damping", 2 * mass * rate);
+  raise_doubt(doubts, "damping_ratio", rate / w);
+  raise_doubt(doubts, "logarithmic_decrement", rate * two_pi / w);
   const double turn = std::max(doubt_in(doubts, "angular_frequency"), two_pi * doubt_in(doubts, "frequency"));
   raise_doubt(doubts, "angular_frequency", turn);
   raise_doubt(doubts, "frequency", turn / two_pi);
