@@ -215,7 +215,8 @@ TEST(Modal, gaps_of_up_to_twenty_samples_are_filled_in_by_lines) {
   const BridgedRecord bridged(given.record());
   EXPECT_THAT(bridged.record().starts, testing::ElementsAre(0, 100));
   ASSERT_EQ(bridged.record().samples(), 179u);
-  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(bridged.record().channels[0][i], 3 - 0.1 * i, 1e-12) << i;
+  for (std::size_t i = 0; i < 100; ++i)
+    EXPECT_NEAR(bridged.record().channels[0][i], 3 - 0.1 * static_cast<double>(i), 1e-12) << i;
 }
 
 // So few are left together that some lags would have none.

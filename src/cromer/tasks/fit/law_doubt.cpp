@@ -80,7 +80,8 @@ void raise_doubt(std::vector<LawDoubt>& doubts, std::string_view name, double by
   doubts.push_back({std::string(name), by});
 }
 
-// A linear law has one decay rate and one frequency, at all amplitudes and by all their names.
+// A linear law has one decay rate, at all amplitudes and by all its names, and no frequency of small swings
+// that is known better than the swing's own.
 void share_doubts_of_linear_law(std::vector<LawDoubt>& doubts, const LawFit& fit, double mass) {
   if (fit.law != Law{fit.law.terms & springs.terms}.with(law_with<Viscous>) || !is_linear(fit.law)) return;
   const double w = fit.motion.angular_frequency();
@@ -93,10 +94,9 @@ void share_doubts_of_linear_law(std::vector<LawDoubt>& doubts, const LawFit& fit
   raise_doubt(doubts, "damping", 2 * mass * rate);
   raise_doubt(doubts, "damping_ratio", rate / w);
   raise_doubt(doubts, "logarithmic_decrement", rate * two_pi / w);
+  // That of the swing itself is known best.
   const double turn = std::max(doubt_in(doubts, "angular_frequency"), two_pi * doubt_in(doubts, "frequency"));
   raise_doubt(doubts, "angular_frequency", turn);
-  raise_doubt(doubts, "frequency", turn / two_pi);
-  raise_doubt(doubts, "period", turn * two_pi / (w * w));
   raise_doubt(doubts, "stiffness", 2 * mass * w * turn);
 }
 
