@@ -120,7 +120,7 @@ TEST(Series, GapsAreCountedAndTheLongestIsNamed) {
   for (int i = 0; i < 60; ++i)
     if (i != 20 && (i < 40 || i > 42)) text += concat({std::to_string(i), ",", std::to_string(i % 7), "\n"});
   const Series s = series(text);
-  EXPECT_THAT(in_words(s.notices), ElementsAre("2 gaps in the times, the longest 4.00 s at 39.0000 s"));
+  EXPECT_THAT(in_words(s.notices), ElementsAre("2 gaps between samples, the longest 4.00 s at 39.0000 s"));
   EXPECT_EQ(s.gaps.size(), 2u);
 }
 

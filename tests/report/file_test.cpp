@@ -295,8 +295,8 @@ TEST_F(ReadFile, WhatIsNoFileIsNamed) {
             path("none") + ": cannot be read: No such file or directory");
   std::ofstream(path("swing.csv")) << "1\n";
   EXPECT_EQ(in_words(read_file(path("swng.csv")).error()),
-            path("swng.csv") + ": cannot be read: No such file or directory; did you mean " +
-                path("swing.csv") + "?");
+            path("swng.csv") + ": cannot be read: No such file or directory; did you mean \"" +
+                path("swing.csv") + "\"?");
   EXPECT_EQ(in_words(read_file(path("no/swing.csv")).error()),
             path("no/swing.csv") + ": cannot be read: No such file or directory");
   EXPECT_EQ(in_words(read_file(folder_.string()).error()),
