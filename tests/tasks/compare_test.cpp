@@ -35,7 +35,8 @@ TEST(CompareTask, ExplainsTheMisfitInASentence) {
   options.method = {"rk4"};
   const std::string drag = in_words(explanation(compared(disc_recording(), options)));
   EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. By the law it falls from 0.014"));
-  EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 30"));
+  EXPECT_THAT(drag, HasSubstr("are left, with viscous+drag 30"));
+  EXPECT_THAT(drag, HasSubstr("% too small. Quote the law"));
   options.fit.goal = "drag 1 %";  // not of the constant rate beside it
   EXPECT_EQ(in_words(explanation(compared(disc_recording(), options))), drag);
   options.fit = FitOptions{};

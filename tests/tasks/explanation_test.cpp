@@ -30,8 +30,9 @@ CompareResult compared() {
 TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   CompareResult both = compared();
   const std::string left =
-      "with one rate for all damping 2.00\u00a0cm (rms) are left and the amplitude at the end is ";
-  const std::string end = ", with viscous+drag 1.00\u00a0cm. Quote the law instead.";
+      "with one rate for all damping 2.00\u00a0cm (rms) are left, with viscous+drag 1.00\u00a0cm; by one rate "
+      "the amplitude at the end is ";
+  const std::string end = ". Quote the law instead.";
   EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. By the law it falls from 0.400 to 0.200\u00a01/s as the swing "
             "dies down from "

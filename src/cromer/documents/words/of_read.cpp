@@ -156,22 +156,24 @@ constexpr Entry entries[] = {
      "{x} und {y} sind nicht dieselbe Größe oder nicht zu denselben Zeiten gemessen: sie sind kein Punkt "
      "auf einem Bogen"},
     {"liveliest_axis_taken", worth_knowing,
-     "of the axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} in the quarter of "
-     "the "
-     "recording where it does so most (\"{other}\" by {less:.2g}); {|{--column} names another|another one "
-     "can "
-     "be chosen}",
-     "von den Achsen wird „{column}“ genommen: sie schwingt am deutlichsten, um {amplitude:.2g}{unit} in dem "
-     "Viertel der Aufnahme, in dem sie es am meisten tut („{other}“ um {less:.2g}); {|{--column} nennt eine "
-     "andere|eine andere ist wählbar}"},
+     "of the axes \"{column}\" is taken: it swings most clearly, by {amplitude:.2g}{unit} in its liveliest "
+     "quarter "
+     "of the recording (\"{other}\" by {less:.2g} there); {|{--column} names another|another one can be "
+     "chosen}",
+     "von den Achsen wird „{column}“ genommen: sie schwingt am deutlichsten, um {amplitude:.2g}{unit} in "
+     "ihrem "
+     "lebhaftesten Viertel der Aufnahme („{other}“ dort um {less:.2g}); {|{--column} nennt eine andere|eine "
+     "andere ist wählbar}"},
     {"axes_alike", worth_knowing,
-     "of the axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit} in the quarter of the "
-     "recording "
-     "where it does so most clearly; \"{other}\" swings about as far, by {less:.2g}; {|{--column} names "
-     "another|another one can be chosen}",
-     "von den Achsen wird „{column}“ genommen, die um {amplitude:.2g}{unit} schwingt, in dem Viertel der "
-     "Aufnahme, in dem sie es am deutlichsten tut; „{other}“ schwingt etwa ebenso weit, um {less:.2g}; "
-     "{|{--column} nennt eine andere|eine andere ist wählbar}"},
+     "of the axes \"{column}\" is taken, which swings by {amplitude:.2g}{unit} in its liveliest quarter of "
+     "the "
+     "recording; \"{other}\" swings about as far there, by {less:.2g}; {|{--column} names another|another "
+     "one "
+     "can be chosen}",
+     "von den Achsen wird „{column}“ genommen, die in ihrem lebhaftesten Viertel der Aufnahme um "
+     "{amplitude:.2g}{unit} schwingt; „{other}“ schwingt dort etwa ebenso weit, um {less:.2g}; {|{--column} "
+     "nennt "
+     "eine andere|eine andere ist wählbar}"},
     {"no_motion_known", error,
      "no column is known to be a position, angle or velocity: {columns}; {|say which with {--column}, for "
      "instance {--column}|choose one, for instance} \"{first}\"",
