@@ -13,6 +13,7 @@
 #include "cromer/analysis/swing.h"
 #include "cromer/base/at_once.h"
 #include "cromer/base/extent.h"
+#include "cromer/base/for_page.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
@@ -387,7 +388,7 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
 // The fundamental of a hysteretic force over a steady swing, per unit of its amplitude [1/s^2]: along the
 // displacement, and along the velocity as the imaginary part. The force starts with this slope and levels off
 // at `top`. N. Krylov & N. Bogoliubov, Introduction to Non-linear Mechanics, 1943.
-std::complex<double> loop_of(double slope, double top, double exponent, double amplitude) {
+[[maybe_unused]] std::complex<double> loop_of(double slope, double top, double exponent, double amplitude) {
   constexpr int steps = 200;
   double z = 0;
   std::complex<double> sum = 0;
@@ -406,7 +407,8 @@ std::complex<double> loop_of(double slope, double top, double exponent, double a
 std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions& options, double amplitude) {
   std::vector<Motion> starts;
   const double stiffness = linear.angular_frequency() * linear.angular_frequency();
-  const bool is_driven = options.drive.kind == DriveKind::harmonic;
+  // The page, which must be small, begins with the linear law's drive.
+  const bool is_driven = !for_page && options.drive.kind == DriveKind::harmonic;
   const std::vector<double> widths =
       is_driven ? std::vector{0.03, 0.1, 0.3, 1.0, 3.0} : std::vector{0.3, 1.0, 3.0};
   for (const double share : {0.3, 0.6})

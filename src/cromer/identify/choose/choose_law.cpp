@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cromer/base/at_once.h"
+#include "cromer/base/for_page.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -270,7 +271,7 @@ class LawSearch {
     try_quadratic(beginning);
     try_named_hysteresis();
     add_terms(beginning);
-    try_driven_hysteresis();
+    if constexpr (!for_page) try_driven_hysteresis();
     try_longer_spring(beginning);
     add_to_bounded();
   }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cromer/base/for_page.h"
 #include "cromer/base/quantile.h"
 
 namespace cromer::core {
@@ -30,9 +31,10 @@ void set_times(ModalRecord& record, const std::vector<double>& t) {
 }
 
 std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
-  constexpr double longest = 20;
+  constexpr double longest = for_page ? 0 : 20;  // the page, which must be small, fills in none
   std::vector<std::size_t> places(record.samples());
-  for (std::size_t i = 1; i < places.size(); ++i) places[i] = i;
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  if constexpr (longest == 0) return places;
   std::size_t missing = 0;
   for (std::size_t stretch = 1; stretch < record.starts.size(); ++stretch) {
     const std::size_t start = record.starts[stretch];
@@ -47,7 +49,7 @@ std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
 
 BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
   const std::vector<std::size_t> places = places_with_short_gaps(record);
-  if (places.empty() || places.back() + 1 == places.size()) return;
+  if (for_page || places.empty() || places.back() + 1 == places.size()) return;
   constexpr std::size_t steps_of_cubic = 4;
   // Whether no longer gap is before this sample.
   const auto follows = [&](std::size_t i) {
