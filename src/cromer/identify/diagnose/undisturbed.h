@@ -19,8 +19,8 @@ struct FreeSwing {
 /// first and the last one: the rms residual there is less than twice the part's, and that no larger than 1.15
 /// times the least of all parts. In steps of a twentieth of the record, then of an eightieth about the
 /// longest; then shorter by so much until a law of all but the last period is no worse in that either, if
-/// there is such a part. Where a law with drag and a cubic spring leaves noise alone, the part is then extended
-/// on either side as far as it leaves no more than by chance. Empty where there is none.
+/// there is such a part. Where a law with drag and a cubic spring leaves noise alone, the part is then
+/// extended on either side as far as it leaves no more than by chance. Empty where there is none.
 std::optional<FreeSwing> find_free_swing(const Record& record, const Watch& watch = {});
 
 }  // namespace cromer::core

@@ -10,6 +10,24 @@
 
 namespace cromer::core {
 
+namespace {
+
+// Whether samples any number of steps apart, up to a hundred, are there together often enough: not in bursts
+// with gaps between.
+bool has_pairs_at_all_lags(const std::vector<std::size_t>& places) {
+  constexpr std::size_t lags = 100, tenth = 10;  // of the samples
+  std::vector<char> there(places.back() + 1 + lags, 0);
+  for (const std::size_t place : places) there[place] = 1;
+  for (std::size_t lag = 1; lag <= lags; ++lag) {
+    const auto pairs = std::count_if(places.begin(), places.end(),
+                                     [&](std::size_t place) { return there[place + lag] != 0; });
+    if (tenth * static_cast<std::size_t>(pairs) < places.size()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 void set_times(ModalRecord& record, const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
@@ -42,8 +60,9 @@ std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record) {
     if (lost > 0 && lost <= longest) missing += static_cast<std::size_t>(lost);
     for (std::size_t i = start; i < record.end(stretch); ++i) places[i] = i + missing;
   }
-  // With a third missing, samples any number of steps apart are still there together.
-  if (2 * missing > places.size()) std::iota(places.begin(), places.end(), std::size_t{0});
+  // With less than a third missing there are such pairs, whatever the gaps.
+  if (2 * missing > places.size() && !has_pairs_at_all_lags(places))
+    std::iota(places.begin(), places.end(), std::size_t{0});
   return places;
 }
 

@@ -67,7 +67,8 @@ struct StabilityPole {
 void set_times(ModalRecord& record, const std::vector<double>& t);
 
 /// Where each sample stands when short gaps, of up to twenty samples, are as long as they are, and longer
-/// ones are not there: from 0 on. Where more than a third would be missing, no gap counts as short.
+/// ones are not there: from 0 on. Where samples some steps apart would hardly
+/// ever both be there, as in bursts, no gap counts as short.
 std::vector<std::size_t> places_with_short_gaps(const ModalRecord& record);
 
 /// A record whose short gaps are filled in: up to three samples by the cubic through the two to each side,
