@@ -22,6 +22,7 @@ struct LawChoice {
   /// - as long as something is left, for two rounds or three, the best law with one more term, with quadratic
   ///   and cubic together, or with odd-quadratic and quintic; hysteresis beside the viscous law; the same of
   ///   a law that leaves much less but has terms that are not sure;
+  /// - under a harmonic drive, beside drag or friction, hysteresis with the viscous law (not on the page);
   /// - a law with van-der-pol with drag, friction, cubic or odd-quadratic as well.
   ///
   /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest

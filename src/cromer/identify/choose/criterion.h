@@ -73,7 +73,7 @@ std::vector<const LawFit*> alternatives_to(const LawFit& chosen, const std::vect
 std::vector<const LawFit*> rivals_of(const LawFit& chosen, const std::vector<LawFit>& candidates);
 
 /// Names at most three of the rivals_of() the chosen law; empty where there are none, or where the record
-/// shows no damping.
+/// shows no damping (of a hysteretic law that is not asked).
 Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer::core

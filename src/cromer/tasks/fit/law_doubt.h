@@ -23,8 +23,9 @@ struct LawDoubt {
   double by = 0;
 };
 
-/// Of angular_frequency, stiffness (with a mass), derived_quantities(), decay_rate_ends() and, of the viscous
-/// law, decay_rate, by the alternatives_to() the chosen law. The result has its law, its samples and, if
+/// Of angular_frequency and stiffness (with a mass; not where only one of two laws is hysteretic), a drive's
+/// amplitude and force, derived_quantities(), decay_rate_ends() and, of the viscous law, decay_rate and
+/// damping, by the alternatives_to() the chosen law. The result has its law, its samples and, if
 /// driven, its motion. `force_unit` as in derived_quantities().
 std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vector<LawFit>& candidates,
                                  std::string_view force_unit = {});
