@@ -28,6 +28,18 @@ TEST(Columns, LastOnesWithoutNameAndValuesAreLeftOut) {
   EXPECT_EQ(read("t (s),x (m),,y\n0.1,1.5,,\n0.2,2.5,,\n").table.columns.size(), 4u);
 }
 
+TEST(Columns, AUnitOfAnotherQuantityNamesAnother) {
+  const Recording recording = read("t (s),Position (m),Force\n0.1,1.5,2\n0.2,2.5,3\n0.3,1.5,2\n");
+  const auto place_of = [&](std::string_view name) {
+    const auto found = find_column(recording.table, name, 0);
+    return found ? static_cast<int>(*found) : -1;
+  };
+  EXPECT_EQ(place_of("Position (cm)"), 1);
+  EXPECT_EQ(place_of("position (m)"), 1);
+  EXPECT_EQ(place_of("Force (N)"), 2);
+  EXPECT_EQ(place_of("Position (V)"), -1);
+}
+
 TEST(Runs, GroupsOfColumns) {
   // Graphical Analysis: a restarted run has the same label.
   EXPECT_THAT(

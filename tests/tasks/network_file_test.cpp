@@ -74,6 +74,12 @@ std::string with(const std::string& more, const std::string& mass = "mass = 1",
   return "[[mass]]\nname = \"cart\"\n" + mass + "\n\n[[link]]\nto = \"cart\"\nstiffness = 9\n" + link + more;
 }
 
+TEST(NetworkFile, IsNoRecording) {
+  const auto recording = read_network_file("t (s),x (m)\n0,1\n0.1,0.9\n", "carts.csv");
+  ASSERT_FALSE(recording);
+  EXPECT_EQ(recording.error().notice.code, "not_a_network");
+}
+
 TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(with("")), "");
   EXPECT_EQ(refusal(""), "n.toml: a network has at least one [[mass]]");

@@ -187,7 +187,10 @@ bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
 
 Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
-  if (!parsed) return not_toml(parsed, file);
+  if (!parsed) {
+    if (is_network_file(file)) return not_toml(parsed, file);
+    return Error{"not_a_network", {{"file", file}}};
+  }
   return read_network_table(parsed.table(), file);
 }
 
