@@ -597,6 +597,25 @@ TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
                                 Not(HasSubstr("quality factor: ")), Not(HasSubstr("are widened"))));
 }
 
+// Where the rate is lowest between the ends, the ends alone would tell of a constant one.
+TEST(LabReport, GivesTheExtremesOfRatesThatAreNotThoseOfTheEnds) {
+  Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {});
+  FittedRecording& fitted = lab.recordings.front().fitted;
+  fitted.doubts.push_back(Notice{"no_law_describes", {{"times", 5.0}}});
+  lab.recordings.front().compared.reset();
+  const auto of = [&](const std::vector<double>& rates) {
+    fitted.decay_by_amplitude.clear();
+    for (const double rate : rates)
+      fitted.decay_by_amplitude.push_back({0, 0, 0.05, make_estimate(rate, 0.001, 2), {}, 0.05, 0});
+    return lab_report(lab.recordings, {}, {});
+  };
+  EXPECT_THAT(of({0.05, 0.045, 0.039, 0.049}),
+              HasSubstr("is between {lab.lowest_stretch}, at an amplitude of "
+                        "{lab.lowest_stretch.amplitude, cm, 3}, and {lab.highest_stretch}, at "));
+  for (const auto& rates : {std::vector{0.05, 0.045, 0.04}, std::vector{0.04, 0.045, 0.05}})
+    EXPECT_THAT(of(rates), HasSubstr("is {lab.first_stretch} at an amplitude of "));
+}
+
 TEST(LabReport, SaysWhichTermMakesTheRateChange) {
   const double w = 6;
   const Motion by_friction = [=](double t) { return 0.05 * std::max(0.0, 1 - t / 60) * std::cos(w * t); },

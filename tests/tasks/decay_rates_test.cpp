@@ -259,24 +259,6 @@ TEST(DecayByAmplitude, AStretchHoldsSomeBeats) {
   EXPECT_GT(std::sqrt(squares / count), 0.3);
 }
 
-TEST(DecayByAmplitude, AStretchMayBeBeyondBothEnds) {
-  const auto with_rates = [](const std::vector<double>& rates) {
-    std::vector<AmplitudeRate> stretches;
-    for (const double rate : rates)
-      stretches.push_back(AmplitudeRate{0, 0, 1, make_estimate(rate, 0.001, 2), {}, rate, 0});
-    return stretches;
-  };
-  const std::vector<AmplitudeRate> sagging = with_rates({0.05, 0.045, 0.039, 0.049});
-  ASSERT_NE(beyond_ends(sagging), nullptr);
-  EXPECT_EQ(beyond_ends(sagging)->rate.value, 0.039);
-  const std::vector<AmplitudeRate> humped = with_rates({0.05, 0.06, 0.049});
-  ASSERT_NE(beyond_ends(humped), nullptr);
-  EXPECT_EQ(beyond_ends(humped)->rate.value, 0.06);
-  for (const auto& rates : {with_rates({0.05, 0.045, 0.04}), with_rates({0.05, 0.048, 0.0495}),
-                            with_rates({0.05, 0.03}), with_rates({})})
-    EXPECT_EQ(beyond_ends(rates), nullptr);
-}
-
 // Noise that is slower than a stretch moves its rate, and does not show within it.
 TEST(DecayByAmplitude, NeighboursShowHowWellARateIsKnown) {
   double squares = 0, by_themselves = 0, count = 0;

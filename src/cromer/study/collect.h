@@ -45,9 +45,9 @@ void collect(const std::string& id, const ModesResult& found, Results& results);
 
 /// "id": the entries of a fit's description; mass, spring_mass, disc_diameter, damping_mean, reynolds_last,
 /// air_temperature, air_density, air_viscosity (with reynolds), other_stiffness (with .rms), common_decay
-/// (with .amplitude) (beside rival laws), first_rate, last_rate, stretches, first_stretch, last_stretch and,
-/// of one between them with a rate beyond both, middle_stretch (with .amplitude, .frequency); simulate.OPTION
-/// (the law as options of simulate). Columns t, since_start, measured; left_out_t, left_out; of a law
+/// (with .amplitude) (beside rival laws), first_rate, last_rate, stretches, first_stretch, last_stretch,
+/// lowest_stretch and highest_stretch (with .amplitude, .frequency); simulate.OPTION (the law as options of
+/// simulate). Columns t, since_start, measured; left_out_t, left_out; of a law
 /// displacement, fitted_displacement, residual, mean, in all of which samples that are set aside are NaN;
 /// window_t, reynolds; of the stretches amplitude, rate, law_rate, stretch_frequency, and bar_amplitude,
 /// bar_rate, bar_frequency (error bars); between them by the law law_amplitude, law_curve (the rate),

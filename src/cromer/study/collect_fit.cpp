@@ -84,8 +84,9 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
   };
   set_stretch(".first_stretch", fitted.decay_by_amplitude.front());
   set_stretch(".last_stretch", fitted.decay_by_amplitude.back());
-  if (const AmplitudeRate* middle = beyond_ends(fitted.decay_by_amplitude))
-    set_stretch(".middle_stretch", *middle);
+  const auto [lowest, highest] = extreme_rates(fitted.decay_by_amplitude);
+  set_stretch(".lowest_stretch", lowest);
+  set_stretch(".highest_stretch", highest);
   const auto [least, most] = extent_of(amplitude);
   const AmplitudeDecay decay = amplitude_decay(fitted.fit);
   constexpr int points = 200;

@@ -331,10 +331,12 @@ class Part : public LabTold {
     toml_.text("table", lacks_a_law() ? words("report_table_of_no_law")
                                       : words("report_table") +
                                             (by_other_laws ? words("report_table_covers_laws") : ""));
-    toml_.bare("header", fmt::format("[{}, {}, {}, {}]", toml_text(words("report_quantity")),
-                                     toml_text(words("report_its_value")), toml_text("95 %"),
-                                     toml_text(words("report_term"))));
-    toml_.bare("text_columns", "[0, 3]");
+    // Without a law there are no intervals.
+    toml_.bare("header",
+               fmt::format("[{}, {}, {}{}]", toml_text(words("report_quantity")),
+                           toml_text(words("report_its_value")),
+                           lacks_a_law() ? "" : toml_text("95 %") + ", ", toml_text(words("report_term"))));
+    toml_.bare("text_columns", lacks_a_law() ? "[0, 2]" : "[0, 3]");
     std::string rows;
     std::vector<std::string_view> listed;
     for (const auto* list : {&fitted_.headline, &fitted_.parameters, &fitted_.derived})

@@ -119,22 +119,31 @@ class LabTold {
     return in_braces(lacks_a_law() ? fmt::format("{}, {}", inside, digits) : std::string(inside));
   }
 
-  /// Where a rate holds: of the first, the last or the middle stretch by itself, or of all.
+  /// Where a rate holds: of one stretch by itself, or of all.
   std::string amplitude_of(std::string_view rate) const {
     const auto& all = fitted_.decay_by_amplitude;
-    const double size = rate == "common_decay"    ? fitted_.common_decay->amplitude
-                        : rate == "first_stretch" ? all.front().amplitude
-                        : rate == "last_stretch"  ? all.back().amplitude
-                                                  : beyond_ends(all)->amplitude;
+    const double size = rate == "common_decay"     ? fitted_.common_decay->amplitude
+                        : rate == "first_stretch"  ? all.front().amplitude
+                        : rate == "last_stretch"   ? all.back().amplitude
+                        : rate == "lowest_stretch" ? extreme_rates(all).lowest.amplitude
+                                                   : extreme_rates(all).highest.amplitude;
     const std::string unit = readable_unit(units_.displacement, size);
     return in_braces(fmt::format("{}.amplitude, {}3", rate, unit.empty() ? "" : unit + ", "));
   }
 
-  /// Of the stretch between the first and the last whose rate is beyond both; "" where there is none.
-  std::string rate_between() const {
-    if (!beyond_ends(fitted_.decay_by_amplitude)) return "";
-    return words("report_rate_between",
-                 {{"rate", in_braces("middle_stretch")}, {"amplitude", amplitude_of("middle_stretch")}});
+  /// From the first to the last, or where another is lower or higher than both, from the lowest on.
+  std::string rates_of_stretches() const {
+    const auto [lowest, highest] = extreme_rates(fitted_.decay_by_amplitude);
+    const AmplitudeRate &first = fitted_.decay_by_amplitude.front(),
+                        &last = fitted_.decay_by_amplitude.back();
+    const bool ends = (&lowest == &first && &highest == &last) || (&lowest == &last && &highest == &first);
+    const std::string_view one = ends ? "first_stretch" : "lowest_stretch",
+                           other = ends ? "last_stretch" : "highest_stretch";
+    return words(ends ? "report_rate_of_stretches" : "report_rate_between",
+                 {{"one", in_braces(one)},
+                  {"one_amplitude", amplitude_of(one)},
+                  {"other", in_braces(other)},
+                  {"other_amplitude", amplitude_of(other)}});
   }
 
   /// Why the rate changes, under the law; "" where it does not for sure, or by no one term.
@@ -186,12 +195,7 @@ class LabTold {
     const Parameter *start = named(fitted_.headline, "decay_rate_start"),
                     *end = named(fitted_.headline, "decay_rate_end");
     if (!start) return "";
-    if (has_only_parts())
-      return words("report_rate_of_stretches", {{"first", in_braces("first_stretch")},
-                                                {"first_amplitude", amplitude_of("first_stretch")},
-                                                {"last", in_braces("last_stretch")},
-                                                {"last_amplitude", amplitude_of("last_stretch")},
-                                                {"between", rate_between()}});
+    if (has_only_parts()) return rates_of_stretches();
     if (has_only_a_common_rate())
       return words("report_rate_common",
                    {{"rate", in_braces("common_decay")}, {"amplitude", amplitude_of("common_decay")}});
@@ -352,15 +356,14 @@ class LabTold {
 
   std::string row_of(const Parameter& each) const {
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
-    const bool known = each.estimate.standard_error > 0 && !lacks_a_law();
     const bool is_fitted =
         std::find(fitted_.fit.names.begin(), fitted_.fit.names.end(), each.name) != fitted_.fit.names.end();
-    const std::string ends = known                         ? interval(place, each.estimate)
-                             : is_fitted && !lacks_a_law() ? words("report_assumed")
-                                                           : "–";
+    const std::string ends = each.estimate.standard_error > 0 ? interval(place, each.estimate)
+                             : is_fitted                      ? words("report_assumed")
+                                                              : "–";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
-    return fmt::format("  [{}, {}, {}, {}],\n", toml_text(name_in_table(each.name)),
-                       toml_text(as_far_as_known(place)), toml_text(ends),
+    return fmt::format("  [{}, {}, {}{}],\n", toml_text(name_in_table(each.name)),
+                       toml_text(as_far_as_known(place)), lacks_a_law() ? "" : toml_text(ends) + ", ",
                        toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 

@@ -80,12 +80,15 @@ constexpr Entry entries[] = {
      "By this law the decay rate would be {start} at the start and {end} at the end.",
      "Nach diesem Gesetz wäre die Abklingrate {start} am Anfang und {end} am Ende."},
     {"report_rate_of_stretches", clause,
-     "The decay rate of parts of the recording, each fitted by itself, is {first} at an amplitude of "
-     "{first_amplitude} and {last} at {last_amplitude}{between}.",
-     "Die Abklingrate von Teilen der Aufnahme, jeder für sich angepasst, ist {first} bei einer Amplitude "
-     "von {first_amplitude} und {last} bei {last_amplitude}{between}."},
-    {"report_rate_between", clause, ", with {rate} at {amplitude} between them",
-     ", dazwischen {rate} bei {amplitude}"},
+     "The decay rate of parts of the recording, each fitted by itself, is {one} at an amplitude of "
+     "{one_amplitude} and {other} at {other_amplitude}.",
+     "Die Abklingrate von Teilen der Aufnahme, jeder für sich angepasst, ist {one} bei einer Amplitude "
+     "von {one_amplitude} und {other} bei {other_amplitude}."},
+    {"report_rate_between", clause,
+     "The decay rate of parts of the recording, each fitted by itself, is between {one}, at an amplitude of "
+     "{one_amplitude}, and {other}, at {other_amplitude}.",
+     "Die Abklingrate von Teilen der Aufnahme, jeder für sich angepasst, liegt zwischen {one}, bei einer "
+     "Amplitude von {one_amplitude}, und {other}, bei {other_amplitude}."},
     {"report_friction_makes_it_rise", clause,
      "Under this law it rises because dry friction, the same at every amplitude, weighs more in small "
      "swings.",

@@ -398,22 +398,11 @@ bool span_a_decade(const std::vector<AmplitudeRate>& stretches) {
   return smallest != stretches.end() && largest->amplitude > 10 * smallest->amplitude;
 }
 
-const AmplitudeRate* beyond_ends(const std::vector<AmplitudeRate>& stretches) {
-  if (stretches.size() < 3) return nullptr;
-  const AmplitudeRate* farthest = nullptr;
-  constexpr double surely = 3, from_either = 2;  // standard errors from one end, and from the other
-  double most = 0;
-  for (const AmplitudeRate& each : stretches) {
-    const auto apart = [&](const AmplitudeRate& end) {
-      return (each.rate.value - end.rate.value) /
-             std::hypot(each.rate.standard_error, end.rate.standard_error);
-    };
-    const double from_first = apart(stretches.front()), from_last = apart(stretches.back());
-    if (!(from_first * from_last > 0)) continue;
-    const auto [less, more] = std::minmax({std::abs(from_first), std::abs(from_last)});
-    if (less > from_either && more > surely && less + more > most) most = less + more, farthest = &each;
-  }
-  return farthest;
+ExtremeRates extreme_rates(const std::vector<AmplitudeRate>& stretches) {
+  const auto [lowest, highest] = std::minmax_element(
+      stretches.begin(), stretches.end(),
+      [](const AmplitudeRate& a, const AmplitudeRate& b) { return a.rate.value < b.rate.value; });
+  return {*lowest, *highest};
 }
 
 bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign) {

@@ -83,9 +83,11 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
 /// Whether the first and the last stretch, each by itself, show that the rate falls (sign 1) or rises (-1).
 bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign);
 
-/// The stretch whose rate is farthest below or above those of both the first and the last: by more than three
-/// standard errors from one of them and two from the other. Null where there is none.
-const AmplitudeRate* beyond_ends(const std::vector<AmplitudeRate>& stretches);
+/// The stretches of the lowest and of the highest rate; of at least one.
+struct ExtremeRates {
+  const AmplitudeRate &lowest, &highest;
+};
+ExtremeRates extreme_rates(const std::vector<AmplitudeRate>& stretches);
 
 /// Whether the largest amplitude is more than ten times the smallest: a linear axis would crowd most
 /// stretches at its lower end.
