@@ -601,7 +601,7 @@ TEST(LabReport, WhatIsInDoubtHasNoVerdictInTheSummary) {
 TEST(LabReport, GivesTheExtremesOfRatesThatAreNotThoseOfTheEnds) {
   Made lab = report({{"lab.csv", recorded(decaying(0.05), 30)}}, {});
   FittedRecording& fitted = lab.recordings.front().fitted;
-  fitted.doubts.push_back(Notice{"no_law_describes", {{"times", 5.0}}});
+  fitted.notices.push_back(Notice{"no_law_describes", {{"times", 5.0}}});
   lab.recordings.front().compared.reset();
   const auto of = [&](const std::vector<double>& rates) {
     fitted.decay_by_amplitude.clear();

@@ -1,12 +1,12 @@
 #include "cromer/analysis/ground_motion.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
+
+#include "cromer/analysis/fourier.h"
 
 namespace cromer::core {
 namespace {
@@ -133,17 +133,14 @@ double bracketed_duration(std::span<const double> a, double h, BetweenSamples be
 }
 
 FourierAmplitude fourier_amplitude(std::span<const double> a, double h) {
-  std::size_t padded = 8;
-  while (padded < a.size()) padded *= 2;
+  const std::size_t padded = power_of_two(static_cast<double>(a.size()));
   std::vector<double> samples(padded, 0.0);
   std::copy(a.begin(), a.end(), samples.begin());
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> transform;
-  fft.fwd(transform, samples);
+  std::vector<std::complex<double>> transformed;
+  fourier_transform(samples, transformed);
   FourierAmplitude result{1 / (static_cast<double>(padded) * h), {}};
-  result.amplitude.reserve(transform.size());
-  for (const auto& value : transform) result.amplitude.push_back(h * std::abs(value));
+  result.amplitude.reserve(transformed.size());
+  for (const auto& value : transformed) result.amplitude.push_back(h * std::abs(value));
   return result;
 }
 

@@ -1,14 +1,13 @@
 #include "cromer/analysis/hysteretic_peaks.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 
+#include "cromer/analysis/fourier.h"
 #include "cromer/analysis/frequency_response.h"
 
 namespace cromer::core {
@@ -21,12 +20,6 @@ using Amplitudes = std::vector<std::complex<double>>;
 double pause(double duration, double period, double loss_factor) {
   const double fallen = std::log(1e4) * period / (std::numbers::pi * loss_factor);
   return std::max(fallen, 8 * loss_factor / (1 + loss_factor * loss_factor) * duration);
-}
-
-std::size_t power_of_two(double least) {
-  std::size_t n = 8;
-  while (static_cast<double>(n) < least) n *= 2;
-  return n;
 }
 
 /// Values computed for each sample: 16 in the fastest recorded cycle if the oscillator is as fast, fewer if
@@ -76,8 +69,6 @@ double hysteretic_samples(std::size_t samples, double h, double longest_period, 
 
 std::vector<double> hysteretic_peaks(std::span<const double> acceleration, double h,
                                      std::span<const double> periods, double loss_factor) {
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::map<std::size_t, Amplitudes> transforms;  // by the length they were padded to
   std::vector<double> peaks;
   for (const double period : periods) {
@@ -86,7 +77,7 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
     if (ground.empty()) {
       std::vector<double> padded(n, 0.0);
       std::copy(acceleration.begin(), acceleration.end(), padded.begin());
-      fft.fwd(ground, padded);
+      fourier_transform(padded, ground);
     }
     const double w = 2 * std::numbers::pi / period;
     const Oscillator<double> oscillator{.mass = 1, .stiffness = w * w};
@@ -102,7 +93,7 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
     // The highest frequency stands for two halves; on a finer grid each has its own place.
     answer[ground.size() - 1] *= 0.5;
     std::vector<double> x;
-    fft.inv(x, answer, static_cast<Eigen::Index>(n * values));
+    inverse_fourier_transform(answer, n * values, x);
     peaks.push_back(static_cast<double>(values) * peak_of(x));
   }
   return peaks;

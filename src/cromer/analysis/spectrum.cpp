@@ -1,32 +1,17 @@
 #include "cromer/analysis/spectrum.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
+
+#include "cromer/analysis/fourier.h"
 
 namespace cromer::core {
-namespace {
-
-// The transform of real values, whose length is a power of two. Its tables cost as much as the transform
-// itself: those of common lengths are kept.
-void transform_real(std::vector<std::complex<double>>& transform, const std::vector<double>& values) {
-  constexpr std::size_t longest_kept = 16384;
-  thread_local Eigen::FFT<double> kept;
-  Eigen::FFT<double> own;
-  Eigen::FFT<double>& fft = values.size() <= longest_kept ? kept : own;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  fft.fwd(transform, values);
-}
-
-}  // namespace
 
 Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   const std::size_t n = y.size();
-  std::size_t padded = 8;
-  while (padded < n) padded *= 2;
+  const std::size_t padded = power_of_two(static_cast<double>(n));
   double mean = 0;
   for (double value : y) mean += value;
   mean /= static_cast<double>(n);
@@ -42,23 +27,22 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
              phase.real() * turn.imag() + phase.imag() * turn.real()};
   }
 
-  std::vector<std::complex<double>> transform;
-  transform_real(transform, windowed);
+  std::vector<std::complex<double>> transformed;
+  fourier_transform(windowed, transformed);
 
   Spectrum spectrum;
   spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);
-  spectrum.amplitude.resize(transform.size());
+  spectrum.amplitude.resize(transformed.size());
   const double scale = 4 / static_cast<double>(n);  // two sides, and the window's mean of one half
-  for (std::size_t k = 0; k < transform.size(); ++k)
-    spectrum.amplitude[k] = scale * std::sqrt(transform[k].real() * transform[k].real() +
-                                              transform[k].imag() * transform[k].imag());
+  for (std::size_t k = 0; k < transformed.size(); ++k)
+    spectrum.amplitude[k] = scale * std::sqrt(transformed[k].real() * transformed[k].real() +
+                                              transformed[k].imag() * transformed[k].imag());
   return spectrum;
 }
 
 Spectrum least_squares_spectrum(std::span<const double> t, std::span<const double> y, double h) {
   const double duration = t.back() - t.front();
-  std::size_t padded = 8;
-  while (static_cast<double>(padded) < 3 * duration / h + 2) padded *= 2;  // two parts far apart beat
+  const std::size_t padded = power_of_two(3 * duration / h + 2);  // two parts far apart beat
 
   // Weights in the imaginary part, weighted values in the real one: one transform serves both.
   const auto weight_at = [&](double time) {
@@ -79,8 +63,7 @@ Spectrum least_squares_spectrum(std::span<const double> t, std::span<const doubl
     grid[k] += (1 - share) * both;
     grid[k + 1] += share * both;
   }
-  Eigen::FFT<double> fft;
-  fft.fwd(z, grid);
+  fourier_transform(grid, z);
   const auto of_values = [&](std::size_t k) { return 0.5 * (z[k] + std::conj(z[(padded - k) % padded])); };
   const auto of_weights = [&](std::size_t k) {
     const std::complex<double> twice = z[k] - std::conj(z[(padded - k) % padded]);

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include <unsupported/Eigen/FFT>
-
+#include "cromer/analysis/fourier.h"
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
@@ -154,14 +153,11 @@ class Filter {
 FilteredSums sums_by_transform(const Noise& noise, std::span<const double> jacobian, int size,
                                const SquareMatrix& inverse_matrix) {
   const std::size_t n = noise.samples;
-  std::size_t length = 64;
-  while (length < 2 * (noise.grid.at(n - 1) + 1)) length *= 2;
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  const std::size_t length = power_of_two(2 * static_cast<double>(noise.grid.at(n - 1) + 1));
   std::vector<double> values(length);
   const auto transformed = [&] {
     std::vector<std::complex<double>> spectrum;
-    fft.fwd(spectrum, values);
+    fourier_transform(values, spectrum);
     return spectrum;
   };
   values[0] = 1;

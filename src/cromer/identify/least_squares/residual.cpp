@@ -1,12 +1,11 @@
 #include "cromer/identify/least_squares/residual.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <unsupported/Eigen/FFT>
 
+#include "cromer/analysis/fourier.h"
 #include "cromer/base/extent.h"
 
 namespace cromer::core {
@@ -91,18 +90,15 @@ std::vector<double> centred(std::span<const double> r) {
 // Sums of r_i r_(i+l), l up to `lags`, block after block: transforms of a long record would not fit into the
 // processor's cache.
 std::vector<double> products_by_transform(const std::vector<double>& r, std::size_t lags) {
-  std::size_t size = 8;
-  while (size < r.size() + lags && size < 8 * lags) size *= 2;
+  const std::size_t size = power_of_two(static_cast<double>(std::min(r.size() + lags, 8 * lags)));
   const std::size_t step = size - lags;
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<double> block(size);
   std::vector<std::complex<double>> own, all, sum(size / 2 + 1);
   const auto transform = [&](std::size_t begin, std::size_t count, auto& to) {
     const auto first = r.begin() + static_cast<std::ptrdiff_t>(begin);
     count = std::min(count, r.size() - begin);
     std::fill(std::copy(first, first + static_cast<std::ptrdiff_t>(count), block.begin()), block.end(), 0.0);
-    fft.fwd(to, block);
+    fourier_transform(block, to);
   };
   for (std::size_t begin = 0; begin < r.size(); begin += step) {
     transform(begin, step, own);
@@ -114,7 +110,7 @@ std::vector<double> products_by_transform(const std::vector<double>& r, std::siz
       sum[k] += std::complex<double>(re, im);
     }
   }
-  fft.inv(block, sum, static_cast<Eigen::Index>(size));
+  inverse_fourier_transform(sum, size, block);
   block.resize(lags + 1);
   return block;
 }

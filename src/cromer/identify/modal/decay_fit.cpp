@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 
+#include "cromer/analysis/fourier.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
@@ -198,18 +198,15 @@ std::optional<Eigenvalues> fit_eigenvalues(const ModalRecord& record, const Eige
 
 Periodogram periodogram(const Eigen::MatrixXd& values, const ModalRecord& record, std::size_t padding) {
   const std::vector<std::size_t> places = places_with_short_gaps(record);
-  std::size_t padded = 8;
-  while (padded < padding * (places.back() + 1)) padded *= 2;
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  const std::size_t padded = power_of_two(static_cast<double>(padding * (places.back() + 1)));
   Periodogram result{two_pi / (static_cast<double>(padded) * record.step),
                      std::vector<double>(padded / 2 + 1)};
-  std::vector<std::complex<double>> transform;
+  std::vector<std::complex<double>> transformed;
   for (const auto& column : values.colwise()) {
     std::vector<double> y(padded, 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) y[places[i]] = column(static_cast<Eigen::Index>(i));
-    fft.fwd(transform, y);
-    for (std::size_t k = 0; k < transform.size(); ++k) result.power[k] += std::norm(transform[k]);
+    fourier_transform(y, transformed);
+    for (std::size_t k = 0; k < transformed.size(); ++k) result.power[k] += std::norm(transformed[k]);
   }
   return result;
 }

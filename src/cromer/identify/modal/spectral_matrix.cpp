@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 
+#include "cromer/analysis/fourier.h"
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
@@ -45,10 +45,8 @@ SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments) 
   }
   const auto r = static_cast<Eigen::Index>(channels);
   std::vector<Eigen::MatrixXcd> spectra(half + 1, Eigen::MatrixXcd::Zero(r, r));
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<double> segment(length);
-  std::vector<std::complex<double>> transform;
+  std::vector<std::complex<double>> transformed;
   Eigen::MatrixXcd lines(r, static_cast<Eigen::Index>(half + 1));
   SpectralMatrix result;
   for (std::size_t p = 0; p < record.starts.size(); ++p) {
@@ -57,9 +55,9 @@ SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments) 
       for (std::size_t c = 0; c < channels; ++c) {
         for (std::size_t i = 0; i < length; ++i)
           segment[i] = window[i] * (record.channels[c][from + i] - mean[c]);
-        fft.fwd(transform, segment);
+        fourier_transform(segment, transformed);
         for (std::size_t k = 0; k <= half; ++k)
-          lines(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) = transform[k];
+          lines(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) = transformed[k];
       }
       for (std::size_t k = 0; k <= half; ++k) {
         const auto line = lines.col(static_cast<Eigen::Index>(k));

@@ -1,13 +1,12 @@
 #include "cromer/identify/start/driven_start.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "cromer/analysis/fourier.h"
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/pi.h"
@@ -75,13 +74,11 @@ Segment transform(std::span<const double> u, std::span<const double> z, double h
   const std::size_t n = z.size();
   const double turn = 2 * pi / static_cast<double>(n);
   const double rate = turn / h;  // [rad/s] of the window
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<double> product(n);
   const auto of = [&](auto value) {
     for (std::size_t i = 0; i < n; ++i) product[i] = value(i);
     std::vector<Complex> result;
-    fft.fwd(result, product);
+    fourier_transform(product, result);
     return result;
   };
   // The square of Hann's window and its derivatives: zero at both ends up to the third.
