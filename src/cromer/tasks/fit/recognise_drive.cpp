@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "cromer/base/for_page.h"
@@ -21,6 +22,7 @@ namespace cromer::core {
 namespace {
 
 constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
+constexpr double least_steady = 0.3;                    // share_of_steady() that makes a motion a driven one
 
 MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
   const FittedSamples samples = without_outliers(driven.series);
@@ -52,7 +54,20 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
   if (driven.fit.status != FitStatus::converged) return false;
   const Residual& left = driven.fit.residual;
   return drive_helps(driven, free) && std::abs(left.autocorrelation) <= unstructured &&
-         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
+         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= least_steady;
+}
+
+// Whether the last eighth swings by less than half of what the least drive would keep up, and less towards
+// its end than at its beginning: it is not where a beat has its least.
+bool has_died_down(const FittedSamples& samples) {
+  const std::size_t n = samples.y.size(), part = n / 16;
+  constexpr std::size_t enough = 16;
+  if (part < enough) return false;
+  const std::span<const double> all(samples.y);
+  const double last = centred_norm(all.last(part)), before = centred_norm(all.subspan(n - 2 * part, part));
+  const double share = std::hypot(last, before) / centred_norm(all) *
+                       std::sqrt(static_cast<double>(n) / static_cast<double>(2 * part));
+  return share < 0.5 * least_steady && last < before;
 }
 
 std::string in_hertz(const Estimate& w) {
@@ -144,6 +159,15 @@ void name_two_modes(FittedRecording& result, const TwoModes& found) {
              {{"modes", modes}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
+// Whether two modes leave surely less than the free law, which then names them.
+bool name_two_modes_that_explain_more(FittedRecording& free, const MotionJudgement& judgement) {
+  if (judgement.kind != MotionKind::two_modes ||
+      !(judgement.modes->residual.rms < next_to_nothing * free.fit.residual.rms))
+    return false;
+  name_two_modes(free, *judgement.modes);
+  return true;
+}
+
 // A refused fit in which one line explains some of the variance, and the rest is no noise.
 bool may_be_beats(const LawFit& fit) {
   const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
@@ -222,6 +246,14 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (!may_recognise(options) || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted())
     return free;
   const FittedSamples samples = without_outliers(free.series);
+  // Nothing drives what has died down; another mode may have died down beside it.
+  if (!refused && !free.fit.law.shares(bounding_terms) && has_died_down(samples)) {
+    LawFit driven;
+    driven.status = FitStatus::no_oscillation;
+    const Record record{samples.t, samples.y, free.series.resolution};
+    name_two_modes_that_explain_more(free, judge_motion(record, free.fit, driven, false));
+    return free;
+  }
   const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   FitOptions same = options;
   same.drive_frequency = "auto";
@@ -250,11 +282,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
     if (!driven || watch.interrupted()) return free;
     judgement = judged(free, *driven, false);
   }
-  if (judgement.kind == MotionKind::two_modes &&
-      judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
-    name_two_modes(free, *judgement.modes);
-    return free;
-  }
+  if (name_two_modes_that_explain_more(free, judgement)) return free;
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
