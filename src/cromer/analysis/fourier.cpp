@@ -8,7 +8,7 @@ namespace {
 
 template <class Use>
 void with_tables(std::size_t length, Use use) {
-  constexpr std::size_t longest_kept = 32768;
+  constexpr std::size_t longest_kept = 131072;
   thread_local Eigen::FFT<double> kept;
   Eigen::FFT<double> own;
   Eigen::FFT<double>& fft = length <= longest_kept ? kept : own;
