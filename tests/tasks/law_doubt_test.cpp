@@ -197,13 +197,6 @@ TEST(LawDoubt, OfAnEndIsWhatItsStretchSaysBeyondTwoErrors) {
   add_doubts_of_stretches(doubts, {stretch(0.08, 0.08), stretch(0.07, 0.07), stretch(0.055, 0.060)});
   ASSERT_EQ(doubts.size(), 1u);
   EXPECT_NEAR(doubts[0].by, 0.005, 1e-12);
-  // Two beside each other, of six, show what neither shows alone; a third one is no end any more.
-  doubts.clear();
-  add_doubts_of_stretches(doubts, {stretch(0.08, 0.08), stretch(0.078, 0.078), stretch(0.076, 0.076),
-                                   stretch(0.071, 0.074), stretch(0.075, 0.072), stretch(0.073, 0.07)});
-  ASSERT_EQ(doubts.size(), 1u);
-  EXPECT_EQ(doubts[0].name, "decay_rate_end");
-  EXPECT_NEAR(doubts[0].by, 0.001, 1e-12);  // 3 off, sqrt(8) by chance
   // One rate, or two stretches, say nothing of ends.
   doubts.clear();
   add_doubts_of_stretches(doubts, {stretch(0.08, 0.06), stretch(0.06, 0.06), stretch(0.05, 0.06)});

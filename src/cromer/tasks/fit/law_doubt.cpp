@@ -152,19 +152,13 @@ void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<Am
   const double larger = std::max(std::abs(first.law_rate), std::abs(last.law_rate));
   if (std::abs(first.law_rate - last.law_rate) <= alike_rates * larger) return;
   constexpr double by_chance = 2;  // standard errors
-  // Stretches beside each other may speak together what none of them shows alone.
-  const auto add = [&](std::string_view name, auto stretch) {
-    double weights = 0, weighted = 0, by = 0;
-    for (std::size_t used = 0; used < std::max<std::size_t>(1, stretches.size() / 3); ++used, ++stretch) {
-      const double weight = 1 / (stretch->rate.standard_error * stretch->rate.standard_error);
-      weights += weight, weighted += weight * (stretch->rate.value - stretch->law_rate);
-      const double off = weighted / weights, seen = by_chance / std::sqrt(weights);
-      if (std::abs(off) > seen) by = std::max(by, std::sqrt(off * off - seen * seen));
-    }
-    raise_doubt(doubts, name, std::hypot(doubt_in(doubts, name), by));
+  const auto add = [&](std::string_view name, const AmplitudeRate& end) {
+    const double off = end.rate.value - end.law_rate, seen = by_chance * end.rate.standard_error;
+    if (!(std::abs(off) > seen)) return;
+    raise_doubt(doubts, name, std::hypot(doubt_in(doubts, name), std::sqrt(off * off - seen * seen)));
   };
-  add("decay_rate_start", stretches.begin());
-  add("decay_rate_end", stretches.rbegin());
+  add("decay_rate_start", first);
+  add("decay_rate_end", last);
 }
 
 Parameter with_doubt(Parameter number, const std::vector<LawDoubt>& doubts) {

@@ -30,9 +30,8 @@ struct LawDoubt {
 std::vector<LawDoubt> law_doubts(const FittedRecording& result, const std::vector<LawFit>& candidates,
                                  std::string_view force_unit = {});
 
-/// Adds what the first and the last stretches, each fitted by itself, speak against the law's rates at the
-/// ends, where these differ: how far one of them, or the mean of several up to a third of all, is from the
-/// law beyond two standard errors, in quadrature. The largest counts.
+/// Adds what the first and the last stretch, each fitted by itself, speak against the law's rates at the
+/// ends, where these differ: how far they are from it beyond two of their standard errors, in quadrature.
 void add_doubts_of_stretches(std::vector<LawDoubt>& doubts, const std::vector<AmplitudeRate>& stretches);
 
 /// The number with the doubt of its name in standard error and interval, if there is one.
