@@ -182,7 +182,7 @@ TEST(Paper, EveryTextOfThePageOccurs) {
 
 TEST(Paper, TheFooterStandsInTheLastMarginAndNeedsNoSheetOfItsOwn) {
   Page page;
-  page.footer = "cromer 0.1.0 · compiled by g++ 12.2.0";
+  page.footer = "cromer 0.1.0 · g++ 12.2.0";
   for (int lines = 30; lines < 80; ++lines) {
     page.blocks.assign(static_cast<std::size_t>(lines), Paragraph{"Line."});
     const auto with = sheets_of(page, Typeface::lato);
@@ -190,9 +190,9 @@ TEST(Paper, TheFooterStandsInTheLastMarginAndNeedsNoSheetOfItsOwn) {
     Page without = page;
     without.footer.clear();
     EXPECT_EQ(with.size(), sheets_of(without, Typeface::lato).size()) << lines;
-    EXPECT_THAT(all_words({with.back()}), HasSubstr("compiled by")) << lines;
+    EXPECT_THAT(all_words({with.back()}), HasSubstr("g++")) << lines;
     if (with.size() > 1) {
-      EXPECT_THAT(all_words({with.front()}), testing::Not(HasSubstr("compiled by"))) << lines;
+      EXPECT_THAT(all_words({with.front()}), testing::Not(HasSubstr("g++"))) << lines;
     }
   }
 }

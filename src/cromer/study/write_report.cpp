@@ -258,9 +258,9 @@ Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, cons
 
 std::string versions(const std::string& program) {
 #if defined(__clang__)
-  return program + " · compiled by clang " __clang_version__;
+  return program + " · clang " __clang_version__;
 #else
-  return program + " · compiled by g++ " __VERSION__;
+  return program + " · g++ " __VERSION__;
 #endif
 }
 
