@@ -123,6 +123,19 @@ TEST(Layout, OptionsAreKnownByWordsAndMarks) {
             "--decimal \"'\" is not known: point or comma is expected");
 }
 
+TEST(Layout, SaysWhichOptionLeavesNoRows) {
+  const auto refusal_of = [](const std::string& text, std::string delimiter, std::string decimal) {
+    const auto layout = layout_of(text, {.delimiter = std::move(delimiter), .decimal = std::move(decimal)});
+    return layout ? std::string() : in_words(layout.error());
+  };
+  EXPECT_EQ(refusal_of("0.5 1.5\n1.5 2.5\n", "semicolon", ""),
+            "no rows of numbers are found with this --delimiter; without it there are some");
+  EXPECT_EQ(refusal_of("0.5 1.5\n1.5 2.5\n", "", "comma"),
+            "no rows of numbers are found with this --decimal; without it there are some");
+  EXPECT_EQ(refusal_of("a b\nc d\n", "", "comma"),
+            "no rows of numbers are found: a table of numbers in columns is expected");
+}
+
 TEST(Layout, QuotedDecimalsAreFoundAnywhereInALine) {
   EXPECT_FALSE(layout_of("\"1\",\"2,5\"\n\"2\",\"3,5\"\n")->paired);
   EXPECT_EQ(layout_of("\"1\",\"2,5\"\n\"2\",\"3,5\"\n")->decimal, ',');

@@ -79,6 +79,9 @@ constexpr Entry entries[] = {
      "keine Zeilen mit Zahlen gefunden: erwartet wird eine Tabelle mit Zahlen in Spalten"},
     {"no_rows_of_numbers_but", error, "no rows of numbers are found: \"{cell}\" is not a number; {what}",
      "keine Zeilen mit Zahlen gefunden: „{cell}“ ist keine Zahl; {what}"},
+    {"no_rows_with_option", error,
+     "no rows of numbers are found with this {option:option}; without it there are some",
+     "keine Zeilen mit Zahlen gefunden mit dieser Angabe: {option:option}; ohne sie gibt es welche"},
     {"rows_read_in_two_ways", error,
      "the rows can be read in two ways: \"{row}\" as {whole} whole numbers or as {decimal} with a decimal "
      "comma; {--delimiter} comma says the one, {--decimal} comma the other",
