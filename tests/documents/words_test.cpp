@@ -65,6 +65,9 @@ TEST(Words, ListsAndBraces) {
   const Notice none{"no_verb", {{"verb", "fut"}, {"verbs", verbs}}};
   EXPECT_EQ(in_words(none), "there is no verb \"fut\"; there are read, fit and sweep");
   EXPECT_EQ(in_words(none, german), "das Verb „fut“ gibt es nicht; es gibt read, fit und sweep");
+  const Notice column{"no_such_column", {{"name", "y"}, {"columns", std::vector<std::string>{"\"x (m)\""}}}};
+  EXPECT_EQ(in_words(column), "no column is called \"y\"; there are \"x (m)\"");
+  EXPECT_EQ(in_words(column, german), "keine Spalte heißt „y“; es gibt „x (m)“");
   EXPECT_EQ(in_words(Notice{"body_is_no_object"}), "the body is no JSON object such as {\"for\": \"20 s\"}");
 }
 

@@ -199,8 +199,12 @@ class Sentence {
     if (how == " " && !text.empty()) text_ += ' ';
     text_ += how == "n" ? with_comma(text, voice_.language) : text;
   }
-  void put_value(const std::vector<std::string>& names, std::string_view how, bool alone) {
+  void put_value(std::vector<std::string> names, std::string_view how, bool alone) {
     if (how.find('|') != how.npos) return put_number(names.size(), "", how, alone);
+    if (voice_.language == Language::german)
+      for (std::string& each : names)
+        if (each.size() > 1 && each.front() == '"' && each.back() == '"')
+          each = "„" + each.substr(1, each.size() - 2) + "“";
     text_ += listed(names, how, voice_.language);
   }
   void put_value(const std::vector<Notice>& notices, std::string_view how, bool) {
