@@ -342,7 +342,8 @@ class LawSearch {
   // Tries the best law with each addition, and the closest law that is not sure likewise, as long as
   // something is left and a new law is chosen or comes closer.
   void add_terms(const Beginning& beginning) {
-    for (int round = 0; round < 2 + (closest() != best_) && !watch_.interrupted(); ++round) {
+    constexpr int most = 5;  // rounds
+    for (int round = 0; round < most && !watch_.interrupted(); ++round) {
       const LawFit base = candidates_[best_];
       if (!something_is_left(record_, base)) return;
       const std::size_t before = best_, closest_before = closest();
