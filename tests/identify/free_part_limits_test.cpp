@@ -298,7 +298,7 @@ TEST(FreePartLimits, ADriveThatStops) {
       ASSERT_TRUE(part) << stop << ' ' << per_period;
       EXPECT_NEAR(part->from, stop + 1, 0.8) << stop << ' ' << per_period;
       EXPECT_NEAR(
-          std::stod(in_words(part->reason).substr(std::string("the amplitude stays level until ").size())),
+          std::stod(in_words(part->reason).substr(std::string("the amplitude falls only from ").size())),
           part->from - 1, 0.06);
       EXPECT_TRUE(in_words(part->reason).ends_with(" s and only falls from there, as when a drive stops"))
           << in_words(part->reason);

@@ -280,7 +280,7 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   const auto x = [](double t) {
     return 0.02 * std::cos(7 * t - 1) + 0.04 * std::exp(-0.15 * t) * std::cos(6 * t);
   };
-  const Made lab = report({{"lab.csv", recorded(x, 60)}}, {{"drive-frequency", "7 rad/s"}});
+  Made lab = report({{"lab.csv", recorded(x, 60)}}, {{"drive-frequency", "7 rad/s"}});
   ASSERT_TRUE(lab.recordings.front().fitted.driven);
   EXPECT_THAT(lab.text(), HasSubstr("a motion driven at 1.114084"));
   EXPECT_THAT(lab.text(), Not(HasSubstr("# How the swing dies down")));
@@ -288,6 +288,11 @@ TEST(LabReport, OfADrivenMotionHasItsResonance) {
   EXPECT_THAT(lab.text(), HasSubstr("angular frequency of the drive|"));
   EXPECT_THAT(lab.figures(), testing::IsSupersetOf({"swings", "position", "resonance", "lag"}));
   EXPECT_THAT(lab.figures(), Not(testing::Contains("energy")));
+  const auto of_rivals = HasSubstr("give the peak another height");
+  EXPECT_THAT(lab.text(), Not(of_rivals));
+  lab.recordings.front().fitted.notices.push_back(
+      Notice{"rival_laws_of_a_fed_swing", {{"law", "viscous"}, {"rivals", "drag"}}});
+  EXPECT_THAT(lab_report(lab.recordings, {}, {}), of_rivals);
 }
 
 TEST(LabReport, ShowsForwardEulerUntilItLeavesTheSpring) {

@@ -14,9 +14,10 @@ namespace {
 constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the page's
 constexpr double road_width = 4.5, narrow_road = 3;
 constexpr double measured_line = 1;   // [px] error bars, and samples too dense for dots
-constexpr std::size_t few_dots = 40;  // each is to be seen
+constexpr std::size_t few_dots = 40;  // stand out
 constexpr double few_dots_width = 5;  // [px]
-constexpr double dots_apart = 5;      // [px] on a line
+constexpr std::size_t all_dots = 60;  // each is drawn, as the stretches of a decay
+constexpr double dots_apart = 5;      // [px] of more, on a line
 constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
 constexpr double swing_dots = 1.5;    // per pixel column: those of a narrow swing make a pattern of their own
 constexpr double swing_columns = 40;  // of a narrow swing's period
@@ -129,7 +130,7 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, cons
     }
   }
   if (placed.mark == Mark::dots) {
-    placed.pieces.push_back(thin_dots(spots, has_line(panel) ? dots_apart : 0));
+    placed.pieces.push_back(thin_dots(spots, has_line(panel) && spots.size() > all_dots ? dots_apart : 0));
     placed.width = placed.pieces.back().size() <= few_dots ? few_dots_width : style_of("measured").width;
     return placed;
   }

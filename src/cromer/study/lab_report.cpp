@@ -788,6 +788,7 @@ class Part : public LabTold {
     toml_.text("damping_ratios", in_braces("damping_ratio, si"));
     paragraph(words("report_resonance_text",
                     {{"drive", in_braces("drive_frequency, Hz")}, {"natural", in_braces("frequency")}}) +
+              (fitted_.says("rival_laws_of_a_fed_swing") ? " " + words("report_resonance_of_rivals") : "") +
               (at_amplitude().empty()
                    ? ""
                    : " " + words("report_resonance_reach", {{"amplitude", at_amplitude()}})));

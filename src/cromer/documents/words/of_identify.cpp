@@ -355,8 +355,8 @@ constexpr Entry entries[] = {
 
     // From where on a motion is free.
     {"level_until", clause,
-     "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",
-     "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
+     "the amplitude falls only from {time:.4g} s on, as when a drive stops",
+     "die Amplitude fällt erst ab {time:.4g} s, wie wenn ein Antrieb endet"},
     {"disturbed_until", clause,
      "what comes before {time:.4g} s does not belong to the swing after it, as while a hand still moves it",
      "was vor {time:.4g} s liegt, gehört nicht zur Schwingung danach, wie wenn eine Hand es noch bewegt"},
