@@ -16,9 +16,10 @@ TEST(Fourier, PowersOfTwoAreNotLess) {
   EXPECT_EQ(power_of_two(40000), 65536u);
 }
 
-// Also of a length that is no power of two, and of one whose tables are not kept; twice, of other values.
+// Also of a length that is no power of two, and of one longer than those that are kept; twice, of other
+// values.
 TEST(Fourier, ATransformIsTheSumsAndTurnsBack) {
-  for (const std::size_t n : {8u, 30u, 1024u, 65536u})
+  for (const std::size_t n : {8u, 30u, 1024u, 262144u})
     for (const double phase : {0.0, 0.7}) {
       std::vector<double> values(n);
       for (std::size_t j = 0; j < n; ++j)
@@ -36,7 +37,7 @@ TEST(Fourier, ATransformIsTheSumsAndTurnsBack) {
       std::vector<double> back;
       inverse_fourier_transform(sums, n, back);
       ASSERT_EQ(back.size(), n);
-      for (std::size_t j = 0; j < n; ++j) ASSERT_NEAR(back[j], values[j], 1e-13);
+      for (std::size_t j = 0; j < n; ++j) ASSERT_NEAR(back[j], values[j], 1e-12);
     }
 }
 

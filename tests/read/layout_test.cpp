@@ -132,6 +132,8 @@ TEST(Layout, SaysWhichOptionLeavesNoRows) {
             "no rows of numbers are found with this --delimiter; without it there are some");
   EXPECT_EQ(refusal_of("0.5 1.5\n1.5 2.5\n", "", "comma"),
             "no rows of numbers are found with this --decimal; without it there are some");
+  EXPECT_EQ(refusal_of("0.5 1.5\n1.5 2.5\n", "blank", "comma"),
+            "no rows of numbers are found with this --decimal; without it there are some");
   EXPECT_EQ(refusal_of("a b\nc d\n", "", "comma"),
             "no rows of numbers are found: a table of numbers in columns is expected");
 }

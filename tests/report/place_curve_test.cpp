@@ -155,8 +155,10 @@ TEST(PlaceCurve, DotsOnALineStandApartAndFewAreLarge) {
   const std::vector<Spot> few(dense.begin(), dense.begin() + 40), more(dense.begin(), dense.begin() + 41);
   EXPECT_EQ(place_curve(curve, few, one_of_two).width, 5);
   EXPECT_EQ(place_curve(curve, more, one_of_two).width, 2.6);
-  const std::vector<Spot> close(dense.begin(), dense.begin() + 60);  // 1 px apart: each has an error bar
+  // 1 px apart; up to sixty may have error bars.
+  const std::vector<Spot> close(dense.begin(), dense.begin() + 60), many(dense.begin(), dense.begin() + 61);
   EXPECT_EQ(place_curve(curve, close, with_law).pieces[0].size(), close.size());
+  EXPECT_LT(place_curve(curve, many, with_law).pieces[0].size(), 20u);
   // Error bars and guide lines hide no dots.
   for (const char* role : {"measured", "grid"}) {
     with_law.curves[1].role = role;

@@ -77,7 +77,8 @@ std::string with(const std::string& more, const std::string& mass = "mass = 1",
 TEST(NetworkFile, IsNoRecording) {
   const auto recording = read_network_file("t (s),x (m)\n0,1\n0.1,0.9\n", "carts.csv");
   ASSERT_FALSE(recording);
-  EXPECT_EQ(recording.error().notice.code, "not_a_network");
+  EXPECT_EQ(in_words(recording.error()),
+            "carts.csv is no network: --network takes a file that ends in .toml, with [[mass]] and [[link]]");
 }
 
 TEST(NetworkFile, SaysWhatIsWrongAndWhere) {

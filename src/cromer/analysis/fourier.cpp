@@ -6,14 +6,17 @@
 namespace cromer::core {
 namespace {
 
-template <class Use>
-void with_tables(std::size_t length, Use use) {
-  constexpr std::size_t longest_kept = 131072;
-  thread_local Eigen::FFT<double> kept;
-  Eigen::FFT<double> own;
-  Eigen::FFT<double>& fft = length <= longest_kept ? kept : own;
+// Up to this length for good (2 MB each), of longer ones the last alone.
+constexpr std::size_t longest_kept = 131072;
+
+Eigen::FFT<double>& with_tables(std::size_t length) {
+  thread_local Eigen::FFT<double> kept, longer;
+  thread_local std::size_t length_of_longer = 0;
+  const bool is_longer = length > longest_kept;
+  if (is_longer && length != length_of_longer) longer = Eigen::FFT<double>(), length_of_longer = length;
+  Eigen::FFT<double>& fft = is_longer ? longer : kept;
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  use(fft);
+  return fft;
 }
 
 }  // namespace
@@ -25,17 +28,17 @@ std::size_t power_of_two(double least) {
 }
 
 void fourier_transform(const std::vector<double>& values, std::vector<std::complex<double>>& to) {
-  with_tables(values.size(), [&](auto& fft) { fft.fwd(to, values); });
+  with_tables(values.size()).fwd(to, values);
 }
 
 void fourier_transform(const std::vector<std::complex<double>>& values,
                        std::vector<std::complex<double>>& to) {
-  with_tables(values.size(), [&](auto& fft) { fft.fwd(to, values); });
+  with_tables(values.size()).fwd(to, values);
 }
 
 void inverse_fourier_transform(const std::vector<std::complex<double>>& sums, std::size_t n,
                                std::vector<double>& to) {
-  with_tables(n, [&](auto& fft) { fft.inv(to, sums, static_cast<Eigen::Index>(n)); });
+  with_tables(n).inv(to, sums, static_cast<Eigen::Index>(n));
 }
 
 }  // namespace cromer::core

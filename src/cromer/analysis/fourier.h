@@ -1,4 +1,4 @@
-// Fourier transforms. Their tables cost as much as a transform: those of common lengths are kept.
+// Fourier transforms. Their tables cost as much as a transform: each thread keeps them.
 #pragma once
 
 #include <complex>
@@ -7,7 +7,8 @@
 
 namespace cromer::core {
 
-/// The power of two, from 8 on, that is not less: what is padded to it is fast to transform.
+/// The smallest power of two that is at least 8 and not less than `least`. Values padded to it are fast to
+/// transform.
 std::size_t power_of_two(double least);
 
 /// The sums of x_j exp(-2 pi i j k / n), k = 0 ... n / 2, of n real values.
@@ -17,7 +18,7 @@ void fourier_transform(const std::vector<double>& values, std::vector<std::compl
 void fourier_transform(const std::vector<std::complex<double>>& values,
                        std::vector<std::complex<double>>& to);
 
-/// The n real values whose transform this is, n / 2 + 1 sums.
+/// The n real values that have these n / 2 + 1 sums.
 void inverse_fourier_transform(const std::vector<std::complex<double>>& sums, std::size_t n,
                                std::vector<double>& to);
 

@@ -144,18 +144,19 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
   auto found = matching([&](const Column& column) { return column_title(column) == name; });
   if (found.empty()) found = matching([&](const Column& column) { return column.name == name; });
   const dialects::Heading wanted = dialects::parse_heading(name);
-  const std::string plain = plain_name(wanted.name), measures = quantity_of("", wanted.unit);
-  const auto is_measured_so = [&](const Column& column) {
-    const std::string own = quantity_of("", column.unit);
-    return own.empty() || measures.empty() || own == measures;
-  };
-  if (found.empty())
-    found = matching(
-        [&](const Column& column) { return plain_name(column.name) == plain && is_measured_so(column); });
-  if (found.empty())
-    found = matching([&](const Column& column) {
-      return without_subscript(plain_name(column.name)) == plain && is_measured_so(column);
+  const std::string plain = plain_name(wanted.name);
+  // A unit of another quantity is another column's.
+  const auto called = [&](auto&& name_of) {
+    return matching([&](const Column& column) {
+      if (name_of(column.name) != plain) return false;
+      const std::string asked = quantity_of(column.name, wanted.unit),
+                        own = quantity_of(column.name, column.unit);
+      return wanted.unit.empty() || column.unit.empty() || asked.empty() || own.empty() || asked == own;
     });
+  };
+  if (found.empty()) found = called([](std::string_view each) { return plain_name(each); });
+  if (found.empty())
+    found = called([](std::string_view each) { return without_subscript(plain_name(each)); });
   if (found.size() == 1 || (run == 0 && !found.empty())) return found.front();
 
   std::vector<std::string_view> names;  // nobody means the time

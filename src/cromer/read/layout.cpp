@@ -196,12 +196,14 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
       for (const char decimal : *marks) consider(separator, decimal, with_text);
   }
   if (best.rows == 0) {
-    const std::string_view option = !options.delimiter.empty() ? "delimiter" : "decimal";
-    if (options.delimiter.empty() && options.decimal.empty()) return Error{"no_rows_of_numbers"};
-    ReadOptions open = options;
-    open.delimiter.clear(), open.decimal.clear();
-    if (!find_layout(lines, open)) return Error{"no_rows_of_numbers"};
-    return Error{"no_rows_with_option", {{"option", option}}};
+    for (std::string ReadOptions::*given : {&ReadOptions::delimiter, &ReadOptions::decimal}) {
+      if ((options.*given).empty()) continue;
+      ReadOptions without = options;
+      (without.*given).clear();
+      const std::string_view option = given == &ReadOptions::delimiter ? "delimiter" : "decimal";
+      if (find_layout(lines, without)) return Error{"no_rows_with_option", {{"option", option}}};
+    }
+    return Error{"no_rows_of_numbers"};
   }
   if (best.layout.columns > most_columns) return too_many_columns();
   if (decimal_open) best.layout.decimal = decimal_of(lines);

@@ -14,10 +14,10 @@ namespace {
 constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the page's
 constexpr double road_width = 4.5, narrow_road = 3;
 constexpr double measured_line = 1;   // [px] error bars, and samples too dense for dots
-constexpr std::size_t few_dots = 40;  // stand out
+constexpr std::size_t few_dots = 40;  // up to here dots are large
 constexpr double few_dots_width = 5;  // [px]
-constexpr std::size_t all_dots = 60;  // each is drawn, as the stretches of a decay
-constexpr double dots_apart = 5;      // [px] of more, on a line
+constexpr std::size_t all_dots = 60;  // up to here none is left out: each may have an error bar
+constexpr double dots_apart = 5;      // [px] of more than all_dots, beside a line
 constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
 constexpr double swing_dots = 1.5;    // per pixel column: those of a narrow swing make a pattern of their own
 constexpr double swing_columns = 40;  // of a narrow swing's period

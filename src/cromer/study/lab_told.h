@@ -119,31 +119,36 @@ class LabTold {
     return in_braces(lacks_a_law() ? fmt::format("{}, {}", inside, digits) : std::string(inside));
   }
 
-  /// Where a rate holds: of one stretch by itself, or of all.
-  std::string amplitude_of(std::string_view rate) const {
-    const auto& all = fitted_.decay_by_amplitude;
-    const double size = rate == "common_decay"     ? fitted_.common_decay->amplitude
-                        : rate == "first_stretch"  ? all.front().amplitude
-                        : rate == "last_stretch"   ? all.back().amplitude
-                        : rate == "lowest_stretch" ? extreme_rates(all).lowest.amplitude
-                                                   : extreme_rates(all).highest.amplitude;
+  /// Where this rate holds, in the unit that suits an amplitude of this size.
+  std::string amplitude_of(std::string_view rate, double size) const {
     const std::string unit = readable_unit(units_.displacement, size);
     return in_braces(fmt::format("{}.amplitude, {}3", rate, unit.empty() ? "" : unit + ", "));
   }
 
-  /// From the first to the last, or where another is lower or higher than both, from the lowest on.
+  /// Of the first stretch, of the last, or of all.
+  std::string amplitude_of(std::string_view rate) const {
+    const auto& all = fitted_.decay_by_amplitude;
+    return amplitude_of(rate, rate == "common_decay"    ? fitted_.common_decay->amplitude
+                              : rate == "first_stretch" ? all.front().amplitude
+                                                        : all.back().amplitude);
+  }
+
+  /// The rates of the first and the last stretch; where another is lower or higher than both, if only by
+  /// chance, the lowest and the highest.
   std::string rates_of_stretches() const {
-    const auto [lowest, highest] = extreme_rates(fitted_.decay_by_amplitude);
-    const AmplitudeRate &first = fitted_.decay_by_amplitude.front(),
-                        &last = fitted_.decay_by_amplitude.back();
-    const bool ends = (&lowest == &first && &highest == &last) || (&lowest == &last && &highest == &first);
+    const auto& all = fitted_.decay_by_amplitude;
+    const auto [lowest, highest] = extreme_rates(all);
+    const auto is_end = [&](const AmplitudeRate& each) {
+      return &each == &all.front() || &each == &all.back();
+    };
+    const bool ends = is_end(lowest) && is_end(highest);
     const std::string_view one = ends ? "first_stretch" : "lowest_stretch",
                            other = ends ? "last_stretch" : "highest_stretch";
     return words(ends ? "report_rate_of_stretches" : "report_rate_between",
                  {{"one", in_braces(one)},
-                  {"one_amplitude", amplitude_of(one)},
+                  {"one_amplitude", ends ? amplitude_of(one) : amplitude_of(one, lowest.amplitude)},
                   {"other", in_braces(other)},
-                  {"other_amplitude", amplitude_of(other)}});
+                  {"other_amplitude", ends ? amplitude_of(other) : amplitude_of(other, highest.amplitude)}});
   }
 
   /// Why the rate changes, under the law; "" where it does not for sure, or by no one term.
@@ -358,12 +363,14 @@ class LabTold {
     const std::string place = each.name == "reynolds_max" ? "reynolds.max" : each.name;
     const bool is_fitted =
         std::find(fitted_.fit.names.begin(), fitted_.fit.names.end(), each.name) != fitted_.fit.names.end();
-    const std::string ends = each.estimate.standard_error > 0 ? interval(place, each.estimate)
-                             : is_fitted                      ? words("report_assumed")
-                                                              : "–";
+    const std::string ends = lacks_a_law() ? ""
+                             : each.estimate.standard_error > 0
+                                 ? toml_text(interval(place, each.estimate)) + ", "
+                             : is_fitted ? toml_text(words("report_assumed")) + ", "
+                                         : toml_text("–") + ", ";
     const std::string_view term = term_of(fitted_.fit.law, each.name);
     return fmt::format("  [{}, {}, {}{}],\n", toml_text(name_in_table(each.name)),
-                       toml_text(as_far_as_known(place)), lacks_a_law() ? "" : toml_text(ends) + ", ",
+                       toml_text(as_far_as_known(place)), ends,
                        toml_text(term.empty() ? "" : fmt::format("`{}`", term)));
   }
 

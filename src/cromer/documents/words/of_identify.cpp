@@ -354,9 +354,8 @@ constexpr Entry entries[] = {
      "ein anderer Antrieb oder eine andere Schwingung"},
 
     // From where on a motion is free.
-    {"level_until", clause,
-     "the amplitude falls only from {time:.4g} s on, as when a drive stops",
-     "die Amplitude fällt erst ab {time:.4g} s, wie wenn ein Antrieb endet"},
+    {"level_until", clause, "from {time:.4g} s on the amplitude only falls, as when a drive stops",
+     "ab {time:.4g} s fällt die Amplitude nur noch, wie wenn ein Antrieb endet"},
     {"disturbed_until", clause,
      "what comes before {time:.4g} s does not belong to the swing after it, as while a hand still moves it",
      "was vor {time:.4g} s liegt, gehört nicht zur Schwingung danach, wie wenn eine Hand es noch bewegt"},

@@ -11,10 +11,8 @@ constexpr Entry entries[] = {
     {"network_without_masses", error, "{file}: a network has at least one [[mass]]",
      "{file}: ein Netz hat mindestens eine [[mass]]"},
     {"not_a_network", error,
-     "{file} is no network: that is a file .toml of [[mass]] and [[link]]; a recording is given without "
-     "--network",
-     "{file} ist kein Netz: das ist eine Datei .toml aus [[mass]] und [[link]]; eine Aufnahme wird ohne "
-     "--network angegeben"},
+     "{file} is no network: {--network} takes a file that ends in .toml, with [[mass]] and [[link]]",
+     "{file} ist kein Netz: {--network} nimmt eine Datei, die auf .toml endet, mit [[mass]] und [[link]]"},
     {"mass_without_name", error, "a [[mass]] needs a name: name = \"floor 1\"",
      "eine [[mass]] braucht einen Namen: name = \"floor 1\""},
     {"mass_name_is_no_name", error,

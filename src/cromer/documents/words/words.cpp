@@ -51,6 +51,14 @@ std::string listed(const std::vector<std::string>& names, std::string_view how, 
   return joined(names, ", ", ", ");
 }
 
+/// Titles of columns come in quotes.
+std::vector<std::string> in_german_quotes(std::vector<std::string> names) {
+  for (std::string& each : names)
+    if (each.size() > 1 && each.front() == '"' && each.back() == '"')
+      each = "„" + each.substr(1, each.size() - 2) + "“";
+  return names;
+}
+
 std::string_view words_of(const Entry& entry, Language language) {
   return language == Language::german ? entry.german : entry.english;
 }
@@ -199,13 +207,10 @@ class Sentence {
     if (how == " " && !text.empty()) text_ += ' ';
     text_ += how == "n" ? with_comma(text, voice_.language) : text;
   }
-  void put_value(std::vector<std::string> names, std::string_view how, bool alone) {
+  void put_value(const std::vector<std::string>& names, std::string_view how, bool alone) {
     if (how.find('|') != how.npos) return put_number(names.size(), "", how, alone);
-    if (voice_.language == Language::german)
-      for (std::string& each : names)
-        if (each.size() > 1 && each.front() == '"' && each.back() == '"')
-          each = "„" + each.substr(1, each.size() - 2) + "“";
-    text_ += listed(names, how, voice_.language);
+    text_ +=
+        listed(voice_.language == Language::german ? in_german_quotes(names) : names, how, voice_.language);
   }
   void put_value(const std::vector<Notice>& notices, std::string_view how, bool) {
     std::vector<std::string> sentences;

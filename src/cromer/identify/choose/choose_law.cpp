@@ -340,11 +340,14 @@ class LawSearch {
   }
 
   // Tries the best law with each addition, and the closest law that is not sure likewise, as long as
-  // something is left and a new law is chosen or comes closer.
+  // something is left and a new law is chosen or comes closer, in at most five rounds.
   void add_terms(const Beginning& beginning) {
-    // Corners take many steps: a hysteretic law would leave none for the others.
-    const auto most = [&] { return candidates_[best_].law.has<Hysteresis>() ? 2 + (closest() != best_) : 5; };
-    for (int round = 0; round < most() && !watch_.interrupted(); ++round) {
+    // Each round of a hysteretic law takes many steps of integration, which the other laws then lack.
+    const auto most_rounds = [&] {
+      if (!candidates_[best_].law.has<Hysteresis>()) return 5;
+      return closest() == best_ ? 2 : 3;
+    };
+    for (int round = 0; round < most_rounds() && !watch_.interrupted(); ++round) {
       const LawFit base = candidates_[best_];
       if (!something_is_left(record_, base)) return;
       const std::size_t before = best_, closest_before = closest();

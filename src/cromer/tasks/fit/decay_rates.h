@@ -83,10 +83,10 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
 /// Whether the first and the last stretch, each by itself, show that the rate falls (sign 1) or rises (-1).
 bool stretches_differ(const std::vector<AmplitudeRate>& stretches, double sign);
 
-/// The stretches of the lowest and of the highest rate; of at least one.
 struct ExtremeRates {
   const AmplitudeRate &lowest, &highest;
 };
+/// The stretches of the lowest and of the highest rate, of `stretches`, of which there is one at least.
 ExtremeRates extreme_rates(const std::vector<AmplitudeRate>& stretches);
 
 /// Whether the largest amplitude is more than ten times the smallest: a linear axis would crowd most

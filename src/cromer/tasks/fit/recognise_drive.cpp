@@ -26,7 +26,7 @@ constexpr double least_steady = 0.3;                    // share_of_steady() tha
 
 MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
   const FittedSamples samples = without_outliers(driven.series);
-  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, driven.fit,
+  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, &driven.fit,
                       frequency_known);
 }
 
@@ -57,17 +57,17 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
          driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= least_steady;
 }
 
-// Whether the last eighth swings by less than half of what the least drive would keep up, and less towards
-// its end than at its beginning: it is not where a beat has its least.
+// Whether the last eighth swings by less than half of what the weakest drive would keep up. Its second half
+// must swing less than its first: otherwise it may be the node of a beat.
 bool has_died_down(const FittedSamples& samples) {
   const std::size_t n = samples.y.size(), part = n / 16;
   constexpr std::size_t enough = 16;
   if (part < enough) return false;
   const std::span<const double> all(samples.y);
-  const double last = centred_norm(all.last(part)), before = centred_norm(all.subspan(n - 2 * part, part));
-  const double share = std::hypot(last, before) / centred_norm(all) *
-                       std::sqrt(static_cast<double>(n) / static_cast<double>(2 * part));
-  return share < 0.5 * least_steady && last < before;
+  const double before = sinusoid_amplitude(all.subspan(n - 2 * part, part)),
+               last = sinusoid_amplitude(all.last(part));
+  return last < before &&
+         std::hypot(last, before) / std::sqrt(2) < 0.5 * least_steady * sinusoid_amplitude(all);
 }
 
 std::string in_hertz(const Estimate& w) {
@@ -159,8 +159,8 @@ void name_two_modes(FittedRecording& result, const TwoModes& found) {
              {{"modes", modes}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
-// Whether two modes leave surely less than the free law, which then names them.
-bool name_two_modes_that_explain_more(FittedRecording& free, const MotionJudgement& judgement) {
+// Names two modes beside the free law, or in its place, where they leave surely less. Returns whether it did.
+bool prefer_two_modes(FittedRecording& free, const MotionJudgement& judgement) {
   if (judgement.kind != MotionKind::two_modes ||
       !(judgement.modes->residual.rms < next_to_nothing * free.fit.residual.rms))
     return false;
@@ -248,10 +248,8 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   const FittedSamples samples = without_outliers(free.series);
   // Nothing drives what has died down; another mode may have died down beside it.
   if (!refused && !free.fit.law.shares(bounding_terms) && has_died_down(samples)) {
-    LawFit driven;
-    driven.status = FitStatus::no_oscillation;
     const Record record{samples.t, samples.y, free.series.resolution};
-    name_two_modes_that_explain_more(free, judge_motion(record, free.fit, driven, false));
+    prefer_two_modes(free, judge_motion(record, free.fit, nullptr, false));
     return free;
   }
   const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
@@ -282,7 +280,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
     if (!driven || watch.interrupted()) return free;
     judgement = judged(free, *driven, false);
   }
-  if (name_two_modes_that_explain_more(free, judgement)) return free;
+  if (prefer_two_modes(free, judgement)) return free;
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;

@@ -187,10 +187,8 @@ bool is_network_file(std::string_view path) { return path.ends_with(".toml"); }
 
 Result<NetworkFile> read_network_file(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
-  if (!parsed) {
-    if (is_network_file(file)) return not_toml(parsed, file);
-    return Error{"not_a_network", {{"file", file}}};
-  }
+  if (!parsed)
+    return is_network_file(file) ? not_toml(parsed, file) : Error{"not_a_network", {{"file", file}}};
   return read_network_table(parsed.table(), file);
 }
 
