@@ -424,7 +424,7 @@ TEST(FitsWrittenDown, KindsOfMotion) {
     const LawFit free = fit_law(record, {});
     for (const bool known : {false, true}) {
       const LawFit driven = fit_driven(record, law_of("viscous"), known ? std::optional(8.0) : std::nullopt);
-      const MotionJudgement judged = judge_motion(record, free, &driven, known);
+      const MotionJudgement judged = judge_motion(record, free, driven, known);
       sheet.row(name, {static_cast<double>(judged.kind), known ? 1.0 : 0.0});
       if (!judged.modes) continue;
       for (const Mode& mode : judged.modes->modes)

@@ -38,6 +38,8 @@ TEST(Columns, AUnitOfAnotherQuantityNamesAnother) {
   EXPECT_EQ(place_of("position (m)"), 1);
   EXPECT_EQ(place_of("Force (N)"), 2);
   EXPECT_EQ(place_of("Position (V)"), -1);
+  EXPECT_THAT(in_words(find_column(recording.table, "Position (V)", 0).error()),
+              testing::EndsWith("did you mean \"Position (m)\"?"));
 }
 
 TEST(Runs, GroupsOfColumns) {

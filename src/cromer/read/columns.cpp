@@ -164,7 +164,10 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
     if (columns[j].quantity != "time") names.push_back(columns[j].name);
   const std::vector<std::string> titles = quoted_titles(columns, of_run);
   if (!found.empty()) return Error{"several_columns_fit", {{"name", name}, {"columns", titles}}};
-  const std::string near = nearest(name, names);
+  std::string near = nearest(name, names);
+  if (!wanted.unit.empty())
+    for (const std::size_t j : of_run)
+      if (columns[j].name == near) near = column_title(columns[j]);
   if (near.empty()) return Error{"no_such_column", {{"name", name}, {"columns", titles}}};
   return Error{"no_such_column_but", {{"name", name}, {"columns", titles}, {"near", near}}};
 }

@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <system_error>
+#include <vector>
 
+#include "cromer/base/at_once.h"
 #include "cromer/documents/json/json.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/file.h"
@@ -241,17 +244,23 @@ Result<Page> make_page(const Study& study, const Results& results,
 
 namespace {
 
+Result<DrawnFigure> draw_figure(const FigureSpec& spec, const Results& results, const Watch& watch) {
+  if (watch.interrupted()) return spec.place.error(Notice{"interrupted_before", {{"figure", spec.look.id}}});
+  auto figure = make_figure(spec, results);
+  if (!figure) return figure.error();
+  auto svg = draw(*figure, FigureFormat::svg);
+  if (!svg) return spec.place.error(svg.error().notice);
+  return DrawnFigure{std::move(*svg), figure->title, figure->caption, spec.width};
+}
+
 Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results,
                                                         const Watch& watch) {
+  std::vector<std::optional<Result<DrawnFigure>>> each(study.figures.size());
+  at_once(each.size(), [&](std::size_t i) { each[i] = draw_figure(study.figures[i], results, watch); });
   std::map<std::string, DrawnFigure> drawn;
-  for (const FigureSpec& spec : study.figures) {
-    if (watch.interrupted())
-      return spec.place.error(Notice{"interrupted_before", {{"figure", spec.look.id}}});
-    auto figure = make_figure(spec, results);
-    if (!figure) return figure.error();
-    auto svg = draw(*figure, FigureFormat::svg);
-    if (!svg) return spec.place.error(svg.error().notice);
-    drawn[spec.look.id] = DrawnFigure{std::move(*svg), figure->title, figure->caption, spec.width};
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    if (!*each[i]) return each[i]->error();
+    drawn[study.figures[i].look.id] = std::move(**each[i]);
   }
   return drawn;
 }

@@ -81,11 +81,9 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
 }
 
 // The two lines to begin with: the swing's own and the steady one.
-std::optional<std::array<ModeStart, 2>> two_lines_of(const Record& record, const LawFit* driven) {
-  Motion motion;
-  if (driven && driven->status == FitStatus::converged) {
-    motion = driven->motion;
-  } else {
+std::optional<std::array<ModeStart, 2>> two_lines_of(const Record& record, const LawFit& driven) {
+  Motion motion = driven.motion;
+  if (driven.status != FitStatus::converged) {
     const std::optional<Motion> start = driven_start({record.t, record.y, record.resolution}, {});
     if (!start) return std::nullopt;
     motion = *start;
@@ -116,7 +114,7 @@ bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
 
 bool Mode::decays() const { return decay_rate.value > 3 * decay_rate.standard_error; }
 
-MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit* driven,
+MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known) {
   MotionJudgement judgement;
   if (record.t.size() < 32 || !(free.residual.rms > 0)) return judgement;
@@ -129,13 +127,12 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const std::optional<TwoModes>& modes = judgement.modes;
   // In resonance the iteration of a drive that was named may end before the minimum, and leave less all the
   // same.
-  const bool drives =
-      driven && (driven->status == FitStatus::converged ||
-                 (frequency_known && driven->status == FitStatus::iteration_limit && driven->has_values()));
+  const bool drives = driven.status == FitStatus::converged ||
+                      (frequency_known && driven.status == FitStatus::iteration_limit && driven.has_values());
 
   double independent = free.independent_samples, least = free.residual.rms;
-  if (drives && driven->residual.rms < least)
-    independent = driven->independent_samples, least = driven->residual.rms;
+  if (drives && driven.residual.rms < least)
+    independent = driven.independent_samples, least = driven.residual.rms;
   if (modes && modes->residual.rms < least) independent = modes->independent_samples;
   const auto criterion = [&](const auto& fit, double parameters) {
     return bayesian_criterion(std::max(2.0, independent), fit.residual.rms, parameters, record.resolution);
@@ -143,15 +140,14 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   // A search over N frequencies costs 2 ln N. N is half the samples where all were searched.
   const double all = 2 * std::log(0.5 * static_cast<double>(record.t.size()));
   const double of_free = criterion(free, free.fitted);
-  const double of_driven =
-      drives ? criterion(*driven, driven->fitted) + (frequency_known ? 0 : all) : HUGE_VAL;
+  const double of_driven = drives ? criterion(driven, driven.fitted) + (frequency_known ? 0 : all) : HUGE_VAL;
   const double of_modes = modes ? criterion(*modes, TwoModes::parameters) + all : HUGE_VAL;
   // Who names a drive's frequency has seen the drive: it takes evidence to say that there is none.
   const bool driven_holds = of_driven < of_free + (frequency_known ? strong_evidence : -strong_evidence);
   const bool modes_hold = of_modes < of_free - strong_evidence;
   if (!driven_holds && !modes_hold) return judgement;
 
-  const bool linear = !driven || is_linear(driven->law);
+  const bool linear = is_linear(driven.law);
   if (!modes || (drives && !linear && of_driven < of_modes - strong_evidence)) {
     if (driven_holds) judgement.kind = MotionKind::driven;
     return judgement;

@@ -48,9 +48,9 @@ struct MotionJudgement {
 /// be better by more than 6 (strong evidence, see criterion.h), after the price of the search for its
 /// frequency: twice the logarithm of the number of frequencies that were searched, half the samples. Where
 /// the drive's frequency is known, nothing was searched, and the free law must be better than the driven one
-/// by as much. `driven` is null where no drive was fitted. A smaller line at a multiple of the larger's
-/// frequency is its harmonic and no mode, unless the drive's frequency is known.
-MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit* driven,
+/// by as much. A smaller line at a multiple of the larger's frequency is its harmonic and no mode, unless the
+/// drive's frequency is known.
+MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known);
 
 }  // namespace cromer::core

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "cromer/base/for_page.h"
@@ -22,11 +21,10 @@ namespace cromer::core {
 namespace {
 
 constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
-constexpr double least_steady = 0.3;                    // share_of_steady() that makes a motion a driven one
 
 MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
   const FittedSamples samples = without_outliers(driven.series);
-  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, &driven.fit,
+  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, driven.fit,
                       frequency_known);
 }
 
@@ -54,20 +52,7 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
   if (driven.fit.status != FitStatus::converged) return false;
   const Residual& left = driven.fit.residual;
   return drive_helps(driven, free) && std::abs(left.autocorrelation) <= unstructured &&
-         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= least_steady;
-}
-
-// Whether the last eighth swings by less than half of what the weakest drive would keep up. Its second half
-// must swing less than its first: otherwise it may be the node of a beat.
-bool has_died_down(const FittedSamples& samples) {
-  const std::size_t n = samples.y.size(), part = n / 16;
-  constexpr std::size_t enough = 16;
-  if (part < enough) return false;
-  const std::span<const double> all(samples.y);
-  const double before = sinusoid_amplitude(all.subspan(n - 2 * part, part)),
-               last = sinusoid_amplitude(all.last(part));
-  return last < before &&
-         std::hypot(last, before) / std::sqrt(2) < 0.5 * least_steady * sinusoid_amplitude(all);
+         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
 std::string in_hertz(const Estimate& w) {
@@ -159,15 +144,6 @@ void name_two_modes(FittedRecording& result, const TwoModes& found) {
              {{"modes", modes}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
-// Names two modes beside the free law, or in its place, where they leave surely less. Returns whether it did.
-bool prefer_two_modes(FittedRecording& free, const MotionJudgement& judgement) {
-  if (judgement.kind != MotionKind::two_modes ||
-      !(judgement.modes->residual.rms < next_to_nothing * free.fit.residual.rms))
-    return false;
-  name_two_modes(free, *judgement.modes);
-  return true;
-}
-
 // A refused fit in which one line explains some of the variance, and the rest is no noise.
 bool may_be_beats(const LawFit& fit) {
   const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
@@ -246,12 +222,6 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (!may_recognise(options) || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted())
     return free;
   const FittedSamples samples = without_outliers(free.series);
-  // Nothing drives what has died down; another mode may have died down beside it.
-  if (!refused && !free.fit.law.shares(bounding_terms) && has_died_down(samples)) {
-    const Record record{samples.t, samples.y, free.series.resolution};
-    prefer_two_modes(free, judge_motion(record, free.fit, nullptr, false));
-    return free;
-  }
   const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   FitOptions same = options;
   same.drive_frequency = "auto";
@@ -280,7 +250,11 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
     if (!driven || watch.interrupted()) return free;
     judgement = judged(free, *driven, false);
   }
-  if (prefer_two_modes(free, judgement)) return free;
+  if (judgement.kind == MotionKind::two_modes &&
+      judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
+    name_two_modes(free, *judgement.modes);
+    return free;
+  }
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
