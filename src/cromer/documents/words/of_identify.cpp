@@ -124,10 +124,10 @@ constexpr Entry entries[] = {
     {"and_the", clause, "{one} and the {other}", "{one} und {other}"},
     {"interrupted", clause, "interrupted", "abgebrochen"},
     {"too_many_steps", clause,
-     "these laws need more integration steps than a record of this length is worth, as when noise looks "
-     "like a fast swing: stopped",
-     "diese Gesetze brauchen mehr Rechenschritte, als eine Messung dieser Länge wert ist, wie bei Rauschen, "
-     "das nach schnellem Schwingen aussieht: beendet"},
+     "these laws need more integration steps than a record of this length is worth, as with hysteresis or "
+     "where noise looks like a fast swing: stopped",
+     "diese Gesetze brauchen mehr Rechenschritte, als eine Messung dieser Länge wert ist, wie bei Hysterese "
+     "oder bei Rauschen, das nach schnellem Schwingen aussieht: beendet"},
     {"ended_before_fit_was_done", error, "{why} before the fit was done",
      "{why}, bevor die Anpassung fertig war"},
     {"ended_before_all_laws", error, "{why} before all laws were tried",

@@ -95,6 +95,12 @@ void measure(const Record& residuals, ResidualLine& line) {
   line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
 }
 
+double amplitude_at_first(const Record& residuals, const ResidualLine& line) {
+  const DampedPhasor::Linear linear =
+      DampedPhasor(residuals).best_linear(line.angular_frequency, line.decay_rate);
+  return std::hypot(linear.cosine, linear.sine);
+}
+
 Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
   if (line.harmonic == 0) return Notice{line.among_others ? "line_among_others" : "second_mode"};
   // It is one of the swing at the amplitude that it had then.
@@ -175,9 +181,13 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
   constexpr double hardly = 0.3;  // e-folds within the record: its amplitude is then right to 15 % throughout
+  // What dies down in another way, as a harmonic does, was not at first what an exponential makes of its
+  // whole.
+  const Record first_quarter = residuals.first(residuals.t.size() / 4);
   for (ResidualLine& line : distinct) {
     measure({residuals.t, residuals.y, 0}, line);
     line.lasts = line.decay_rate * duration < hardly;
+    line.told_amplitude = line.lasts ? line.amplitude : amplitude_at_first(first_quarter, line);
   }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };
@@ -223,7 +233,7 @@ std::vector<Notice> second_drives(const Record& residuals, double drive, std::st
     found.push_back(Notice{"line_beside_drive",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"when", at_first(line)},
-                            {"amplitude", line.amplitude},
+                            {"amplitude", line.told_amplitude},
                             {"unit", unit},
                             {"what", harmonic > 0 ? Notice{"harmonic_of_drive", {{"order", harmonic}}}
                                                   : Notice{"another_drive"}}}});
@@ -249,9 +259,9 @@ std::vector<Notice> second_modes(const std::vector<ResidualLine>& lines, const L
     found.push_back(Notice{"line_beside_swing",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"when", at_first(line)},
-                            {"amplitude", line.amplitude},
+                            {"amplitude", line.told_amplitude},
                             {"unit", unit},
-                            {"percent", 100 * line.amplitude / swing},
+                            {"percent", 100 * line.told_amplitude / swing},
                             {"what", name_of(line, own)}}});
   }
   return found;
