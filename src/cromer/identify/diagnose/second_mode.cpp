@@ -54,24 +54,44 @@ double median_around(const std::vector<double>& a, std::size_t k, std::size_t re
   return around.empty() ? 0 : upper_median(around);
 }
 
+struct Exponential {
+  double decay_rate = 0;  // [1/s]
+  DampedPhasor::Linear linear;
+
+  double amplitude() const { return std::hypot(linear.cosine, linear.sine); }
+};
+
+// The exponential of this frequency that leaves least, of decay rates in coarse steps below `most` [1/s].
+Exponential best_exponential(const Record& residuals, double angular_frequency, double most) {
+  const double duration = residuals.t.back() - residuals.t.front();
+  const DampedPhasor phasor(residuals);
+  Exponential best;
+  double least = HUGE_VAL, g = 0;
+  do {
+    const DampedPhasor::Linear linear = phasor.best_linear(angular_frequency, g);
+    if (linear.sum_of_squares < least) {
+      least = linear.sum_of_squares;
+      best = {g, linear};
+    }
+    g = g > 0 ? 1.6 * g : 0.3 / duration;
+  } while (g < most);
+  return best;
+}
+
 // Amplitude at the first sample, decay rate and frequency of one line: from a grid of decay rates by least
 // squares.
 void measure(const Record& residuals, ResidualLine& line) {
   const double duration = residuals.t.back() - residuals.t.front();
   const DampedPhasor phasor(residuals);
-  double least = HUGE_VAL;
+  const Exponential found = best_exponential(residuals, line.angular_frequency, 20 / duration);
+  line.decay_rate = found.decay_rate;
+  line.amplitude = found.amplitude();
   Parameters start{};
   start[DampedPhasor::angular_frequency] = line.angular_frequency;
-  for (double g = 0; g * duration<20; g = g> 0 ? 1.6 * g : 0.3 / duration) {
-    const DampedPhasor::Linear linear = phasor.best_linear(line.angular_frequency, g);
-    if (!(linear.sum_of_squares < least)) continue;
-    least = linear.sum_of_squares;
-    line.decay_rate = start[DampedPhasor::decay_rate] = g;
-    line.amplitude = std::hypot(linear.cosine, linear.sine);
-    start[DampedPhasor::equilibrium] = linear.equilibrium;
-    start[DampedPhasor::cosine] = linear.cosine;
-    start[DampedPhasor::sine] = linear.sine;
-  }
+  start[DampedPhasor::decay_rate] = found.decay_rate;
+  start[DampedPhasor::equilibrium] = found.linear.equilibrium;
+  start[DampedPhasor::cosine] = found.linear.cosine;
+  start[DampedPhasor::sine] = found.linear.sine;
   line.frequency_error = two_pi / duration;
   const auto n = static_cast<double>(residuals.t.size());
   LeastSquaresOptions options;
@@ -93,12 +113,6 @@ void measure(const Record& residuals, ResidualLine& line) {
   line.frequency_error = error;
   line.decay_rate = fit.parameters[DampedPhasor::decay_rate];
   line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
-}
-
-double amplitude_at_first(const Record& residuals, const ResidualLine& line) {
-  const DampedPhasor::Linear linear =
-      DampedPhasor(residuals).best_linear(line.angular_frequency, line.decay_rate);
-  return std::hypot(linear.cosine, linear.sine);
 }
 
 Notice name_of(const ResidualLine& line, const FrequencyBand& own) {
@@ -187,7 +201,10 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   for (ResidualLine& line : distinct) {
     measure({residuals.t, residuals.y, 0}, line);
     line.lasts = line.decay_rate * duration < hardly;
-    line.told_amplitude = line.lasts ? line.amplitude : amplitude_at_first(first_quarter, line);
+    line.told_amplitude =
+        line.lasts
+            ? line.amplitude
+            : best_exponential(first_quarter, line.angular_frequency, 1.6 * line.decay_rate).amplitude();
   }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };
