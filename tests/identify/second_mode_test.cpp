@@ -64,7 +64,7 @@ TEST(SecondMode, TellsTheAmplitudeThatItHadAtFirst) {
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_GT(lines[0].amplitude, 0.0023);
   EXPECT_NEAR(lines[0].told_amplitude, 0.002, 0.0002);
-  EXPECT_THAT(sentences[0], HasSubstr("at first with an amplitude of 0.002 m"));
+  EXPECT_THAT(sentences[0], HasSubstr(", at first with an amplitude of 0.002"));
 }
 
 // More is left close beside the swing's own line, where no line is told from it.
