@@ -195,16 +195,10 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   for (ResidualLine& line : distinct)
     line.among_others = !top_is_line && line.amplitude < as_large * found.top_amplitude;
   constexpr double hardly = 0.3;  // e-folds within the record: its amplitude is then right to 15 % throughout
-  // What dies down in another way, as a harmonic does, was not at first what an exponential makes of its
-  // whole.
-  const Record first_quarter = residuals.first(residuals.t.size() / 4);
   for (ResidualLine& line : distinct) {
     measure({residuals.t, residuals.y, 0}, line);
     line.lasts = line.decay_rate * duration < hardly;
-    line.told_amplitude =
-        line.lasts
-            ? line.amplitude
-            : best_exponential(first_quarter, line.angular_frequency, 1.6 * line.decay_rate).amplitude();
+    line.told_amplitude = line.amplitude;
   }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };
@@ -231,10 +225,15 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
   if (r.size() != n) return {};
   const double duration = part.t.back() - part.t.front();
   const FrequencyBand own = own_band(fit);
-  std::vector<ResidualLine> lines =
-      strongest_lines({part.t, r, record.resolution}, own, skirt_of(duration, fit));
-  for (ResidualLine& line : lines)
+  const Record residuals{part.t, r, record.resolution};
+  std::vector<ResidualLine> lines = strongest_lines(residuals, own, skirt_of(duration, fit));
+  for (ResidualLine& line : lines) {
     line.harmonic = harmonic_of(line.angular_frequency, line.frequency_error, own, duration);
+    // It dies down as the swing does, and was not at first what an exponential makes of its whole.
+    if (line.harmonic > 0 && !line.lasts)
+      line.told_amplitude =
+          best_exponential(residuals.first(n / 4), line.angular_frequency, 1.6 * line.decay_rate).amplitude();
+  }
   return lines;
 }
 
@@ -250,7 +249,7 @@ std::vector<Notice> second_drives(const Record& residuals, double drive, std::st
     found.push_back(Notice{"line_beside_drive",
                            {{"frequency", line.angular_frequency / two_pi},
                             {"when", at_first(line)},
-                            {"amplitude", line.told_amplitude},
+                            {"amplitude", line.amplitude},
                             {"unit", unit},
                             {"what", harmonic > 0 ? Notice{"harmonic_of_drive", {{"order", harmonic}}}
                                                   : Notice{"another_drive"}}}});

@@ -30,7 +30,7 @@ struct ResidualLine {
   double frequency_error = 0;    // [rad/s] its standard error
   double amplitude = 0;          ///< at the first sample, in the unit of the record
   double decay_rate = 0;         // [1/s] roughly
-  double told_amplitude = 0;     ///< of one that lasts the same; else by the record's first quarter alone
+  double told_amplitude = 0;     ///< the same; of a harmonic that dies down by the first quarter alone
   bool lasts = false;            ///< it hardly decays within the record
   int harmonic = 0;              ///< of the swing's own frequency, as harmonic_of says
   bool among_others = false;     ///< the spectrum has a peak 1/0.8 times as large that is no line
