@@ -65,7 +65,7 @@ TEST(SecondMode, OfAHarmonicTellsTheAmplitudeThatItHadAtFirst) {
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_GT(lines[0].amplitude, 0.0023);
   EXPECT_NEAR(lines[0].told_amplitude, 0.002, 0.0002);
-  EXPECT_THAT(sentences[0], HasSubstr(", at first with an amplitude of 0.002"));
+  EXPECT_THAT(sentences[0], HasSubstr(", at first with an amplitude of 0.0019 m"));
 }
 
 // More is left close beside the swing's own line, where no line is told from it.
