@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"analysis", {"base", "model", "methods", "run"}},
       {"ensemble", {"base", "model", "methods", "run", "analysis"}},
       {"cluster", {"base", "os", "ensemble"}},
-      {"identify/least_squares", {"base", "identify"}},
+      {"identify/least_squares", {"base", "analysis", "identify"}},
       {"identify/motion",
        {"base", "model", "methods", "run", "analysis", "identify", "identify/least_squares"}},
       {"identify/start",
