@@ -478,11 +478,9 @@ constexpr Entry entries[] = {
      "anderen Frequenzen."},
     {"report_resonance_of_rivals", clause,
      "Other laws fit as well and may give the peak another height; the height in the figure holds only if "
-     "this "
-     "law is right.",
+     "this law is right.",
      "Andere Gesetze passen ebenso gut und können dem Gipfel eine andere Höhe geben; die Höhe in der "
-     "Abbildung "
-     "gilt nur, wenn dieses Gesetz stimmt."},
+     "Abbildung gilt nur, wenn dieses Gesetz stimmt."},
     {"report_resonance_reach", clause,
      "The law was found in a motion whose steady amplitude is {amplitude}; far above it the figures are "
      "untested.",
