@@ -61,10 +61,10 @@ struct Exponential {
   double amplitude() const { return std::hypot(linear.cosine, linear.sine); }
 };
 
-// The exponential of this frequency that leaves least, of decay rates in coarse steps below `most` [1/s].
-Exponential best_exponential(const Record& residuals, double angular_frequency, double most) {
-  const double duration = residuals.t.back() - residuals.t.front();
-  const DampedPhasor phasor(residuals);
+// The exponential of this frequency that leaves least, of decay rates from 0 on below `most`, in steps by the
+// record's `duration` [s].
+Exponential best_exponential(const DampedPhasor& phasor, double duration, double angular_frequency,
+                             double most) {
   Exponential best;
   double least = HUGE_VAL, g = 0;
   do {
@@ -83,7 +83,7 @@ Exponential best_exponential(const Record& residuals, double angular_frequency, 
 void measure(const Record& residuals, ResidualLine& line) {
   const double duration = residuals.t.back() - residuals.t.front();
   const DampedPhasor phasor(residuals);
-  const Exponential found = best_exponential(residuals, line.angular_frequency, 20 / duration);
+  const Exponential found = best_exponential(phasor, duration, line.angular_frequency, 20 / duration);
   line.decay_rate = found.decay_rate;
   line.amplitude = found.amplitude();
   Parameters start{};
@@ -231,8 +231,9 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
     line.harmonic = harmonic_of(line.angular_frequency, line.frequency_error, own, duration);
     // It dies down as the swing does, and was not at first what an exponential makes of its whole.
     if (line.harmonic > 0 && !line.lasts)
-      line.told_amplitude =
-          best_exponential(residuals.first(n / 4), line.angular_frequency, 1.6 * line.decay_rate).amplitude();
+      line.told_amplitude = best_exponential(DampedPhasor(residuals.first(n / 4)), duration / 4,
+                                             line.angular_frequency, 1.6 * line.decay_rate)
+                                .amplitude();
   }
   return lines;
 }

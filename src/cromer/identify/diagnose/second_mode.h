@@ -29,11 +29,11 @@ struct ResidualLine {
   double angular_frequency = 0;  // [rad/s]
   double frequency_error = 0;    // [rad/s] its standard error
   double amplitude = 0;          ///< at the first sample, in the unit of the record
-  double decay_rate = 0;         // [1/s] roughly
-  double told_amplitude = 0;     ///< the same; of a harmonic that dies down by the first quarter alone
-  bool lasts = false;            ///< it hardly decays within the record
-  int harmonic = 0;              ///< of the swing's own frequency, as harmonic_of says
-  bool among_others = false;     ///< the spectrum has a peak 1/0.8 times as large that is no line
+  double told_amplitude = 0;  ///< what to say of it: of a harmonic that dies down, by the first quarter alone
+  double decay_rate = 0;      // [1/s] roughly
+  bool lasts = false;         ///< it hardly decays within the record
+  int harmonic = 0;           ///< of the swing's own frequency, as harmonic_of says
+  bool among_others = false;  ///< the spectrum has a peak 1/0.8 times as large that is no line
 };
 
 /// Lines of the residuals' spectrum, the strongest first, at most three: each stands six times above its
