@@ -33,6 +33,11 @@ struct Coupled {
   requires(!std::same_as<Other, Real> &&
            std::convertible_to<Other, Real>) constexpr explicit Coupled(const Coupled<Other>& other)
       : first(other.first), second(other.second) {}
+  /// Works out what an operator has put off.
+  template <class Other>
+  requires std::same_as<typename Other::Value, Real>
+  constexpr Coupled(Coupled<Other>&& other)  // NOLINT: it is one
+      : first(std::move(other.first)), second(std::move(other.second)) {}
 
   constexpr Coupled operator-() const { return {-first, -second}; }
   constexpr Coupled& operator+=(const Coupled& b) { return *this = *this + b; }

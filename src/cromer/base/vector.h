@@ -15,6 +15,7 @@
 
 #include "cromer/base/bit_cast.h"
 #include "cromer/base/dual.h"
+#include "cromer/base/wide.h"
 
 namespace cromer::core {
 
@@ -74,20 +75,19 @@ class Vector {
 
   static Vector zeros(std::size_t size) {
     Vector made = of_size(size);
-    for (std::size_t i = 0; i < size; ++i) made.numbers_[i] = 0;
+    for_each_index(size, [to = made.numbers_](std::size_t i) { to[i] = 0; });
     return made;
   }
 
   Vector(const Vector& other) : size_(other.size_), number_(other.number_) {
     if (size_ == 0) return;
     numbers_ = VectorMemory::take(size_);
-    for (std::size_t i = 0; i < size_; ++i) numbers_[i] = other.numbers_[i];
+    copy(other);
   }
   Vector(Vector&& other) noexcept { swap(other); }
   Vector& operator=(const Vector& other) {
     if (size_ != other.size_ || size_ == 0) return *this = Vector(other);
-    if (this != &other)
-      for (std::size_t i = 0; i < size_; ++i) numbers_[i] = other.numbers_[i];
+    if (this != &other) copy(other);
     return *this;
   }
   Vector& operator=(Vector&& other) noexcept {
@@ -123,7 +123,7 @@ class Vector {
     const double* from = a.numbers_;
     const std::size_t size = a.size_;
     Vector result = room_of(std::forward<A>(a));
-    for (std::size_t i = 0; i < size; ++i) result.numbers_[i] = f(from[i]);
+    for_each_index(size, [f, from, to = result.numbers_](std::size_t i) { to[i] = f(from[i]); });
     return result;
   }
 
@@ -141,7 +141,8 @@ class Vector {
     const double *left = a.numbers_, *right = b.numbers_;
     const std::size_t size = a.size_;
     Vector result = std::is_lvalue_reference_v<A> ? room_of(std::forward<B>(b)) : room_of(std::forward<A>(a));
-    for (std::size_t i = 0; i < size; ++i) result.numbers_[i] = f(left[i], right[i]);
+    for_each_index(size,
+                   [f, left, right, to = result.numbers_](std::size_t i) { to[i] = f(left[i], right[i]); });
     return result;
   }
 
@@ -150,6 +151,9 @@ class Vector {
     std::swap(size_, other.size_);
     std::swap(number_, other.number_);
     std::swap(numbers_, other.numbers_);
+  }
+  void copy(const Vector& other) {
+    for_each_index(size_, [from = other.numbers_, to = numbers_](std::size_t i) { to[i] = from[i]; });
   }
   static Vector room_of(const Vector& a) { return of_size(a.size_); }
   static Vector room_of(Vector&& a) { return std::move(a); }
@@ -162,22 +166,73 @@ class Vector {
 template <class T>
 concept IsVector = std::same_as<std::remove_cvref_t<T>, Vector>;
 
-template <IsVector A, IsVector B>
+/// A number times a vector, not multiplied yet: the sum that takes it does so in the same pass. It holds a
+/// vector that was about to go, and else points to one, which it must not outlive.
+template <class Held>
+class Scaled {
+ public:
+  using Value = Vector;
+
+  Scaled(double factor, Held&& vector) : factor_(factor), vector_(std::forward<Held>(vector)) {}
+  operator Vector() && { return Vector::map(std::move(*this).vector(), times()); }  // NOLINT: it is one
+  operator Vector() const& { return Vector::map(vector(), times()); }               // NOLINT
+
+  auto times() const {
+    return [c = factor_](double x) { return c * x; };
+  }
+  const Vector& vector() const& { return vector_; }
+  Held&& vector() && { return std::forward<Held>(vector_); }
+
+ private:
+  double factor_;
+  Held vector_;
+};
+
+template <class T>
+inline constexpr bool is_scaled = false;
+template <class Held>
+inline constexpr bool is_scaled<Scaled<Held>> = true;
+
+template <class T>
+concept IsScaled = is_scaled<std::remove_cvref_t<T>>;
+template <class T>
+concept IsSummand = IsVector<T> || IsScaled<T>;
+
+/// What a sum makes of each component of a summand.
+template <IsSummand A>
+auto in_sum(const A& a) {
+  if constexpr (IsScaled<A>)
+    return a.times();
+  else
+    return [](double x) { return x; };
+}
+template <IsSummand A>
+decltype(auto) vector_of(A&& a) {
+  if constexpr (IsScaled<A>)
+    return std::forward<A>(a).vector();
+  else
+    return std::forward<A>(a);
+}
+
+template <IsSummand A, IsSummand B>
 Vector operator+(A&& a, B&& b) {
-  return Vector::map(std::forward<A>(a), std::forward<B>(b), [](double x, double y) { return x + y; });
+  return Vector::map(vector_of(std::forward<A>(a)), vector_of(std::forward<B>(b)),
+                     [p = in_sum(a), q = in_sum(b)](double x, double y) { return p(x) + q(y); });
 }
-template <IsVector A, IsVector B>
+template <IsSummand A, IsSummand B>
 Vector operator-(A&& a, B&& b) {
-  return Vector::map(std::forward<A>(a), std::forward<B>(b), [](double x, double y) { return x - y; });
+  return Vector::map(vector_of(std::forward<A>(a)), vector_of(std::forward<B>(b)),
+                     [p = in_sum(a), q = in_sum(b)](double x, double y) { return p(x) - q(y); });
 }
 template <class Factor, IsVector A>
-requires std::is_arithmetic_v<Factor> Vector operator*(Factor c, A&& a) {
-  return Vector::map(std::forward<A>(a), [c](double x) { return c * x; });
-}
-template <class Factor, IsVector A>
-requires std::is_arithmetic_v<Factor> Vector operator*(A&& a, Factor c) {
-  return Vector::map(std::forward<A>(a), [c](double x) { return x * c; });
-}
+requires std::is_arithmetic_v<Factor>
+auto operator*(Factor c, A&& a) { return Scaled<A>(static_cast<double>(c), std::forward<A>(a)); }
+template <class Factor, IsScaled A>
+requires std::is_arithmetic_v<Factor>
+auto operator*(Factor c, A&& a) { return c * Vector(std::forward<A>(a)); }
+template <class Factor, IsSummand A>
+requires std::is_arithmetic_v<Factor>
+auto operator*(A&& a, Factor c) { return c * std::forward<A>(a); }
 template <class Divisor, IsVector A>
 requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
   return Vector::map(std::forward<A>(a), [c](double x) { return x / c; });
@@ -186,11 +241,15 @@ requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
 /// Whether all components are. Their exponents are looked at as whole numbers, which several at a time take.
 inline bool all_finite(const Vector& a) {
   if (a.size() == 0) return std::isfinite(a[0]);
-  constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
-  std::uint64_t overflown = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    overflown |= (bit_cast<std::uint64_t>(a.data()[i]) & exponent) + one;
-  return overflown >> 63 == 0;
+  struct Look {
+    const double* numbers;
+    std::uint64_t overflown = 0;
+    void operator()(std::size_t i) {
+      constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
+      overflown |= (bit_cast<std::uint64_t>(numbers[i]) & exponent) + one;
+    }
+  };
+  return for_each_index(a.size(), Look{a.data()}).overflown >> 63 == 0;
 }
 
 /// The number; of many the largest magnitude, and not a number where one of them is not.

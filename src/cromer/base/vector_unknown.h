@@ -41,6 +41,8 @@ struct VectorUnknown {
 
   VectorUnknown() = default;
   VectorUnknown(Vector constant) : value(std::move(constant)) {}  // NOLINT: a constant has no derivatives
+  template <IsScaled A>
+  VectorUnknown(A&& constant) : value(std::forward<A>(constant)) {}  // NOLINT
 
   static VectorUnknown variable(const Vector& value, std::size_t i) {
     VectorUnknown u(value);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cromer/base/wide.h"
+
 namespace cromer::core {
 namespace {
 
@@ -9,39 +11,40 @@ namespace {
 void pull_apart(const LinkBand& band, std::size_t from, std::size_t to, double* acceleration,
                 const double* x) {
   if (from >= to) return;
-  double* __restrict a = acceleration + from;
   const double *own = x + from, *other = own + band.offset, *k = &band.stiffness[from - band.first];
-  for (std::size_t i = 0; i < to - from; ++i) a[i] = a[i] - k[i] * (own[i] - other[i]);
+  for_each_index(to - from,
+                 [=, a = acceleration + from](std::size_t i) { a[i] = a[i] - k[i] * (own[i] - other[i]); });
 }
 
 // The same of two bands in one pass.
 void pull_apart_by_both(const LinkBand& first, const LinkBand& second, std::size_t from, std::size_t to,
                         double* acceleration, const double* x) {
   if (from >= to) return;
-  double* __restrict a = acceleration + from;
   const double *own = x + from, *here = own + first.offset, *there = own + second.offset;
   const double *k = &first.stiffness[from - first.first], *l = &second.stiffness[from - second.first];
-  for (std::size_t i = 0; i < to - from; ++i)
+  for_each_index(to - from, [=, a = acceleration + from](std::size_t i) {
     a[i] = (a[i] - k[i] * (own[i] - here[i])) - l[i] * (own[i] - there[i]);
+  });
 }
 
 // Takes the forces of any band off the accelerations of all its masses.
 void pull(const LinkBand& band, double* acceleration, const double* x, const double* v) {
   const std::size_t size = band.stiffness.size();
-  double* __restrict a = acceleration + band.first;
+  double* a = acceleration + band.first;
   const double *own = x + band.first, *speed = v + band.first;
   const double *k = band.stiffness.data(), *c = band.damping.empty() ? nullptr : band.damping.data();
   if (band.grounded) {
     if (c)
-      for (std::size_t i = 0; i < size; ++i) a[i] = (a[i] - c[i] * speed[i]) - k[i] * own[i];
+      for_each_index(size, [=](std::size_t i) { a[i] = (a[i] - c[i] * speed[i]) - k[i] * own[i]; });
     else
-      for (std::size_t i = 0; i < size; ++i) a[i] = a[i] - k[i] * own[i];
+      for_each_index(size, [=](std::size_t i) { a[i] = a[i] - k[i] * own[i]; });
     return;
   }
   const double *other = own + band.offset, *other_speed = speed + band.offset;
   if (c)
-    for (std::size_t i = 0; i < size; ++i)
+    for_each_index(size, [=](std::size_t i) {
       a[i] = (a[i] - c[i] * (speed[i] - other_speed[i])) - k[i] * (own[i] - other[i]);
+    });
   else
     pull_apart(band, band.first, band.end(), acceleration, x);
 }
