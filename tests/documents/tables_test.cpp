@@ -67,12 +67,12 @@ TEST(ModesTable, OfANetworkHasSharesAndNoErrors) {
 
 TEST(ModesTable, InWordsHasADashForWhatIsNotKnown) {
   EXPECT_EQ(modes_text(recorded_modes()),
-            "mode             frequency (Hz)                 damping ratio\n"
-            "1     2 (between 1.75 and 2.25)  0.25 (between 0.12 and 0.38)\n"
-            "2                             4                             -\n"
+            "mode  frequency (Hz)                   95 %  damping ratio                   95 %\n"
+            "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38\n"
+            "2                  4                                     -\n"
             "\n"
-            "the two beat every 0.5 (between 0.444 and 0.571) s; coupling, the difference of their squared "
-            "frequencies over the sum: 0.6 (between 0.520 and 0.680)\n"
+            "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
+            "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
             "\n"
             "shape         mode 1  mode 2\n"
             "a              1.000  -0.500\n"
@@ -86,17 +86,18 @@ TEST(ModesTable, InWordsHasADashForWhatIsNotKnown) {
   ModesResult result = recorded_modes();
   result.recording.reset();
   result.modes[0].participation = 0.75;
-  EXPECT_EQ(modes_text(result),
-            "mode             frequency (Hz)                 damping ratio  participation\n"
-            "1     2 (between 1.75 and 2.25)  0.25 (between 0.12 and 0.38)           75 %\n"
-            "2                             4                             -              -\n"
-            "\n"
-            "the two beat every 0.5 (between 0.444 and 0.571) s; coupling, the difference of their squared "
-            "frequencies over the sum: 0.6 (between 0.520 and 0.680)\n"
-            "\n"
-            "shape         mode 1  mode 2\n"
-            "a              1.000  -0.500\n"
-            "b      0.500 at -90°   1.000\n");
+  EXPECT_EQ(
+      modes_text(result),
+      "mode  frequency (Hz)                   95 %  damping ratio                   95 %  participation\n"
+      "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38           75 %\n"
+      "2                  4                                     -                                     -\n"
+      "\n"
+      "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
+      "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
+      "\n"
+      "shape         mode 1  mode 2\n"
+      "a              1.000  -0.500\n"
+      "b      0.500 at -90°   1.000\n");
   result.message = Notice{"interrupted"};
   EXPECT_EQ(modes_text(result), "");
 }

@@ -12,10 +12,19 @@ namespace {
 
 std::string known_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-"; }
 
-/// With its 95 % interval where it is not known exactly.
-std::string number_with_interval(const Estimate& estimate) {
-  if (!(estimate.standard_error > 0)) return known_or_dash(estimate.value);
-  return fmt::format("{:.6g} ({})", estimate.value, interval_text(estimate.low, estimate.high));
+/// With its standard error where it is not known exactly.
+std::string number(const Estimate& estimate) {
+  return estimate.standard_error > 0 ? in_words(estimate, "") : known_or_dash(estimate.value);
+}
+
+std::string interval(const Estimate& estimate) {
+  return estimate.standard_error > 0 ? interval_text(estimate.low, estimate.high) : "";
+}
+
+std::string number_with_interval(const Estimate& estimate, const std::string& unit) {
+  const std::string ends = interval(estimate);
+  if (ends.empty()) return known_or_dash(estimate.value) + (unit.empty() ? "" : " " + unit);
+  return in_words(estimate, unit) + ", 95 % " + ends;
 }
 
 /// "-0.62", or with its phase where it is not in or against that of the largest: "0.62 at 34°".
@@ -44,8 +53,8 @@ std::string beat_text(const ModesResult& result) {
   const std::optional<Beat> beat = beat_of(result);
   if (!beat) return "";
   return fmt::format(
-      "\nthe two beat every {} s; coupling, the difference of their squared frequencies over the sum: {}\n",
-      number_with_interval(beat->period), number_with_interval(beat->coupling));
+      "\nthe two beat every {}; coupling, the difference of their squared frequencies over the sum: {}\n",
+      number_with_interval(beat->period, "s"), number_with_interval(beat->coupling, ""));
 }
 
 std::string percent_off_if_known(const std::optional<double>& value, double asked) {
@@ -78,13 +87,13 @@ std::string methods_text(const ModesResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"mode", "method", "step (s)", "frequency (Hz)", "off by", "damping ratio", "off by", "stable"}};
   std::string words;
-  const auto number = [](const std::optional<double>& value) { return value ? known_or_dash(*value) : "-"; };
+  const auto known = [](const std::optional<double>& value) { return value ? known_or_dash(*value) : "-"; };
   for (std::size_t j = 0; j < result.modes.size(); ++j)
     for (const ModeByMethod& by : result.modes[j].methods) {
       const NaturalMode& mode = result.modes[j];
       rows.push_back({fmt::format("{}", j + 1), by.method, fmt::format("{:.6g}", by.step),
-                      number(by.frequency()), percent_off_if_known(by.frequency(), mode.frequency.value),
-                      number(by.damping_ratio()),
+                      known(by.frequency()), percent_off_if_known(by.frequency(), mode.frequency.value),
+                      known(by.damping_ratio()),
                       percent_off_if_known(by.damping_ratio(), mode.damping_ratio.value),
                       by.effect.stable ? "yes" : "no"});
       words += fmt::format("mode {}: {} {}\n", j + 1, by.method, in_words(by.words));
@@ -96,16 +105,27 @@ std::string methods_text(const ModesResult& result) {
 
 std::string modes_text(const ModesResult& result) {
   if (!result.ok()) return "";
-  bool any = false;
-  for (const NaturalMode& mode : result.modes) any = any || mode.participation;
-  std::vector<std::vector<std::string>> rows{{"mode", "frequency (Hz)", "damping ratio"}};
-  if (any) rows[0].emplace_back("participation");
-  for (std::size_t j = 0; j < result.modes.size(); ++j) {
-    const NaturalMode& mode = result.modes[j];
-    rows.push_back({fmt::format("{}", j + 1), number_with_interval(mode.frequency),
-                    number_with_interval(mode.damping_ratio)});
-    if (any) rows.back().push_back(mode.participation ? percent(*mode.participation) : "-");
+  bool estimated = false, shares = false;
+  for (const NaturalMode& mode : result.modes) {
+    estimated = estimated || mode.frequency.standard_error > 0;
+    shares = shares || mode.participation;
   }
+  std::vector<std::vector<std::string>> rows{{"mode"}};
+  const auto add_column = [&](const char* title, const auto& cell) {
+    rows[0].emplace_back(title);
+    for (std::size_t j = 0; j < result.modes.size(); ++j) rows[j + 1].push_back(cell(result.modes[j]));
+  };
+  for (std::size_t j = 0; j < result.modes.size(); ++j) rows.push_back({fmt::format("{}", j + 1)});
+  const auto add_estimates = [&](const char* title, Estimate NaturalMode::*value) {
+    add_column(title, [&](const NaturalMode& mode) { return number(mode.*value); });
+    if (estimated) add_column("95 %", [&](const NaturalMode& mode) { return interval(mode.*value); });
+  };
+  add_estimates("frequency (Hz)", &NaturalMode::frequency);
+  add_estimates("damping ratio", &NaturalMode::damping_ratio);
+  if (shares)
+    add_column("participation", [](const NaturalMode& mode) {
+      return mode.participation ? percent(*mode.participation) : "-";
+    });
   const std::string motion = result.recording ? "\n" + in_words(result.recording->words) + "\n" : "";
   return text_table(rows, 1, rows[0].size()) + beat_text(result) + shapes_text(result) +
          network_text(result) + methods_text(result) + motion;
