@@ -70,6 +70,11 @@ bool stands_still(const Network& network) {
   return true;
 }
 
+/// How many states it keeps if it reaches its end.
+long long kept_states_of(const NetworkRun& run, long long every) {
+  return number_of_kept_states(count_steps({0, run.until}, run.step), every);
+}
+
 /// Fills in method, step and end.
 Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   for (const Option& option : options_of(options))
@@ -107,8 +112,7 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   if (!(run.until / run.step < most_steps))
     return Error{"run_of_too_many_steps",
                  {{"step", run.step}, {"until", run.until}, {"steps", run.until / run.step}}};
-  const Steps steps = count_steps({0, run.until}, run.step);
-  const double states = static_cast<double>(number_of_kept_states(steps, options.every));
+  const double states = static_cast<double>(kept_states_of(run, options.every));
   const double bytes = states * 8 * (2 * static_cast<double>(run.network.masses.size()) + 2);
   const double memory = options.memory > 0 ? options.memory : 1e18;
   if (bytes > memory)
@@ -124,33 +128,30 @@ double stretch(const NetworkLink& link, const Of& of) {
   return link.from == ground ? end : end - of(link.from);
 }
 
-/// What a link stores [J]; `x_of` gives each mass' position.
+/// What a link stores [J]; `x_of` gives each mass' position, `present` are the terms of its law.
 template <class Of>
-double stored_energy(const NetworkLink& link, const Of& x_of) {
-  Oscillator<double> law = link.law;
-  law.mass = 0;
-  return energy(law, State<double>{stretch(link, x_of), 0});
+double stored_energy(const NetworkLink& link, Law present, const Of& x_of) {
+  const State<double> y{stretch(link, x_of), 0};
+  return is_linear(present) ? energy<linear_terms>(0.0, link.law, present, y)
+                            : energy<any_terms>(0.0, link.law, present, y);
 }
 
-/// Kinetic energy, and what the links store [J].
-double energy_of(const Network& network, const State<MassVector>& y) {
-  double sum = 0;
-  for (std::size_t i = 0; i < network.masses.size(); ++i)
-    sum += network.masses[i].mass * (y.v.first[i] * y.v.first[i]) / 2;
-  for (const NetworkLink& link : network.links)
-    sum += stored_energy(link, [&](std::size_t i) { return y.x.first[i]; });
-  return sum;
-}
-
-/// Keeps every n-th state of a run, and the last.
+/// Keeps every n-th state of a run, and the last. States come one by one and are kept in a column for each
+/// mass, so they are gathered: to write one number at the end of each of many columns takes longer than the
+/// step.
 class NetworkRecorder {
  public:
-  NetworkRecorder(const Network& network, long long every, NetworkStates& kept)
-      : network_(network), every_(every), kept_(kept) {
-    kept_.x.resize(network.masses.size());
-    kept_.v.resize(network.masses.size());
-    for (std::size_t l = 0; l < network.links.size(); ++l)
-      if (law_of(network.links[l].law).has<Hysteresis>()) kept_.inner.push_back({.link = l});
+  NetworkRecorder(const Network& network, long long every, std::size_t most, NetworkStates& kept)
+      : network_(network), masses_(network.masses.size()), every_(every), kept_(kept) {
+    for (auto* of : {&kept_.x, &kept_.v}) {
+      of->resize(masses_);
+      for (std::vector<double>& column : *of) column.reserve(most);
+    }
+    gathered_.resize(rows * 2 * masses_);
+    for (std::size_t l = 0; l < network.links.size(); ++l) {
+      present_.push_back(law_of(network.links[l].law));
+      if (present_.back().has<Hysteresis>()) kept_.inner.push_back({.link = l});
+    }
   }
 
   void operator()(double t, const State<MassVector>& y) {
@@ -158,25 +159,56 @@ class NetworkRecorder {
     if (--until_next_ > 0) return;
     until_next_ = every_;
     kept_.t.push_back(t);
-    for (std::size_t i = 0; i < kept_.x.size(); ++i) {
-      kept_.x[i].push_back(y.x.first[i]);
-      kept_.v[i].push_back(y.v.first[i]);
+    double* row = &gathered_[row_ * 2 * masses_];
+    for (std::size_t i = 0; i < masses_; ++i) {
+      row[i] = y.x.first[i];
+      row[masses_ + i] = y.v.first[i];
     }
+    if (++row_ == rows) write();
     for (std::size_t l = 0; l < kept_.inner.size(); ++l) {
       const NetworkLink& link = network_.links[kept_.inner[l].link];
       // The inner state is the force over this mass: see InnerLink.
       const double mass = network_.masses[link.to != ground ? link.to : link.from].mass;
       kept_.inner[l].force.push_back(mass * y.v.second[l]);
     }
-    kept_.energy.push_back(energy_of(network_, y));
+    kept_.energy.push_back(energy_of(y));
   }
 
-  const State<MassVector>& last() const { return last_; }
+  /// To be called at the end.
+  State<MassVector> finish() {
+    write();
+    return std::move(last_);
+  }
 
  private:
+  static constexpr std::size_t rows = 32;
+
+  void write() {
+    const auto append = [&](std::vector<double>& column, std::size_t place) {
+      for (std::size_t r = 0; r < row_; ++r) column.push_back(gathered_[r * 2 * masses_ + place]);
+    };
+    for (std::size_t i = 0; i < masses_; ++i) append(kept_.x[i], i);
+    for (std::size_t i = 0; i < masses_; ++i) append(kept_.v[i], masses_ + i);
+    row_ = 0;
+  }
+
+  /// Kinetic energy, and what the links store [J].
+  double energy_of(const State<MassVector>& y) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < masses_; ++i)
+      sum += network_.masses[i].mass * (y.v.first[i] * y.v.first[i]) / 2;
+    for (std::size_t l = 0; l < network_.links.size(); ++l)
+      sum += stored_energy(network_.links[l], present_[l], [&](std::size_t i) { return y.x.first[i]; });
+    return sum;
+  }
+
   const Network& network_;
+  std::size_t masses_;
   long long every_, until_next_ = 1;
   NetworkStates& kept_;
+  std::vector<Law> present_;      // in each link
+  std::vector<double> gathered_;  // rows of x, then v, of each mass
+  std::size_t row_ = 0;
   State<MassVector> last_;
 };
 
@@ -213,13 +245,18 @@ NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, dou
     sum.end += balance.end;
     sum.taken += balance.taken.sum();
   };
+  // Without a drive or a resistance there is no work.
+  const std::size_t last = kept.t.size() - 1;
+  const auto stores = [&](const Oscillator<double>& law, const auto& state) {
+    return energy_balance(law, state(0), state(last), Power{});
+  };
   for (std::size_t i = 0; i < network.masses.size(); ++i) {
     const auto& [amplitude, frequency, phase] = network.masses[i].drive;
-    const EnergyBalance balance =
-        follow(HarmonicForce<double>{amplitude, frequency, phase},
-               {.mass = network.masses[i].mass, .stiffness = 0}, [&](std::size_t n) {
-                 return State<double>{kept.x[i][n], kept.v[i][n]};
-               });
+    const Oscillator<double> law{.mass = network.masses[i].mass, .stiffness = 0};
+    const auto state = [&](std::size_t n) { return State<double>{kept.x[i][n], kept.v[i][n]}; };
+    const EnergyBalance balance = amplitude != 0
+                                      ? follow(HarmonicForce<double>{amplitude, frequency, phase}, law, state)
+                                      : stores(law, state);
     add(balance);
     sum.drive += balance.drive;
   }
@@ -231,7 +268,8 @@ NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, dou
                            stretch(link, [&](std::size_t i) { return kept.v[i][n]; })};
     };
     LinkEnergy& of_link = sum.of_links.emplace_back();
-    const EnergyBalance balance = follow([](double) { return 0.0; }, law, state);
+    const EnergyBalance balance =
+        law_of(law).shares(resistances) ? follow([](double) { return 0.0; }, law, state) : stores(law, state);
     of_link.end = balance.end;
     of_link.taken = balance.taken.sum();
     add(balance);
@@ -301,11 +339,12 @@ Result<NetworkRun> run_network(const Network& network, const std::string& file,
   say_unused_by_method(run.method, options, run.notices);
   if (Notice shorter = shorter_last_step(options, run.until, run.step, run.method); !shorter.empty())
     run.notices.push_back(std::move(shorter));
-  NetworkRecorder record(run.network, options.every, run.states);
+  NetworkRecorder record(run.network, options.every,
+                         static_cast<std::size_t>(kept_states_of(run, options.every)), run.states);
   MethodSettings settings = settings_of(options, run.method);
   run.outcome = visit_method(run.method, settings,
                              [&](const auto& method) { return solved(method, run, record, watch); });
-  const State<MassVector>& last = record.last();
+  const State<MassVector> last = record.finish();
   for (std::size_t i = 0; i < network.masses.size(); ++i)
     run.last.push_back({last.x.first[i], last.v.first[i]});
   cut_at_overflow(run, options.every);
@@ -338,9 +377,10 @@ Result<std::vector<NetworkRun>> run_network_by_each(const Network& network, cons
 
 std::vector<double> stored_by(const NetworkRun& run, std::size_t link) {
   const NetworkLink& of = run.network.links[link];
+  const Law present = law_of(of.law);
   std::vector<double> stored;
   for (std::size_t n = 0; n < run.states.t.size(); ++n)
-    stored.push_back(stored_energy(of, [&](std::size_t i) { return run.states.x[i][n]; }));
+    stored.push_back(stored_energy(of, present, [&](std::size_t i) { return run.states.x[i][n]; }));
   return stored;
 }
 
