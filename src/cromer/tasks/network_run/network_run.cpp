@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
