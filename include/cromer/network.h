@@ -203,7 +203,7 @@ struct ModeOfNetwork {
 
 struct Mode {
   Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; NaN where it falls away from rest
-  Estimate damping_ratio{};                   ///< NaN without a frequency
+  Estimate damping_ratio{};                   ///< NaN where the frequency is 0 or NaN
   std::vector<std::complex<double>> shape{};  ///< of each name; the largest is 1
   std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings
   std::optional<double> participation{};            ///< effective modal mass over the whole; of networks

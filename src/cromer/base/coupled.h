@@ -33,7 +33,7 @@ struct Coupled {
   requires(!std::same_as<Other, Real> &&
            std::convertible_to<Other, Real>) constexpr explicit Coupled(const Coupled<Other>& other)
       : first(other.first), second(other.second) {}
-  /// Works out what an operator has put off.
+  /// Evaluates a pair of products that are not multiplied yet.
   template <class Other>
   requires std::same_as<typename Other::Value, Real>
   constexpr Coupled(Coupled<Other>&& other)  // NOLINT: it is one

@@ -57,7 +57,7 @@ class VectorMemory {
 };
 
 /// Real numbers, or one number that stands for all of them: a default one is 0, and has no size. Sums, and
-/// products with numbers, go component by component. A size is that of the largest component.
+/// products with numbers, go component by component. value_of is the largest magnitude.
 class Vector {
  public:
   Vector() = default;
@@ -166,8 +166,8 @@ class Vector {
 template <class T>
 concept IsVector = std::same_as<std::remove_cvref_t<T>, Vector>;
 
-/// A number times a vector, not multiplied yet: the sum that takes it does so in the same pass. It holds a
-/// vector that was about to go, and else points to one, which it must not outlive.
+/// A number times a vector, not multiplied yet: the sum that takes it does so in the same pass. It owns a
+/// vector that was a temporary; else it refers to one, which must outlive it.
 template <class Held>
 class Scaled {
  public:
@@ -238,18 +238,18 @@ requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
   return Vector::map(std::forward<A>(a), [c](double x) { return x / c; });
 }
 
-/// Whether all components are. Their exponents are looked at as whole numbers, which several at a time take.
+/// Whether all components are finite. Exponents are tested as integers, several at a time.
 inline bool all_finite(const Vector& a) {
   if (a.size() == 0) return std::isfinite(a[0]);
   struct Look {
     const double* numbers;
-    std::uint64_t overflown = 0;
+    std::uint64_t overflowed = 0;
     void operator()(std::size_t i) {
       constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
-      overflown |= (bit_cast<std::uint64_t>(numbers[i]) & exponent) + one;
+      overflowed |= (bit_cast<std::uint64_t>(numbers[i]) & exponent) + one;
     }
   };
-  return for_each_index(a.size(), Look{a.data()}).overflown >> 63 == 0;
+  return for_each_index(a.size(), Look{a.data()}).overflowed >> 63 == 0;
 }
 
 /// The number; of many the largest magnitude, and not a number where one of them is not.

@@ -1,5 +1,6 @@
 // Loops over long arrays, with as many numbers at a time as the processor takes. Each number is made by the
-// same operations whatever their count, so results are the same to the bit on every machine.
+// same operations whatever their count, so results are the same to the bit on every machine (products and
+// sums are not contracted).
 #pragma once
 
 #include <cstddef>
@@ -12,12 +13,12 @@
 namespace cromer::core {
 
 #ifdef CROMER_WIDE_LOOPS
-enum class VectorSet { sse2, avx2, avx512 };
+enum class InstructionSet { sse2, avx2, avx512 };
 
-inline VectorSet widest_here() {
-  static const VectorSet widest = [] {
-    if (__builtin_cpu_supports("avx512f")) return VectorSet::avx512;
-    return __builtin_cpu_supports("avx2") ? VectorSet::avx2 : VectorSet::sse2;
+inline InstructionSet widest_here() {
+  static const InstructionSet widest = [] {
+    if (__builtin_cpu_supports("avx512f")) return InstructionSet::avx512;
+    return __builtin_cpu_supports("avx2") ? InstructionSet::avx2 : InstructionSet::sse2;
   }();
   return widest;
 }
@@ -40,9 +41,9 @@ Body for_each_index(std::size_t size, Body body) {
 #ifdef CROMER_WIDE_LOOPS
   constexpr std::size_t few = 16;
   if (size > few) {
-    const VectorSet widest = widest_here();
-    if (widest == VectorSet::avx512) return loop_by_avx512(size, body);
-    if (widest == VectorSet::avx2) return loop_by_avx2(size, body);
+    const InstructionSet widest = widest_here();
+    if (widest == InstructionSet::avx512) return loop_by_avx512(size, body);
+    if (widest == InstructionSet::avx2) return loop_by_avx2(size, body);
   }
 #endif
   for (std::size_t i = 0; i < size; ++i) body(i);

@@ -77,10 +77,6 @@ void mark_modes(Panel& panel, const std::vector<MeasuredMode>& modes) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// How far each mass is out of its place where the largest is farthest, 1; with the sign of its phase.
 std::vector<double> swing_of(const NaturalMode& mode) {
   std::vector<double> moved;
@@ -148,11 +144,11 @@ Figure modes_figure(const ModesResult& result) {
   figure.shared_x = !result.network;
   figure.panels.push_back(spectrum_panel(source));
   if (!source.found.poles.empty()) figure.panels.push_back(stabilisation_panel(source));
-  const double lags = source.found.lag_step > 0 ? 0.5 / source.found.lag_step : source.rate;
+  const double highest_searched = source.found.lag_step > 0 ? 0.5 / source.found.lag_step : source.rate;
   for (Panel& panel : figure.panels) {
     panel.x.name = "frequency {/:Italic f} (Hz)";
     panel.x.low = 0;
-    panel.x.high = std::min(source.rate / 2, lags);
+    panel.x.high = std::min(source.rate / 2, highest_searched);
   }
   mark_modes(figure.panels.front(), source.found.modes);
   if (result.network) add_shapes(figure, result);

@@ -54,8 +54,12 @@ Figure network_fit_figure(const FittedNetwork& fitted) {
   Figure figure;
   figure.id = "network-fit";
   figure.title = "What the masses did, and what the network leaves of it";
-  figure.caption = fmt::format("{} and the network {}; at the bottom measured less fitted.", fitted.file,
-                               fitted.network_file);
+  const std::string of_file = fitted.network_file == given_network ? "" : " " + fitted.network_file;
+  const std::string part = drawn == fitted.fit.columns.size()
+                               ? ""
+                               : fmt::format(" ({} of {} masses)", drawn, fitted.fit.columns.size());
+  figure.caption =
+      fmt::format("{} and the network{}{}; at the bottom measured less fitted.", fitted.file, of_file, part);
   figure.size = FigureSize::wide;
   Panel residual;
   residual.x.name = of_time;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "cromer/base/length_unit.h"
@@ -51,7 +52,7 @@ Figure network_figure(std::span<const NetworkRun> runs) {
   const Network& network = first.network;
   const bool several = runs.size() > 1;
   const std::vector<std::size_t> drawn = drawn_masses(network.masses.size(), several ? 3 : 5);
-  // A run that grows without end is cut off: the first one, or the calmest, sets the scale.
+  // A run that grows without end is cut off: the calmest one sets the scale.
   double largest = std::numeric_limits<double>::infinity(), end = 0;
   for (const NetworkRun& run : runs) {
     double of_run = 0;
@@ -69,8 +70,9 @@ Figure network_figure(std::span<const NetworkRun> runs) {
   std::string methods;
   for (const NetworkRun& run : runs) methods += (methods.empty() ? "" : ", ") + method_in_words(run.method);
   figure.title = fmt::format("{} by {}", network.angles ? "Angles" : "Positions", methods);
-  figure.caption = fmt::format("{}: {} of {} masses, steps of {:.4g} s.", first.file, drawn.size(),
-                               network.masses.size(), first.step);
+  const bool steps = std::any_of(runs.begin(), runs.end(), std::mem_fn(&NetworkRun::takes_steps));
+  figure.caption = fmt::format("{}: {} of {} masses, {} {:.4g} s.", first.file, drawn.size(),
+                               network.masses.size(), steps ? "steps of" : "a state every", first.step);
   if (network.masses.size() <= most_masses_drawn) {
     figure.panels.push_back(network_drawing(network));
     figure.panels.back().title = figure_text(short_name(first.file));

@@ -17,8 +17,8 @@ struct UnknownOf<Coupled<Vector>, count> {
   using Type = Coupled<VectorUnknown<count>>;
 };
 
-/// For `count` unknowns that are vectors; sizes are those of the largest component. Inner states, where there
-/// are any, arrive by themselves.
+/// For `count` unknowns that are vectors; magnitudes are those of the largest component. Inner states, where
+/// there are any, arrive by themselves.
 template <std::size_t count, class Residual>
 NewtonResult<Coupled<Vector>, std::array<Coupled<Vector>, count>> newton_of_pairs(
     const Residual& residual, const std::array<Coupled<Vector>, count>& guess,

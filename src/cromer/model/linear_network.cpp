@@ -10,11 +10,11 @@ namespace cromer::core {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Seen = Eigen::Map<const Matrix>;
+using MatrixView = Eigen::Map<const Matrix>;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-Seen seen(const std::vector<double>& matrix, std::size_t size) {
+MatrixView as_matrix(const std::vector<double>& matrix, std::size_t size) {
   return {matrix.data(), index(size), index(size)};
 }
 
@@ -57,7 +57,7 @@ UndampedModes undamped_modes(const LinearNetwork& network) {
   }
   Eigen::VectorXd roots(index(n));
   for (std::size_t i = 0; i < n; ++i) roots[index(i)] = 1 / std::sqrt(network.mass[i]);
-  const Matrix scaled = roots.asDiagonal() * seen(network.stiffness, n) * roots.asDiagonal();
+  const Matrix scaled = roots.asDiagonal() * as_matrix(network.stiffness, n) * roots.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix> solved(scaled);
   for (std::size_t j = 0; j < n; ++j) {
     const Eigen::VectorXd shape = roots.cwiseProduct(solved.eigenvectors().col(index(j)));
@@ -72,8 +72,8 @@ UndampedModes undamped_modes(const LinearNetwork& network) {
 std::vector<double> modal_damping(const LinearNetwork& network, const UndampedModes& modes) {
   constexpr double alike = 1e-13;
   const std::size_t n = network.size;
-  const Seen shapes = seen(modes.shapes, n);
-  const Matrix damping = shapes.transpose() * seen(network.damping, n) * shapes;
+  const MatrixView shapes = as_matrix(modes.shapes, n);
+  const Matrix damping = shapes.transpose() * as_matrix(network.damping, n) * shapes;
   const Eigen::Map<const Eigen::VectorXd> mass(network.mass.data(), index(n));
   const Matrix masses = shapes.transpose() * mass.asDiagonal() * shapes;
   const double rounding = alike * damping.diagonal().cwiseAbs().maxCoeff();

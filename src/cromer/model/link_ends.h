@@ -71,9 +71,10 @@ class LinkEnds {
   bool has_bands() const { return !bands_.empty(); }
   void pull_by_bands(double* acceleration, const double* x, const double* v) const;
 
-  /// For each end at mass i, in the order of the links: relative(end) gives u and u' as the end feels them,
-  /// its own position less the other one, if the link's law is linear; else those of the link. pull(end,
-  /// resistance, restoring) gets the forces in that direction, without those of inner states.
+  /// For each end at mass i, in the order of the links: relative(end, sign) gives u and u' times sign, and
+  /// pull(end, sign, resistance, restoring) gets the forces in that direction, without those of inner states.
+  /// Of a linear law sign is 1, and u the mass' own position less the other one; of others they are the
+  /// link's.
   template <class Relative, class Pull>
   void for_each_at(std::size_t i, const Relative& relative, const Pull& pull) const {
     for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {

@@ -47,6 +47,13 @@ struct Network {
   std::vector<NetworkLink> links{};
 };
 
+/// u between two masses, or a mass and the ground, or u': `of` gives each mass' part.
+template <class Of>
+double stretch(std::size_t from, std::size_t to, const Of& of) {
+  const double end = to == ground ? 0 : of(to);
+  return from == ground ? end : end - of(from);
+}
+
 /// "ground", or the mass' name.
 inline std::string name_of(const Network& network, std::size_t end) {
   return end == ground ? "ground" : network.masses[end].name;

@@ -27,8 +27,7 @@ class NetworkFriction {
 
   /// u' of a contact.
   double speed(std::size_t contact, const Vector& v) const {
-    const auto& [from, to, kinetic, holding] = contacts_[contact];
-    return (to == ground ? 0 : v[to]) - (from == ground ? 0 : v[from]);
+    return stretch(contacts_[contact].from, contacts_[contact].to, [&](std::size_t i) { return v[i]; });
   }
 
   /// Sets the direction of each contact that is 0, at rest, to 1 or -1 if it starts to slide. acceleration:

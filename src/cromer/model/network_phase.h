@@ -38,7 +38,7 @@ class NetworkPhase {
   /// Every mass sticks to the ground.
   bool all_at_rest() const { return groups_.size() == 1 && groups_.front().grounded && !free_masses_; }
 
-  /// [m/s^2] of the friction.
+  /// [m/s^2] Rounding error of the friction's accelerations.
   double rounding() const { return rounding_; }
 
   /// For implicit steps of this phase.

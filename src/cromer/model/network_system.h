@@ -135,7 +135,7 @@ class NetworkSystem {
     if (links_->inner().empty()) return 0;
     Vector rates = Vector::of_size(links_->inner().size());
     for (std::size_t l = 0; l < rates.size(); ++l)
-      rates[l] = rate_of(links_->inner()[l], stretch(links_->inner()[l], v), inner[l]);
+      rates[l] = rate_of(links_->inner()[l], link_speed(links_->inner()[l], v), inner[l]);
     return rates;
   }
 
@@ -177,9 +177,8 @@ class NetworkSystem {
   }
 
   /// u' of a link.
-  static double stretch(const InnerLink& link, const Vector& v) {
-    if (link.from == ground) return v[link.to];
-    return link.to == ground ? -v[link.from] : v[link.to] - v[link.from];
+  static double link_speed(const InnerLink& link, const Vector& v) {
+    return stretch(link.from, link.to, [&](std::size_t i) { return v[i]; });
   }
 
   template <class T>
@@ -199,7 +198,7 @@ class NetworkSystem {
     std::size_t entry = 0;
     for (std::size_t l = 0; l < size; ++l) {
       const InnerLink& link = links_->inner()[l];
-      D speed(stretch(link, v.first.value)), z(v.second.value[l]);
+      D speed(link_speed(link, v.first.value)), z(v.second.value[l]);
       for (std::size_t j = 0; j < count; ++j) {
         speed.derivative[2 * j] = v.first.slope[j];
         z.derivative[2 * j + 1] = v.second.slope[j];

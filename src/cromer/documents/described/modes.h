@@ -37,35 +37,34 @@ struct Described<ModeOfNetwork> {
 template <>
 struct Described<NaturalMode> {
   static constexpr std::string_view name = "NaturalMode";
-  static constexpr auto entries =
-      members(quantity("frequency", &NaturalMode::frequency, "Hz",
-                       "|eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest"),
-              quantity("damping_ratio", &NaturalMode::damping_ratio, "1",
-                       "minus the eigenvalue's real part over its size; null without a frequency"),
-              field(
-                  "shape",
-                  [](const NaturalMode& m) {
-                    std::vector<Pair> shape;
-                    for (const std::complex<double>& each : m.shape)
-                      shape.push_back({each.real(), each.imag()});
-                    return shape;
-                  },
-                  "", "of each of `names`, as [re, im]; the largest is 1"),
-              field(
-                  "shape_standard_error",
-                  [](const NaturalMode& m) {
-                    std::vector<Pair> errors;
-                    for (const std::complex<double>& each : m.shape_error)
-                      errors.push_back({each.real(), each.imag()});
-                    return errors;
-                  },
-                  "", "of the parts of `shape`, likewise; empty of a network"),
-              field("participation", &NaturalMode::participation, "",
-                    "effective modal mass over the whole mass, for ground that shakes all the same; null for "
-                    "recordings"),
-              field("of_network", &NaturalMode::of_network, "",
-                    "the network's mode that matches this one; null without one"),
-              field("methods", &NaturalMode::methods, "", "what each method really simulates of it"));
+  static constexpr auto entries = members(
+      quantity("frequency", &NaturalMode::frequency, "Hz",
+               "|eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest"),
+      quantity("damping_ratio", &NaturalMode::damping_ratio, "1",
+               "minus the eigenvalue's real part over its size; null where the frequency is 0 or null"),
+      field(
+          "shape",
+          [](const NaturalMode& m) {
+            std::vector<Pair> shape;
+            for (const std::complex<double>& each : m.shape) shape.push_back({each.real(), each.imag()});
+            return shape;
+          },
+          "", "of each of `names`, as [re, im]; the largest is 1"),
+      field(
+          "shape_standard_error",
+          [](const NaturalMode& m) {
+            std::vector<Pair> errors;
+            for (const std::complex<double>& each : m.shape_error)
+              errors.push_back({each.real(), each.imag()});
+            return errors;
+          },
+          "", "of the parts of `shape`, likewise; empty of a network"),
+      field("participation", &NaturalMode::participation, "",
+            "effective modal mass over the whole mass, for ground that shakes all the same; null for "
+            "recordings"),
+      field("of_network", &NaturalMode::of_network, "",
+            "the network's mode that matches this one; null without one"),
+      field("methods", &NaturalMode::methods, "", "what each method really simulates of it"));
 };
 
 template <>
@@ -137,7 +136,8 @@ struct Described<ModesResult> {
             "the masses or channels, in the order of the components of shapes"),
       field("modes", &ModesResult::modes, "", "by rising frequency"),
       field("beat", &beat_of, "",
-            "how two modes beat and are coupled; null unless there are two whose frequencies surely differ"),
+            "how two modes beat and are coupled; null unless there are two that swing and whose frequencies "
+            "surely differ"),
       field("recording", &ModesResult::recording, "", "what the modes were found in; null of a network"),
       field(
           "message", [](const ModesResult& r) { return r.ok() ? std::nullopt : std::optional(r.message); },

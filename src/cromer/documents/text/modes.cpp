@@ -62,7 +62,7 @@ std::string percent_off_if_known(const std::optional<double>& value, double aske
 }
 
 /// The network's modes against what was recorded.
-std::string network_text(const ModesResult& result) {
+std::string beside_network_text(const ModesResult& result) {
   if (!result.recording || !result.network) return "";
   std::vector<std::vector<std::string>> rows{
       {"mode", "of the network", "frequency (Hz)", "off by", "damping ratio", "off by", "MAC"}};
@@ -128,7 +128,7 @@ std::string modes_text(const ModesResult& result) {
     });
   const std::string motion = result.recording ? "\n" + in_words(result.recording->words) + "\n" : "";
   return text_table(rows, 1, rows[0].size()) + beat_text(result) + shapes_text(result) +
-         network_text(result) + methods_text(result) + motion;
+         beside_network_text(result) + methods_text(result) + motion;
 }
 
 }  // namespace cromer::core

@@ -12,8 +12,8 @@ namespace {
 
 std::string text_of_run(const NetworkRun& run) {
   const bool angles = run.network.angles;
-  std::string text = fmt::format("{}: {} to {:.6g} s in steps of {:.6g} s\n\n", run.file, run.method,
-                                 run.outcome.t, run.step);
+  std::string text = fmt::format("{}: {} to {:.6g} s {} {:.6g} s\n\n", run.file, run.method, run.outcome.t,
+                                 run.takes_steps() ? "in steps of" : "with a state every", run.step);
   std::vector<std::vector<std::string>> rows{
       {angles ? "inertia" : "mass", angles ? "x (rad)" : "x (m)", angles ? "v (rad/s)" : "v (m/s)"}};
   const std::size_t shown = std::min(run.last.size(), most_rows);

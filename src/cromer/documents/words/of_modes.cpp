@@ -39,14 +39,13 @@ constexpr Entry entries[] = {
     {"too_short_for_modes", error, "no mode was found: the recording is too short for its slowest motion",
      "keine Eigenschwingung gefunden: die Aufnahme ist zu kurz für ihre langsamste Bewegung"},
     {"still_before_motion", worth_knowing,
-     "for the first {length:.3g} s it hardly moves, or is held: the result is for the motion from {from:.4g} "
-     "s on; "
-     "{--from} takes another beginning",
-     "in den ersten {length:.3g} s bewegt es sich kaum oder wird gehalten: das Ergebnis gilt für die "
-     "Bewegung ab {from:.4g} s; "
-     "{--from} wählt einen anderen Anfang"},
+     "for the first {length:.3g} s hardly anything moves, or it is held: the result is for the motion from "
+     "{from:.4g} s on; {--from} takes another beginning",
+     "in den ersten {length:.3g} s bewegt sich kaum etwas, oder es wird gehalten: das Ergebnis gilt für die "
+     "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
-     "for the first {length:.3g} s it is held or still being let go: the result is for the motion from "
+     "for the first {length:.3g} s the structure is held or still being let go: the result is for the motion "
+     "from "
      "{from:.4g} s on; {--from} takes another beginning",
      "in den ersten {length:.3g} s wird es gehalten oder noch losgelassen: das Ergebnis gilt für die "
      "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
@@ -72,16 +71,15 @@ constexpr Entry entries[] = {
      "zufälligen Kräften, durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über "
      "{reach:.3g} s)"},
     {"modes_of_free_decay", clause,
-     "the motion decays from the first used sample on, {percent:.3g} % of its power about the modes: these "
-     "are modes of a free decay, by least squares",
-     "die Bewegung klingt vom ersten benutzten Messwert an ab, {percent:.3g} % ihrer Leistung um die "
-     "Eigenfrequenzen: dies sind Eigenschwingungen eines freien Ausschwingens, durch kleinste Quadrate"},
+     "the motion decays from the first used sample on: a free decay, fitted by least squares, accounts for "
+     "{percent:.3g} % of the power about these modes",
+     "die Bewegung klingt vom ersten benutzten Messwert an ab: ein freies Ausschwingen, durch kleinste "
+     "Quadrate angepasst, erklärt {percent:.3g} % der Leistung um diese Eigenschwingungen"},
     {"modes_of_free_motion", clause,
-     "the motion is free from the first used sample on and does not die away, {percent:.3g} % of its power "
-     "about the modes: these are modes of a free motion, by least squares",
-     "die Bewegung ist vom ersten benutzten Messwert an frei und klingt nicht ab, {percent:.3g} % ihrer "
-     "Leistung um die Eigenfrequenzen: dies sind Eigenschwingungen einer freien Bewegung, durch kleinste "
-     "Quadrate"},
+     "the motion is free from the first used sample on and does not die away: a free motion, fitted by least "
+     "squares, accounts for {percent:.3g} % of the power about these modes",
+     "die Bewegung ist vom ersten benutzten Messwert an frei und klingt nicht ab: eine freie Bewegung, durch "
+     "kleinste Quadrate angepasst, erklärt {percent:.3g} % der Leistung um diese Eigenschwingungen"},
     {"mode_grows", wrong_if_ignored,
      "the mode at {frequency:.4g} Hz grows: its damping ratio is negative, something feeds it",
      "die Eigenschwingung bei {frequency:.4g} Hz wächst: ihr Dämpfungsgrad ist negativ, etwas speist sie"},

@@ -47,22 +47,23 @@ constexpr Entry entries[] = {
     // Options.
     {"step_needs_method", error, "{--step} needs a {--method}", "{--step} braucht eine {--method}"},
     {"method_needs_step", error, "{--method} needs a {--step}", "{--method} braucht einen {--step}"},
-    {"option_needs_method_and_step", error, "{option:option} needs {--method} and {--step}",
-     "{option:option} braucht {--method} und {--step}"},
+    {"option_needs_method_and_step", error, "{option:option} needs {method:option} and {--step}",
+     "{option:option} braucht {method:option} und {--step}"},
     {"method_without_steps", error, "{option:option}: {method} chooses its own steps",
      "{option:option}: {method} wählt seine Schritte selbst"},
     {"too_many_masses_for_modes", error, "{file}: {masses} masses; modes are found for at most {most}",
      "{file}: {masses} Massen; Eigenschwingungen werden für höchstens {most} gesucht"},
-    {"option_of_recordings", error, "{file}: {option:option} is of recordings, and this is a network",
+    {"option_of_recordings", error, "{file}: {option:option} is for recordings, and this is a network",
      "{file}: {option:option} gilt für Aufnahmen, und dies ist ein Netz"},
     {"method_of_networks", error,
-     "{file}: {--method} is of networks; if this recording was simulated, name its method by {--of-method}",
+     "{file}: {--method} is for networks; if this recording was simulated, name its method by {--of-method}",
      "{file}: {--method} gilt für Netze; wurde diese Aufnahme simuliert, bitte ihre Methode mit "
      "{--of-method} nennen"},
-    {"step_needs_of_method", error, "{--step} of a recording needs the {--of-method} that took it",
-     "{--step} einer Aufnahme braucht die {--of-method}, die ihn machte"},
-    {"of_method_needs_step", error, "{--of-method} needs the {--step} that it took",
-     "{--of-method} braucht den {--step}, den sie machte"},
+    {"step_needs_of_method", error,
+     "for a recording, {--step} needs {--of-method}, the method that simulated it",
+     "bei einer Aufnahme braucht {--step} die {--of-method}, die sie simulierte"},
+    {"of_method_needs_step", error, "{--of-method} needs {--step}, the step that it was simulated with",
+     "{--of-method} braucht {--step}, den Schritt, mit dem simuliert wurde"},
     {"frequencies_reversed", error, "{--from-frequency} must be less than {--to-frequency}",
      "{--from-frequency} muss kleiner sein als {--to-frequency}"},
     // Runs.
@@ -75,7 +76,8 @@ constexpr Entry entries[] = {
     {"too_many_masses_for_exact", error,
      "{--method}: exact takes networks of at most {most} masses, and there are {masses}",
      "{--method}: exact nimmt Netze von höchstens {most} Massen, und es sind {masses}"},
-    {"one_method_of_networks", error, "{--method} is given {methods} times; here a network runs by one",
+    {"one_method_of_networks", error,
+     "{--method} is given {methods} times; here a network runs with one method",
      "{--method} ist {methods}-mal angegeben; hier läuft ein Netz mit einer"},
     {"large_network_needs_step", error,
      "the periods of {masses} masses are not sought (of at most {most} they are): give {--step} and "
@@ -136,8 +138,8 @@ constexpr Entry entries[] = {
      "das Netz erklärt nur {percent:.2g} % der Varianz von „{column}“: ihm fehlt eine Verbindung, ein Term "
      "oder ein Antrieb, oder die Spalten stehen in anderer Reihenfolge als die Massen; {hint}"},
     {"network_values_undetermined", error,
-     "the record tells these values in combination only, not each by itself: {values}; give one of them",
-     "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einen davon angeben"},
+     "the record tells these values in combination only, not each by itself: {values}; give some of them",
+     "die Aufnahme bestimmt diese Werte nur gemeinsam, nicht einzeln: {values}; bitte einige davon angeben"},
     {"network_value_undetermined", error, "the record does not tell the {value}: give it, or leave it out",
      "die Aufnahme bestimmt nicht: {value}; bitte angeben oder weglassen"},
     {"network_not_converged", error,
@@ -145,6 +147,12 @@ constexpr Entry entries[] = {
      "or a term, or the columns stand in another order than the masses; {hint}",
      "der Fit hat nach {iterations:Iteration|Iterationen} nicht konvergiert: vielleicht fehlt dem Netz eine "
      "Verbindung oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; {hint}"},
+    {"network_runs_away", error,
+     "with the values tried the network's motion runs away from the recorded one: perhaps the network lacks "
+     "a link or a term, or the columns stand in another order than the masses; {hint}",
+     "mit den versuchten Werten läuft die Bewegung des Netzes der aufgenommenen davon: vielleicht fehlt dem "
+     "Netz eine Verbindung oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; "
+     "{hint}"},
     {"network_leaves_a_motion", wrong_if_ignored,
      "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
      "or a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",

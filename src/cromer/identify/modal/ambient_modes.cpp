@@ -150,9 +150,9 @@ class PoleStatistics {
 
   void add_shape(MeasuredMode& mode, const StabilityPole& pole, const Grouping& grouping) const {
     const ModelPoles& model = all_.model(pole.order);
-    const auto larger = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
+    const auto smaller = [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); };
     const auto reference = static_cast<Eigen::Index>(
-        std::max_element(pole.shape.begin(), pole.shape.end(), larger) - pole.shape.begin());
+        std::max_element(pole.shape.begin(), pole.shape.end(), smaller) - pole.shape.begin());
     for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(pole.shape.size()); ++c) {
       if (c == reference) {
         mode.shape.emplace_back(1);

@@ -16,8 +16,8 @@ struct SpectralMatrix {
   double frequency(std::size_t k) const { return static_cast<double>(k) * step; }
 };
 
-/// By Welch's method with a Hann window: half-overlapping segments, none across a gap where the stretches are
-/// long enough. Each is a power of two of samples, at most the record over `segments`.
+/// By Welch's method with a Hann window: half-overlapping segments, none across a gap; stretches shorter than
+/// a segment are left out. Each is a power of two of samples, at most the record over `segments`.
 SpectralMatrix spectral_matrix(const ModalRecord& record, std::size_t segments = 16);
 
 struct SpectralPeak {

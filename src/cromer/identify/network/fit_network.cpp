@@ -170,8 +170,7 @@ class EquationsOfMotion {
   }
   double at(std::size_t mass, std::size_t n) const { return y_[mass][n]; }
   double across(const NetworkLink& link, std::size_t n) const {
-    const double end = link.to == ground ? 0 : at(link.to, n);
-    return link.from == ground ? end : end - at(link.from, n);
+    return stretch(link.from, link.to, [&](std::size_t mass) { return at(mass, n); });
   }
 
   const Network& network_;
@@ -527,6 +526,12 @@ bool leaves_motion(const NetworkMotions& motions, const Parameters& p, const Net
   return false;
 }
 
+/// A motion that runs away leaves more than any other.
+double left_by(const LeastSquaresSummary& summary) {
+  const double sum = summary.equations.sum_of_squares;
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 bool explains(const std::vector<FittedColumn>& columns) {
@@ -602,8 +607,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
       if (!guesses.empty()) {
         found.parameters = start_values(motions, sought, guesses, record, spreads, period);
         fit_through(beginning);
-        const bool closer = !best || found.equations.sum_of_squares < best->equations.sum_of_squares;
-        if (closer) best = found;
+        if (!best || left_by(found) < left_by(*best)) best = found;
         is_found = (found.reason == LeastSquaresReason::converged &&
                     !leaves_motion(motions, found.parameters, record, beginning)) ||
                    watch.interrupted();
@@ -630,6 +634,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
   }
   fit.network = motions.network_at(found.parameters);
   put_residuals(fit, motions, found.parameters, record, spreads);
+  fit.runs_away = found.reason == LeastSquaresReason::not_finite;
   if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
 
   put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);

@@ -43,11 +43,13 @@ bool explains(const std::vector<FittedColumn>& columns);
 struct NetworkFit {
   FitStatus status = FitStatus::iteration_limit;
   int iterations = 0;
+  bool runs_away = false;          ///< by the values tried the motion does not stay finite
   Network network{};               ///< with the values found, and the start at the first sample
   std::vector<Estimate> values{};  ///< of what was sought, in that order; errors are NaN where unknown
   std::vector<std::size_t> undetermined{};  ///< of these, those that the record does not tell by themselves
   std::vector<FittedColumn> columns{};
-  double independent_samples = 0;  ///< of all columns, as far as the residuals are correlated
+  double independent_samples =
+      0;  ///< samples of all columns over how much correlated residuals widen the variance
 };
 
 /// The most values that can be sought in a network of so many masses; 0: it has too many.

@@ -23,7 +23,10 @@ std::optional<Beat> beat_of(const ModesResult& result) {
   const Estimate &slow = result.modes[0].frequency, &fast = result.modes[1].frequency;
   const double s = slow.value, f = fast.value, sum = f * f + s * s;
   const Estimate beat = of_both(slow, fast, f - s, -1, 1);
-  if (!(beat.low > 0)) return std::nullopt;
+  const auto swings = [](const NaturalMode& mode) {
+    return mode.frequency.value > 0 && std::abs(mode.damping_ratio.value) < 1;
+  };
+  if (!(beat.low > 0 && swings(result.modes[0]) && swings(result.modes[1]))) return std::nullopt;
   return Beat{beat,
               {1 / beat.value, beat.standard_error / (beat.value * beat.value), 1 / beat.high, 1 / beat.low},
               of_both(slow, fast, beat.value * (f + s) / sum, -4 * s * f * f / (sum * sum),

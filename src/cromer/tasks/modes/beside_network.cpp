@@ -84,7 +84,7 @@ std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vecto
   std::optional<Notice> said;
   const auto try_it = [&](const Mounting& mounting, const auto& notice) {
     const Agreement agreement(matches(found.modes, of_network, mounting), found.modes.size());
-    if (agreement.mac < well || agreement.score <= best) return;
+    if (agreement.mac < well || agreement.mac <= as_it_is.mac || agreement.score <= best) return;
     best = agreement.score;
     said = notice(agreement.mac);
   };
@@ -112,7 +112,7 @@ std::optional<Notice> mounted_wrongly(const ModesResult& found, const std::vecto
 
 Result<void> set_beside(ModesResult& found, const Network& network, bool all) {
   if (auto good = check_a_column_for_each_mass(found.names, network, found.file); !good) return good;
-  const auto modes = network_modes(network, "");
+  const auto modes = network_modes(network, given_network);
   if (!modes) return modes.error();
   found.network = network;
   if (!found.ok()) return {};

@@ -3,14 +3,13 @@
 
 namespace cromer::core {
 
-Result<void> check_modes_options(ModesOptions options) {
+Result<void> check_modes_options(ModesOptions options, std::string_view method_option) {
   for (const auto& option : options_of(options))
     if (auto good = check(option); !good) return good;
   for (const std::string& method : options.method) {
     if (auto good = check_method_name(method); !good) return good;
     if (find_method(method)->is_adaptive())
-      return Error{"method_without_steps",
-                   {{"option", options.of_method.empty() ? "method" : "of-method"}, {"method", method}}};
+      return Error{"method_without_steps", {{"option", method_option}, {"method", method}}};
   }
   if (options.step && options.method.empty()) return Error{"step_needs_method"};
   if (!options.step && !options.method.empty()) return Error{"method_needs_step"};
@@ -18,7 +17,8 @@ Result<void> check_modes_options(ModesOptions options) {
     return Error{"option_needs_method_and_step",
                  {{"option", options.rho_inf ? "rho-inf"
                              : options.beta  ? "beta"
-                                             : "gamma"}}};
+                                             : "gamma"},
+                  {"method", method_option}}};
   return {};
 }
 

@@ -56,8 +56,8 @@ struct ModeOfNetwork {
 };
 
 struct NaturalMode {
-  Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; not a number where nothing pulls back
-  Estimate damping_ratio{};                   ///< not a number where the frequency is 0 or none
+  Estimate frequency{};                       // [Hz] |eigenvalue|/2 pi; NaN where it falls away from rest
+  Estimate damping_ratio{};                   ///< NaN where the frequency is 0 or NaN
   std::vector<std::complex<double>> shape{};  ///< its largest component 1
   std::optional<double> participation{};      ///< effective modal mass over the whole; of networks
   std::vector<std::complex<double>> shape_error{};  ///< standard errors of its parts; of recordings

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "cromer/methods/method_settings.h"
 #include "cromer/read/channels.h"
@@ -9,8 +10,8 @@
 
 namespace cromer::core {
 
-/// Each option's own range, and names of methods that take steps.
-Result<void> check_modes_options(ModesOptions options);
+/// Each option's own range, and names of methods that take steps, which `method_option` gives.
+Result<void> check_modes_options(ModesOptions options, std::string_view method_option = "method");
 
 /// An option that only recordings take, if one is given; else "".
 std::string_view option_of_recordings(const ModesOptions& options);

@@ -7,6 +7,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/methods/law_before_method.h"
+#include "cromer/tasks/methods/unused_by_method.h"
 #include "cromer/tasks/modes/beside_network.h"
 #include "cromer/tasks/modes/modes_options.h"
 
@@ -70,7 +71,7 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   if (!options.step && !options.of_method.empty()) return Error{"of_method_needs_step"};
   ModesOptions checked = options;
   if (!options.of_method.empty()) checked.method = {options.of_method};
-  if (auto good = check_modes_options(checked); !good) return good.error();
+  if (auto good = check_modes_options(checked, "of-method"); !good) return good.error();
   if (options.from_frequency && options.to_frequency && *options.from_frequency >= *options.to_frequency)
     return Error{"frequencies_reversed"};
 
@@ -80,8 +81,10 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
   if (auto good = check_step_of(options, result.recording); !good) return good.error();
   if (couples_modes(options, result.modes))
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
-  if (!options.of_method.empty())
+  if (!options.of_method.empty()) {
+    say_unused_by_method(options.of_method, options, result.notices);
     for (NaturalMode& mode : result.modes) take_out(mode, options, result.notices);
+  }
   if (options.network)
     if (auto good = set_beside(result, *options.network, seeks_all(options)); !good) return good.error();
   return result;

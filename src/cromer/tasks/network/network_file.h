@@ -25,7 +25,7 @@ namespace cromer::core {
 /// Whether a name is that of a network's file, and not that of a recording: it ends in .toml.
 bool is_network_file(std::string_view path);
 
-/// What messages call one that is in no file.
+/// What messages call a network that is in no file.
 inline constexpr const char* given_network = "network";
 
 /// A value that a file leaves open.

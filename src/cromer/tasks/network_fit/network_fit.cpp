@@ -132,9 +132,11 @@ Notice why_no_success(const FittedNetwork& result) {
       if (values.size() == 1) return Notice{"network_value_undetermined", {{"value", values.front()}}};
       return Notice{"network_values_undetermined", {{"values", values}}};
     }
-    default:
-      return Notice{"network_not_converged",
-                    {{"iterations", result.fit.iterations}, {"hint", Notice{"columns_may_be_swapped"}}}};
+    default: {
+      const Notice hint{"columns_may_be_swapped"};
+      if (result.fit.runs_away) return Notice{"network_runs_away", {{"hint", hint}}};
+      return Notice{"network_not_converged", {{"iterations", result.fit.iterations}, {"hint", hint}}};
+    }
   }
 }
 

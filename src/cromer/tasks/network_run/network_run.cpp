@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 #include "cromer/methods/vector_newton.h"
@@ -48,7 +48,7 @@ Periods periods_of(const Network& network) {
   const UndampedModes modes = undamped_modes(linearised(network));
   for (const double square : modes.squares) {
     if (!(square > 1e-13 * modes.squares.back())) continue;
-    const double period = 2 * std::numbers::pi / std::sqrt(square);
+    const double period = two_pi / std::sqrt(square);
     if (periods.longest == 0) periods.longest = period;
     periods.shortest = period;
   }
@@ -71,23 +71,18 @@ bool stands_still(const Network& network) {
   return true;
 }
 
-/// How many states it keeps if it reaches its end.
-long long kept_states_of(const NetworkRun& run, long long every) {
-  return number_of_kept_states(count_steps({0, run.until}, run.step), every);
-}
-
-/// Fills in method, step and end.
-Result<void> set_up(NetworkRun& run, SimulateOptions options) {
+/// Fills in method, step and end, and tells how many states will be kept at most.
+Result<std::size_t> set_up(NetworkRun& run, SimulateOptions options) {
   for (const Option& option : options_of(options))
     if (is_option_of_networks(option.name))
-      if (auto good = check(option); !good) return good;
+      if (auto good = check(option); !good) return good.error();
   if (options.method.size() > 1) return Error{"one_method_of_networks", {{"methods", options.method.size()}}};
   run.method = options.method.empty() ? "euler-cromer" : options.method.front();
   if (auto good = check_method_name(run.method); !good)
     return Error{"method_is_wrong", {{"what", good.error().notice}}};
   if (stands_still(run.network)) return Error{"network_stands_still", {{"file", run.file}}};
   if (run.method == "exact")
-    if (auto good = check_exact_network(run.network, run.file); !good) return good;
+    if (auto good = check_exact_network(run.network, run.file); !good) return good.error();
 
   if (!options.step || !options.until) {
     if (run.network.masses.size() > most_masses_for_modes)
@@ -96,7 +91,7 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
     Periods periods = periods_of(run.network);
     for (const NetworkMass& mass : run.network.masses)
       if (mass.drive.amplitude != 0 && mass.drive.frequency > 0) {
-        const double period = 2 * std::numbers::pi / mass.drive.frequency;
+        const double period = two_pi / mass.drive.frequency;
         periods.shortest = periods.shortest > 0 ? std::min(periods.shortest, period) : period;
         if (periods.longest == 0) periods.longest = period;
       }
@@ -109,30 +104,19 @@ Result<void> set_up(NetworkRun& run, SimulateOptions options) {
   const MethodInfo& info = *find_method(run.method);
   run.tolerance = options.tolerance.value_or(info.is_adaptive() ? StepControl::default_tolerance
                                                                 : NewtonOptions{}.tolerance);
-  constexpr double most_steps = 9007199254740992.0;  // 2^53
-  if (!(run.until / run.step < most_steps))
-    return Error{"run_of_too_many_steps",
-                 {{"step", run.step}, {"until", run.until}, {"steps", run.until / run.step}}};
-  const double states = static_cast<double>(kept_states_of(run, options.every));
-  const double bytes = states * 8 * (2 * static_cast<double>(run.network.masses.size()) + 2);
-  const double memory = options.memory > 0 ? options.memory : 1e18;
-  if (bytes > memory)
-    return Error{"states_beyond_memory",
-                 {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
-  return {};
-}
-
-/// u of a link, or u': `of` gives each mass' part.
-template <class Of>
-double stretch(const NetworkLink& link, const Of& of) {
-  const double end = link.to == ground ? 0 : of(link.to);
-  return link.from == ground ? end : end - of(link.from);
+  double numbers = 2 * static_cast<double>(run.network.masses.size()) + 2;
+  for (const NetworkLink& link : run.network.links) numbers += law_of(link.law).has<Hysteresis>() ? 1 : 0;
+  const auto states = kept_states(run.until, run.step, options.every);
+  if (!states) return states.error();
+  if (auto good = check_memory(static_cast<double>(*states), numbers, options.memory); !good)
+    return good.error();
+  return static_cast<std::size_t>(*states);
 }
 
 /// What a link stores [J]; `x_of` gives each mass' position, `present` are the terms of its law.
 template <class Of>
 double stored_energy(const NetworkLink& link, Law present, const Of& x_of) {
-  const State<double> y{stretch(link, x_of), 0};
+  const State<double> y{stretch(link.from, link.to, x_of), 0};
   return is_linear(present) ? energy<linear_terms>(0.0, link.law, present, y)
                             : energy<any_terms>(0.0, link.law, present, y);
 }
@@ -265,8 +249,8 @@ NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, dou
     Oscillator<double> law = link.law;
     law.mass = 0;
     const auto state = [&](std::size_t n) {
-      return State<double>{stretch(link, [&](std::size_t i) { return kept.x[i][n]; }),
-                           stretch(link, [&](std::size_t i) { return kept.v[i][n]; })};
+      return State<double>{stretch(link.from, link.to, [&](std::size_t i) { return kept.x[i][n]; }),
+                           stretch(link.from, link.to, [&](std::size_t i) { return kept.v[i][n]; })};
     };
     LinkEnergy& of_link = sum.of_links.emplace_back();
     const EnergyBalance balance =
@@ -276,14 +260,15 @@ NetworkEnergy energy_over(const Network& network, const NetworkStates& kept, dou
     add(balance);
   }
   for (const InnerForce& inner : kept.inner) {
-    // As a drive that pulls against the link. What of its work could come back is not told.
+    // As a drive that pulls against the link. How much of this work it could give back is not known.
     const NetworkLink& link = network.links[inner.link];
     std::size_t n = 0;
     const double work =
         -follow([&](double) { return -inner.force[n]; }, {.mass = 0, .stiffness = 0},
                 [&](std::size_t at) {
                   n = at;
-                  return State<double>{0, stretch(link, [&](std::size_t i) { return kept.v[i][at]; })};
+                  return State<double>{
+                      0, stretch(link.from, link.to, [&](std::size_t i) { return kept.v[i][at]; })};
                 })
              .drive;
     sum.of_links[inner.link].taken += work;
@@ -328,6 +313,8 @@ void cut_at_overflow(NetworkRun& run, long long every) {
 
 }  // namespace
 
+bool NetworkRun::takes_steps() const { return find_method(method)->takes_fixed_steps(); }
+
 bool is_option_of_networks(std::string_view option) {
   return std::find(network_options.begin(), network_options.end(), option) != network_options.end();
 }
@@ -335,13 +322,13 @@ bool is_option_of_networks(std::string_view option) {
 Result<NetworkRun> run_network(const Network& network, const std::string& file,
                                const SimulateOptions& options, const Watch& watch) {
   NetworkRun run{.file = file, .network = network};
-  if (auto good = set_up(run, options); !good) return good.error();
+  const auto most_states = set_up(run, options);
+  if (!most_states) return most_states.error();
   add_stability(run, options);
   say_unused_by_method(run.method, options, run.notices);
   if (Notice shorter = shorter_last_step(options, run.until, run.step, run.method); !shorter.empty())
     run.notices.push_back(std::move(shorter));
-  NetworkRecorder record(run.network, options.every,
-                         static_cast<std::size_t>(kept_states_of(run, options.every)), run.states);
+  NetworkRecorder record(run.network, options.every, *most_states, run.states);
   MethodSettings settings = settings_of(options, run.method);
   run.outcome = visit_method(run.method, settings,
                              [&](const auto& method) { return solved(method, run, record, watch); });

@@ -63,6 +63,8 @@ struct NetworkRun {
   std::vector<Notice> notices{};
 
   bool ok() const { return outcome.status == Status::reached_end; }
+  /// Else `step` is the spacing of the states alone: the method chooses its steps, or needs none.
+  bool takes_steps() const;
 };
 
 /// Runs the network. Of the options those of the integration are used: method (one), step, until,

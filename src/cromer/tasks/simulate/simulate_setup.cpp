@@ -133,19 +133,13 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
 }
 
 Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedRun>& runs) {
-  constexpr double most_steps = 9007199254740992.0;  // 2^53: beyond, t0 + n h cannot tell its steps apart
   double states = 0;
   for (const auto& run : runs) {
-    const double count = run.until / run.step;
-    if (!(count < most_steps))
-      return Error{"run_of_too_many_steps", {{"step", run.step}, {"until", run.until}, {"steps", count}}};
-    states += static_cast<double>(number_of_kept_states(count_steps({0, run.until}, run.step), o.every));
+    const auto kept = kept_states(run.until, run.step, o.every);
+    if (!kept) return kept.error();
+    states += static_cast<double>(*kept);
   }
-  const double bytes = states * (o.sensor.used ? 4 : 3) * sizeof(double);
-  const double memory = o.memory > 0 ? o.memory : 1e18;  // no machine has more, and vectors cannot be longer
-  if (bytes <= memory) return {};
-  return Error{"states_beyond_memory",
-               {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
+  return check_memory(states, o.sensor.used ? 4 : 3, o.memory);
 }
 
 Error wrong(std::string_view text, const Notice& why) {
@@ -176,6 +170,21 @@ std::string label_of(const SimulateOptions& o, const SimulatedRun& run) {
 }
 
 }  // namespace
+
+Result<long long> kept_states(double until, double step, long long every) {
+  constexpr double most_steps = 9007199254740992.0;  // 2^53: beyond, t0 + n h cannot tell its steps apart
+  if (!(until / step < most_steps))
+    return Error{"run_of_too_many_steps", {{"step", step}, {"until", until}, {"steps", until / step}}};
+  return number_of_kept_states(count_steps({0, until}, step), every);
+}
+
+Result<void> check_memory(double states, double numbers, double memory) {
+  const double bytes = states * numbers * sizeof(double);
+  if (!(memory > 0)) memory = 1e18;  // no machine has more, and vectors cannot be longer
+  if (bytes <= memory) return {};
+  return Error{"states_beyond_memory",
+               {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
+}
 
 Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   const double m = o.mass;

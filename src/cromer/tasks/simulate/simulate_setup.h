@@ -22,6 +22,13 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
 /// default, as the remainder then is, and for an adaptive method.
 Notice shorter_last_step(const SimulateOptions& options, double until, double step, std::string_view method);
 
+/// How many states a run keeps if it reaches its end. An Error if it has too many steps to tell them apart.
+Result<long long> kept_states(double until, double step, long long every);
+
+/// An Error if states of so many numbers each take more than the memory [bytes]; 0 means that it is not
+/// known.
+Result<void> check_memory(double states, double numbers, double memory);
+
 /// For --accuracy: sets step and accuracy of every run. An Error if there is no such step, or its states
 /// would take too much memory.
 Result<void> choose_steps(const SimulateOptions& options, std::vector<SimulatedRun>& runs,
