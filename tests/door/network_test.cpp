@@ -181,7 +181,7 @@ TEST(DoorNetwork, ErrorsNameTheArgument) {
   refused(cromer::fit(t, {x, std::span(x).first(2)}, carts(sought)), "channels[1]", "has 2 values");
   refused(cromer::fit(t, std::vector<std::vector<double>>{}, carts(sought)), "channels", "no columns");
   refused(cromer::fit({}, {x, x}, carts(sought)), "channels[0]", "has 3 values");
-  refused(cromer::modes(t, {x, x}, {.method = {"rk4"}, .step = 1.0}), "", "is of networks");
+  refused(cromer::modes(t, {x, x}, {.method = {"rk4"}, .step = 1.0}), "", "is for networks");
 }
 
 // What has only braces is an oscillator's, not a network's.

@@ -161,7 +161,7 @@ TEST(BesideNetwork, EachMassNeedsItsChannel) {
 TEST(BesideNetwork, AnotherNetworkHasNoneBesideIt) {
   const auto refused = network_modes(carts(), "carts.toml", {.network = carts()});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message(), "carts.toml: network is of recordings, and this is a network");
+  EXPECT_EQ(refused.error().message(), "carts.toml: network is for recordings, and this is a network");
 }
 
 }  // namespace CROMER_FILE

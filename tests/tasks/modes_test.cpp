@@ -152,6 +152,14 @@ TEST(Modes, OfTwoBeatAndAreCoupled) {
   EXPECT_NEAR(beat->coupling.standard_error,
               std::hypot(coupling(3.0003, 4) - coupling(3, 4), coupling(3, 4.0004) - coupling(3, 4)) * 100,
               1e-5);
+  // What creeps back, or has nothing that pulls it back, does not beat.
+  result.modes[1].damping_ratio = {1.2, 0, 1.2, 1.2};
+  EXPECT_FALSE(beat_of(result));
+  result.modes[1].damping_ratio = {0.2, 0, 0.2, 0.2};
+  EXPECT_TRUE(beat_of(result));
+  result.modes[0].frequency = {};
+  result.modes[0].frequency.value = 0;
+  EXPECT_FALSE(beat_of(result));
   result.modes.resize(1);
   EXPECT_FALSE(beat_of(result));
 }

@@ -255,7 +255,7 @@ TEST(NetworkRun, RefusesWhatItCannotDo) {
             "n.toml: exact takes linear networks, and a link has the term cubic; take another --method");
   network = chain(2);
   EXPECT_EQ(refusal(network, {.method = {"rk4", "exact"}}),
-            "--method is given 2 times; here a network runs by one");
+            "--method is given 2 times; here a network runs with one method");
   EXPECT_NE(refusal(network, {.step = -1.0}).find("positive"), std::string::npos);
   EXPECT_NE(refusal(network, {.method = {"rk5"}}).find("rk4"), std::string::npos);
   EXPECT_NE(refusal(network, {.step = 1e-9, .until = 1e6, .memory = 1e6}).find("memory"), std::string::npos);

@@ -243,11 +243,10 @@ TEST(RecordingModes, a_chosen_stretch_and_a_still_beginning_are_said) {
   const ModesResult late = modes_in(decay(pendulums, two_angles, [](std::size_t i, double a, double b) {
     return i < 200 ? both(i, 0, 0) : both(i, a, b);
   }));
-  EXPECT_THAT(
-      in_words(late.notices),
-      testing::ElementsAre(
-          "for the first 10 s it hardly moves, or is held: the result is for the motion from 10 s on; "
-          "--from takes another beginning"));
+  EXPECT_THAT(in_words(late.notices),
+              testing::ElementsAre("for the first 10 s hardly anything moves, or it is held: the result is "
+                                   "for the motion from 10 s on; "
+                                   "--from takes another beginning"));
   EXPECT_EQ(late.recording->samples, 2200u);
   // A beginning that is asked for is taken.
   const ModesResult asked = modes_in(
@@ -284,6 +283,8 @@ TEST(RecordingModes, bad_options_are_refused) {
   EXPECT_EQ(refusal(bytes, {.step = 0.5, .of_method = "newmark"}), "step_not_of_record");
   const auto adaptive = recording_modes(recording_of(bytes), {.step = 0.01, .of_method = "dormand-prince"});
   EXPECT_EQ(in_words(adaptive.error()), "--of-method: dormand-prince chooses its own steps");
+  EXPECT_EQ(in_words(recording_modes(recording_of(bytes), {.beta = 0.3}).error()),
+            "--beta needs --of-method and --step");
   EXPECT_EQ(refusal(bytes, {.from_frequency = 3, .to_frequency = 2}), "frequencies_reversed");
   EXPECT_EQ(refusal(decay(pendulums, two_angles, both, 39)), "too_few_samples_for_modes");
   std::string runs = "Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2\n";
@@ -292,6 +293,12 @@ TEST(RecordingModes, bad_options_are_refused) {
   Network network;
   network.masses.push_back({.name = "a"});
   EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");
+}
+
+TEST(RecordingModes, an_option_that_the_method_has_no_use_for_is_named) {
+  const ModesResult result =
+      modes_in(decay(pendulums, two_angles, both), {.step = 0.05, .beta = 0.3, .of_method = "rk4"});
+  EXPECT_THAT(in_words(result.notices), testing::Contains("--beta has no effect on rk4"));
 }
 
 TEST(RecordingModes, the_law_before_a_method_is_what_the_method_was_given) {

@@ -24,7 +24,7 @@ std::optional<Beat> beat_of(const ModesResult& result) {
   const double s = slow.value, f = fast.value, sum = f * f + s * s;
   const Estimate beat = of_both(slow, fast, f - s, -1, 1);
   const auto swings = [](const NaturalMode& mode) {
-    return mode.frequency.value > 0 && std::abs(mode.damping_ratio.value) < 1;
+    return mode.frequency.value > 0 && !(std::abs(mode.damping_ratio.value) >= 1);
   };
   if (!(beat.low > 0 && swings(result.modes[0]) && swings(result.modes[1]))) return std::nullopt;
   return Beat{beat,

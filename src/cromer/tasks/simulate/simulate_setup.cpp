@@ -132,7 +132,7 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
   return {};
 }
 
-Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedRun>& runs) {
+Result<void> check_memory_of_all(const SimulateOptions& o, const std::vector<SimulatedRun>& runs) {
   double states = 0;
   for (const auto& run : runs) {
     const auto kept = kept_states(run.until, run.step, o.every);
@@ -322,7 +322,7 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       runs.push_back(std::move(run));
     }
   }
-  if (auto good = check_memory(options, runs); !good) return good.error();
+  if (auto good = check_memory_of_all(options, runs); !good) return good.error();
   return runs;
 }
 
