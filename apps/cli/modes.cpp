@@ -50,7 +50,7 @@ int run_modes(const Arguments& arguments) {
   if (!result) return refuse(result.error());
   return give({.text = [&] { return modes_text(*result); },
                .json = [&] { return to_json(*result); },
-               .csv = [&] { return modes_csv(*result); },
+               .csv = [&] { return result->ok() ? modes_csv(*result) : std::string(); },
                .figure = [&] { return modes_figure(*result); },
                .failures = result->ok() ? std::vector<std::string>{}
                                         : std::vector{file + ": " + in_words(result->message)},

@@ -134,7 +134,9 @@ TEST(NetworkFit, SaysOfASlowReleaseThatItIsHeldAndNotThatNothingMoves) {
   ASSERT_TRUE(result.ok());
   EXPECT_TRUE(result->succeeded()) << in_words(result->message);
   EXPECT_GE(result->channels.t.front(), 2.1);
-  EXPECT_THAT(in_words(result->notices), testing::Contains(HasSubstr("s it is held or still being let go")));
+  EXPECT_THAT(
+      in_words(result->notices),
+      testing::Contains(HasSubstr("s are no part of the free motion after them (held, let go slowly")));
   EXPECT_THAT(in_words(result->notices), testing::Not(testing::Contains(HasSubstr("nothing moves"))));
 }
 
@@ -202,16 +204,25 @@ TEST(NetworkFit, OfTheSharedPendulumsIsWithinItsIntervals) {
 }
 
 /// How often the noise what is left of the worst column is, by the notice; 0 without one.
-double times_left(const NetworkSwings& swings) {
+std::vector<Notice> said_of(const NetworkSwings& swings) {
   std::string bytes = "Time (s),Angle 1 (rad),Angle 2 (rad)\n";
   for (std::size_t n = 0; n < swings.t.size(); ++n)
     bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
   const auto result = fitted(bytes, file_of(pendulums()));
   EXPECT_TRUE(result && result->succeeded());
-  if (!result) return 0;
-  for (const Notice& notice : result->notices)
+  return result ? result->notices : std::vector<Notice>{};
+}
+
+double times_left(const NetworkSwings& swings) {
+  for (const Notice& notice : said_of(swings))
     if (notice.code == "network_leaves_a_motion") return std::get<double>(notice.values[1].value);
   return 0;
+}
+
+bool leaves_a_line(const NetworkSwings& swings) {
+  const std::vector<Notice> said = said_of(swings);
+  return std::any_of(said.begin(), said.end(),
+                     [](const Notice& notice) { return notice.code == "network_leaves_a_line"; });
 }
 
 TEST(NetworkFit, NamesAMotionThatALawLeaves) {
@@ -227,6 +238,9 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
     EXPECT_GT(times_left(swings_of(truth(-9, 0), 2000, 0.02, 5e-4, seed)), 4) << seed;
     EXPECT_GT(times_left(swings_of(truth(0, 5e-3), 2000, 0.02, 1e-4, seed)), 2) << seed;
     EXPECT_EQ(times_left(swings_of(truth(0, 0), 2000, 0.02, 5e-4, seed)), 0) << seed;
+    // Below the noise it is a line.
+    EXPECT_TRUE(leaves_a_line(swings_of(truth(-2, 0), 2000, 0.02, 2e-3, seed))) << seed;
+    EXPECT_FALSE(leaves_a_line(swings_of(truth(0, 0), 2000, 0.02, 2e-3, seed))) << seed;
   }
   // Noise that hangs together is no motion; nor is rounding.
   const NetworkSwings noiseless = swings_of(truth(0, 0), 2000, 0.02, 0, 1);
@@ -239,12 +253,37 @@ TEST(NetworkFit, NamesAMotionThatALawLeaves) {
       for (double& each : column) each += noise = 0.95 * noise + normal(random);
     }
     EXPECT_EQ(times_left(swings), 0) << seed;
+    EXPECT_FALSE(leaves_a_line(swings)) << seed;
   }
   NetworkSwings coarse = noiseless;
   EXPECT_EQ(times_left(coarse), 0);
   for (auto& column : coarse.y)
     for (double& each : column) each = std::round(each * 100) / 100;
   EXPECT_EQ(times_left(coarse), 0);
+  EXPECT_FALSE(leaves_a_line(coarse));
+}
+
+TEST(NetworkFit, ColumnsThatAreNamedAsOtherMassesAreRefused) {
+  EXPECT_THAT(
+      refusal(beats("right (rad)", "left (rad)"), file_of(pendulums())),
+      HasSubstr("the column \"right (rad)\" has the name of the mass \"right\" and the place of \"left\""));
+  EXPECT_THAT(refusal(beats("right x (rad)", "left x (rad)"), file_of(pendulums())),
+              HasSubstr("put the [[mass]] tables in the order of the columns"));
+  EXPECT_EQ(refusal(beats("left (rad)", "right (rad)"), file_of(pendulums())), "");
+}
+
+TEST(NetworkFit, OfAReversedColumnTheLinkPushesApart) {
+  std::string reversed = "Time (s),Angle 1 (rad),Angle 2 (rad)\n";
+  for (int n = 0; n < 1500; ++n) {
+    const double t = 0.02 * n, one = std::cos(4.43 * t), other = std::cos(4.6 * t);
+    reversed += fmt::format("{},{},{}\n", t, 0.1 * (one + other), -0.1 * (one - other));
+  }
+  const auto result = fitted(reversed, file_of(pendulums()));
+  ASSERT_TRUE(result && result->succeeded());
+  EXPECT_THAT(in_words(result->notices),
+              testing::Contains(
+                  "stiffness of left–right is negative: the link pushes its masses apart, or one of the "
+                  "columns is reversed"));
 }
 
 TEST(NetworkFit, NamesAModeThatTheNetworkLacks) {

@@ -295,6 +295,59 @@ TEST(RecordingModes, bad_options_are_refused) {
   EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");
 }
 
+// A table that is bumped during the swing: the fit takes most of the push for other frequencies and dampings.
+TEST(RecordingModes, what_a_second_push_leaves_widens_the_intervals_and_is_said) {
+  int held = 0, said = 0, of_undisturbed = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 1e-4);
+    const double at = 30 + 3 * seed, size = 0.002 + 2e-4 * seed;
+    const std::vector<Swing> push{{pendulums[0].value, size, size}, {pendulums[1].value, size, -size}};
+    const auto pushed = [&](bool is_pushed) {
+      return modes_in(decay(pendulums, two_angles, [&](std::size_t i, double a, double b) {
+        const double since = 0.05 * static_cast<double>(i) - at;
+        for (const Swing& each : push)
+          if (const double x = std::exp(each.value * since).imag(); is_pushed && since > 0)
+            a += each.first * x, b += each.second * x;
+        return both(i, a + noise(random), b + noise(random));
+      }));
+    };
+    const ModesResult result = pushed(true), undisturbed = pushed(false);
+    ASSERT_EQ(result.modes.size(), 2u);
+    const auto is_said = [](const ModesResult& of) {
+      const std::vector<std::string> all = codes(of);
+      return std::find(all.begin(), all.end(), "modes_leave_a_motion") != all.end();
+    };
+    said += is_said(result);
+    of_undisturbed += is_said(undisturbed);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Estimate& found = result.modes[j].frequency;
+      const double truth = std::abs(pendulums[j].value) / full_turn;
+      held += found.low <= truth && truth <= found.high;
+    }
+  }
+  EXPECT_EQ(said, 20);
+  EXPECT_EQ(of_undisturbed, 0);
+  EXPECT_GE(held, 32);
+}
+
+TEST(RecordingModes, a_mode_that_its_method_feeds_is_not_called_fed) {
+  const double h = 0.05;
+  const auto simulated = [&](double frequency, double damping_ratio) {
+    const double w = full_turn * frequency;
+    const EffectiveOscillator seen = effective_oscillator_of(
+        "forward-euler", {}, {.decay_rate = damping_ratio * w, .stiffness = w * w}, h);
+    return std::complex<double>(-*seen.decay_rate, *seen.angular_frequency);
+  };
+  const std::vector<Swing> swings{{simulated(0.1, 0.01), 1e-3, 8e-4}, {simulated(0.15, 0.012), 1e-3, -7e-4}};
+  const std::string bytes = decay(swings, two_angles, both, 2400, h);
+  EXPECT_THAT(codes(modes_in(bytes)), testing::Contains("mode_grows"));
+  const ModesResult result = modes_in(bytes, {.step = h, .of_method = "forward-euler"});
+  ASSERT_EQ(result.modes.size(), 2u);
+  EXPECT_NEAR(result.modes[0].damping_ratio.value, 0.01, 1e-6);
+  EXPECT_THAT(codes(result), testing::Not(testing::Contains("mode_grows")));
+}
+
 TEST(RecordingModes, an_option_that_the_method_has_no_use_for_is_named) {
   const ModesResult result =
       modes_in(decay(pendulums, two_angles, both), {.step = 0.05, .beta = 0.3, .of_method = "rk4"});

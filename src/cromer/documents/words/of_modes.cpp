@@ -44,11 +44,12 @@ constexpr Entry entries[] = {
      "in den ersten {length:.3g} s bewegt sich kaum etwas, oder es wird gehalten: das Ergebnis gilt für die "
      "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
-     "for the first {length:.3g} s the structure is held or still being let go: the result is for the motion "
-     "from "
-     "{from:.4g} s on; {--from} takes another beginning",
-     "in den ersten {length:.3g} s wird es gehalten oder noch losgelassen: das Ergebnis gilt für die "
-     "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
+     "the first {length:.3g} s are no part of the free motion after them (held, let go slowly, or pushed "
+     "once "
+     "more): the result is for the motion from {from:.4g} s on; {--from} takes another beginning",
+     "die ersten {length:.3g} s gehören nicht zur freien Bewegung danach (gehalten, langsam losgelassen oder "
+     "noch einmal angestoßen): das Ergebnis gilt für die Bewegung ab {from:.4g} s; {--from} wählt einen "
+     "anderen Anfang"},
     {"channel_left_out_still", wrong_if_ignored, "{column} is left out: its value never changes",
      "{column} bleibt weg: der Wert ändert sich nie"},
     {"channel_left_out_empty", wrong_if_ignored,
@@ -83,6 +84,15 @@ constexpr Entry entries[] = {
     {"mode_grows", wrong_if_ignored,
      "the mode at {frequency:.4g} Hz grows: its damping ratio is negative, something feeds it",
      "die Eigenschwingung bei {frequency:.4g} Hz wächst: ihr Dämpfungsgrad ist negativ, etwas speist sie"},
+    {"modes_leave_a_motion", wrong_if_ignored,
+     "about {frequency:.4g} Hz the fit leaves {times:.2g} times the noise: something else acts on the motion "
+     "(a push, the wind), or its frequency or damping depends on the amplitude; the intervals are widened "
+     "for "
+     "that",
+     "um {frequency:.4g} Hz lässt der Fit das {times:.2g}-Fache des Rauschens übrig: noch etwas wirkt auf "
+     "die "
+     "Bewegung (ein Stoß, der Wind), oder ihre Frequenz oder Dämpfung hängt von der Amplitude ab; die "
+     "Intervalle sind dafür verbreitert"},
     {"mode_does_not_decay", worth_knowing,
      "the oscillation at {frequency:.4g} Hz does not decay measurably: a mode almost without damping, or a "
      "machine's",

@@ -117,6 +117,13 @@ constexpr Entry entries[] = {
      "each mass needs its column, in the order of the network's file",
      "{file}: {columns:Spalte|Spalten} der Bewegung ({names}), und das Netz hat {masses:Masse|Massen}: jede "
      "Masse braucht ihre Spalte, in der Reihenfolge der Datei des Netzes"},
+    {"columns_in_another_order", error,
+     "{file}: the column \"{column}\" has the name of the mass \"{mass}\" and the place of \"{place}\": "
+     "columns "
+     "belong to masses by their order; put the [[mass]] tables in the order of the columns",
+     "{file}: die Spalte „{column}“ hat den Namen der Masse „{mass}“ und den Platz von „{place}“: Spalten "
+     "gehören zu Massen nach ihrer Reihenfolge; bitte die [[mass]]-Tabellen in die Reihenfolge der Spalten "
+     "bringen"},
     {"network_of_another_quantity", error,
      "{file}: the columns of the motion are of another quantity; masses need columns of positions, moments "
      "of inertia columns of angles",
@@ -159,6 +166,18 @@ constexpr Entry entries[] = {
      "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert zu "
      "Messwert; eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
      "Unsicherheiten ist nicht zu trauen"},
+    {"network_leaves_a_line", wrong_if_ignored,
+     "what the network leaves of \"{column}\" swings at {frequency:.4g} Hz, as the network does and noise "
+     "does "
+     "not: a link or a term is missing, or a value that the file gives is wrong, and the uncertainties "
+     "cannot "
+     "be trusted",
+     "was das Netz von „{column}“ übrig lässt, schwingt mit {frequency:.4g} Hz, wie das Netz und anders als "
+     "Rauschen: eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
+     "Unsicherheiten ist nicht zu trauen"},
+    {"network_pushes_apart", worth_knowing,
+     "{what} is negative: the link pushes its masses apart, or one of the columns is reversed",
+     "{what} ist negativ: die Verbindung drückt ihre Massen auseinander, oder eine Spalte ist umgekehrt"},
     {"network_lacks_a_mode", wrong_if_ignored,
      "the recording swings at {frequency:.4g} Hz, and no mode of the fitted network does: the fit has ended "
      "beside the best values, or a link or a term is missing, and the uncertainties cannot be trusted",

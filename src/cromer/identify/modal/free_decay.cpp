@@ -16,6 +16,12 @@
 namespace cromer::core {
 namespace {
 
+// What the fit leaves about a mode beside the noise there: another force acts, or the law is not linear.
+struct LeftAbout {
+  double times = 1;           // the noise, in amplitude; 1 where no more than noise is left
+  double degrees = HUGE_VAL;  // of freedom of that
+};
+
 // What noise does to any quantity that is a sum over the samples: the channels follow each other as one
 // record, with a gap between that nothing is correlated over.
 class ChannelNoise {
@@ -41,13 +47,18 @@ class ChannelNoise {
   }
 
   // Estimates of quantities: what each sample contributes to one stands in its column.
-  std::vector<Estimate> estimates(const std::vector<double>& values, const Eigen::MatrixXd& parts) const {
+  std::vector<Estimate> estimates(const std::vector<double>& values, const Eigen::MatrixXd& parts,
+                                  const LeftAbout& left) const {
     const SumNoise known = of_sums(parts, true);
     std::vector<Estimate> result;
     for (std::size_t i = 0; i < values.size(); ++i)
-      result.push_back(make_estimate(values[i], std::sqrt(known.variance[i]), student_95(known.degrees[i])));
+      result.push_back(make_estimate(values[i], left.times * std::sqrt(known.variance[i]),
+                                     student_95(std::min(known.degrees[i], left.degrees))));
     return result;
   }
+
+  // The noise's power at a frequency [rad/s], over that of white noise.
+  double density(double frequency) const { return noise_.correlation.density(frequency * noise_.grid.step); }
   std::vector<double> standard_errors(const Eigen::MatrixXd& parts) const {
     std::vector<double> result;
     for (Eigen::Index first = 0; first < parts.cols(); first += max_parameters) {
@@ -81,6 +92,12 @@ class DecayEstimates {
         noise_(record, basis_.residuals(), values * weight.asDiagonal() - basis_.residuals(),
                2 * modes() + values.cols() * basis_.columns()),
         duration_(record.time(record.samples() - 1) - record.time(0)) {
+    for (Eigen::Index c = 0; c < channels(); ++c) {
+      const Eigen::VectorXd left = basis_.residuals().col(c), all = values.col(c) * weight(c);
+      const double rms = left.norm() / std::sqrt(static_cast<double>(left.size()));
+      if (!is_arithmetic(rms, {all.data(), static_cast<std::size_t>(all.size())}))
+        left_.push_back(periodogram(left / left.norm(), record));
+    }
     // The Jacobian by the eigenvalues, the amplitudes following, channel after channel.
     const Eigen::Index samples = values.rows();
     Eigen::MatrixXd jacobian(samples * channels(), 2 * modes());
@@ -132,8 +149,10 @@ class DecayEstimates {
     Eigen::MatrixXd of_both(parts_.rows(), 2);
     of_both << combined(w / natural, ratio) / two_pi,
         combined(-ratio * w / (natural * natural), (1 - ratio * ratio) / natural);
-    const std::vector<Estimate> both = noise_.estimates({natural / two_pi, ratio}, of_both);
+    const LeftAbout left = left_about(eigenvalues_[mode]);
+    const std::vector<Estimate> both = noise_.estimates({natural / two_pi, ratio}, of_both, left);
     MeasuredMode result{.frequency = both[0], .damping_ratio = both[1]};
+    result.times_noise = left.times;
     result.eigenvalue = {-rate, w};
     result.lifetimes = rate * duration_;
     result.shape = shape_of(j);
@@ -149,7 +168,7 @@ class DecayEstimates {
     }
     const std::vector<double> errors = noise_.standard_errors(of_shape);
     for (std::size_t c = 0; c < result.shape.size(); ++c)
-      result.shape_error.emplace_back(errors[2 * c], errors[2 * c + 1]);
+      result.shape_error.emplace_back(left.times * errors[2 * c], left.times * errors[2 * c + 1]);
     result.shape_error[static_cast<std::size_t>(reference)] = 0;
     return result;
   }
@@ -185,11 +204,35 @@ class DecayEstimates {
     sum.segment(channel * samples, samples).imag() -= basis_.dual(2 * mode + 1);
     return sum / weight_(channel);
   }
+  // The power about a mode, in the channel that has most of it, less what the fit took away: of each mode an
+  // amplitude and a phase in each channel, and its frequency and damping.
+  LeftAbout left_about(std::complex<double> mode) const {
+    constexpr double widths = 1.5, surely = 1.28;  // standard deviations: one in ten
+    const double bin = two_pi / duration_, reach = widths * std::max(bin, std::abs(mode.real()));
+    const double from = std::max(mode.imag() - reach, bin), to = mode.imag() + reach;
+    double taken = 0;
+    for (const std::complex<double>& each : eigenvalues_)
+      if (each.imag() > from && each.imag() < to) taken += 2 + 2 / static_cast<double>(channels());
+    const double degrees = std::max(1.0, 2 * (to - from) / bin + 1 - taken);
+    double most = 0;
+    for (const Periodogram& left : left_) {
+      const auto first = static_cast<std::size_t>(from / left.step);
+      const auto last = std::min(static_cast<std::size_t>(to / left.step) + 1, left.power.size() - 1);
+      double sum = 0;
+      for (std::size_t k = first; k <= last; ++k) sum += left.power[k];
+      most = std::max(most, sum / static_cast<double>(last - first + 1));
+    }
+    const double power = most * (degrees + taken) / degrees / noise_.density(mode.imag());
+    if (!(power * degrees > chi_squared(degrees, surely) && power > 1)) return {};
+    return {std::sqrt(power), degrees};
+  }
+
   const Eigenvalues& eigenvalues_;
   const Eigen::VectorXd& weight_;
   DecayBasis basis_;
   ChannelNoise noise_;
   double duration_;
+  std::vector<Periodogram> left_;           // by the fit, of each channel, over white noise's
   std::vector<Eigen::MatrixXd> following_;  // d amplitudes / d eigenvalues, of each channel
   Eigen::MatrixXd parts_;                   // each parameter as a sum over the samples: a column each
   std::vector<double> errors_;              // of each mode's largest amplitude

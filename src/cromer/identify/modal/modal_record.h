@@ -38,8 +38,9 @@ struct MeasuredMode {
   std::vector<std::complex<double>> shape_error{};  ///< standard errors of its real and imaginary parts
   std::complex<double> eigenvalue{};                // [1/s]
   int order = 0;                                    ///< of the model that it is taken from; 0 of a free decay
-  double lifetimes = 0;  ///< decay times 1/(damping ratio times angular frequency) that the record holds;
-                         ///< negative of a mode that grows
+  double lifetimes = 0;    ///< decay times 1/(damping ratio times angular frequency) that the record holds;
+                           ///< negative of a mode that grows
+  double times_noise = 1;  ///< what the fit of a free decay leaves about it, over the noise, in amplitude
 };
 
 struct ModalSettings {

@@ -89,6 +89,13 @@ void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool al
       notices.push_back(Notice{"mode_grows", {{"frequency", mode.frequency.value}}});
     else if (!decaying(mode))
       notices.push_back(Notice{"mode_does_not_decay", {{"frequency", mode.frequency.value}}});
+  constexpr double much = 2;
+  const auto most =
+      std::max_element(found.modes.begin(), found.modes.end(),
+                       [](const auto& a, const auto& b) { return a.times_noise < b.times_noise; });
+  if (most != found.modes.end() && most->times_noise > much)
+    notices.push_back(
+        Notice{"modes_leave_a_motion", {{"frequency", most->frequency.value}, {"times", most->times_noise}}});
   if (found.modes.size() > channels && channels > 1)
     notices.push_back(
         Notice{"more_modes_than_channels", {{"channels", channels}, {"modes", found.modes.size()}}});

@@ -52,10 +52,16 @@ Result<void> check_step_of(const ModesOptions& options, const std::optional<Moda
   return Error{"step_not_of_record", {{"step", *options.step}, {"spacing", rounded(spacing, 6)}}};
 }
 
-/// Where damping couples the modes, a composed explicit method makes something of them together.
+/// Where damping couples the modes, a composed explicit method makes something of them together, and so does
+/// newmark, except as average acceleration.
 bool couples_modes(const ModesOptions& options, const std::vector<NaturalMode>& modes) {
   const MethodInfo* info = options.of_method.empty() ? nullptr : find_method(options.of_method);
-  if (!info || !info->symplectic || info->implicit || info->is_exact() || modes.size() < 2) return false;
+  if (!info || modes.size() < 2) return false;
+  const MethodSettings settings = method_settings_of(options), average;
+  const bool composed = info->symplectic && !info->implicit && !info->is_exact();
+  const bool other_newmark =
+      info->name == Newmark::info.name && (settings.beta != average.beta || settings.gamma != average.gamma);
+  if (!composed && !other_newmark) return false;
   constexpr double seen = 0.02;  // of a shape's largest component, across its phase
   return std::any_of(modes.begin(), modes.end(), [](const NaturalMode& mode) {
     return std::any_of(mode.shape.begin(), mode.shape.end(),
@@ -83,7 +89,12 @@ Result<ModesResult> recording_modes(const Recording& recording, const ModesOptio
     result.notices.push_back(Notice{"method_couples_modes", {{"method", options.of_method}}});
   if (!options.of_method.empty()) {
     say_unused_by_method(options.of_method, options, result.notices);
-    for (NaturalMode& mode : result.modes) take_out(mode, options, result.notices);
+    for (NaturalMode& mode : result.modes) {
+      const Notice grows{"mode_grows", {{"frequency", mode.frequency.value}}};
+      take_out(mode, options, result.notices);
+      // It was the method that fed it.
+      if (mode.damping_ratio.value > 0) std::erase(result.notices, grows);
+    }
   }
   if (options.network)
     if (auto good = set_beside(result, *options.network, seeks_all(options)); !good) return good.error();

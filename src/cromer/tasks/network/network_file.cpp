@@ -260,10 +260,24 @@ Result<Network> open_network(const std::string& path) { return known_network(ope
 
 Result<void> check_a_column_for_each_mass(const std::vector<std::string>& columns, const Network& network,
                                           const std::string& file) {
-  if (columns.size() == network.masses.size()) return {};
-  return Error{
-      "columns_for_masses",
-      {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", network.masses.size()}}};
+  if (columns.size() != network.masses.size())
+    return Error{
+        "columns_for_masses",
+        {{"file", file}, {"columns", columns.size()}, {"names", columns}, {"masses", network.masses.size()}}};
+  // "left (rad)", or "left x (rad)" as a run writes it.
+  const auto is_named = [](std::string_view column, std::string_view mass) {
+    const std::string_view name = column.substr(0, column.rfind(" ("));
+    return name == mass || (name.starts_with(mass) && (name.substr(mass.size()) == " x"));
+  };
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (j != i && is_named(columns[i], network.masses[j].name))
+        return Error{"columns_in_another_order",
+                     {{"file", file},
+                      {"column", columns[i]},
+                      {"mass", network.masses[j].name},
+                      {"place", network.masses[i].name}}};
+  return {};
 }
 
 }  // namespace cromer::core

@@ -140,10 +140,15 @@ Notice why_no_success(const FittedNetwork& result) {
   }
 }
 
-/// By how much what is left of a column exceeds the noise from sample to sample; 0 where no motion is left:
-/// one dies down as the whole does, or swings as a mode does.
-double motion_left_of(const FittedNetwork& result, std::size_t column,
-                      const std::vector<ComplexMode>& modes) {
+/// What is left of a column, if it is no noise.
+struct MotionLeft {
+  double times_noise = 0;  ///< from sample to sample; 0 where it does not exceed that
+  double line = 0;         // [Hz] of the mode that it swings in; 0: in none
+};
+
+/// Left of a motion is what dies down as the whole does, or swings as a mode does.
+MotionLeft motion_left_of(const FittedNetwork& result, std::size_t column,
+                          const std::vector<ComplexMode>& modes) {
   const Channel& channel = result.channels.each[column];
   std::vector<double> t, left, values;
   for (std::size_t n = 0; n < channel.y.size(); ++n)
@@ -153,24 +158,34 @@ double motion_left_of(const FittedNetwork& result, std::size_t column,
       values.push_back(channel.y[n]);
     }
   const double noise = noise_of(left), rms = result.fit.columns[column].rms;
-  if (!exceeds_noise(values, channel.resolution, rms, autocorrelations(left, 1)[1], noise)) return 0;
-  const auto swings_in = [&](const ComplexMode& mode) {
+  if (is_arithmetic(rms, values) || rms <= channel.resolution) return {};
+  MotionLeft found;
+  for (const ComplexMode& mode : modes) {
     const LinearLaw<double> law = mode.law();
-    return leaves_a_line(t, left, law.decay_rate, std::sqrt(std::abs(law.stiffness)));
-  };
+    const double w = std::sqrt(std::abs(law.stiffness));
+    if (w > 0 && leaves_a_line(t, left, law.decay_rate, w)) found.line = w / two_pi;
+  }
   constexpr double falls = 4;
-  const bool remains = dies_down(left, falls) || std::any_of(modes.begin(), modes.end(), swings_in);
-  return remains ? times_noise(rms, noise) : 0;
+  if (exceeds_noise(values, channel.resolution, rms, autocorrelations(left, 1)[1], noise) &&
+      (found.line > 0 || dies_down(left, falls)))
+    found.times_noise = times_noise(rms, noise);
+  return found;
 }
 
 /// Which column shows most that the network leaves a motion; empty where none does.
 Notice motion_left(const FittedNetwork& result) {
   const std::vector<ComplexMode> modes = complex_modes(linearised(result.fit.network));
+  Notice line;
   std::size_t worst = 0;
   double most = 0;
-  for (std::size_t i = 0; i < result.fit.columns.size(); ++i)
-    if (const double times = motion_left_of(result, i, modes); times > most) most = times, worst = i;
-  if (most == 0) return {};
+  for (std::size_t i = 0; i < result.fit.columns.size(); ++i) {
+    const MotionLeft left = motion_left_of(result, i, modes);
+    if (left.times_noise > most) most = left.times_noise, worst = i;
+    if (left.line > 0 && line.empty())
+      line = Notice{"network_leaves_a_line",
+                    {{"column", result.channels.each[i].column}, {"frequency", left.line}}};
+  }
+  if (most == 0) return line;
   return Notice{"network_leaves_a_motion", {{"column", result.channels.each[worst].column}, {"times", most}}};
 }
 
@@ -205,8 +220,13 @@ void add_doubts(FittedNetwork& result) {
     result.notices.push_back(std::move(lacking));
   for (std::size_t j = 0; j < result.fit.values.size(); ++j) {
     const Estimate& found = result.fit.values[j];
-    if (std::isfinite(found.standard_error) && found.low <= 0 && found.high >= 0)
+    if (!std::isfinite(found.standard_error)) continue;
+    const NetworkLink& link = result.asked.network.links[result.asked.open[j].value.link];
+    if (found.low <= 0 && found.high >= 0)
       result.notices.push_back(Notice{"network_value_may_be_zero", {{"what", value_of_link(result, j)}}});
+    else if (found.high < 0 && result.asked.open[j].key == "stiffness" && link.from != ground &&
+             link.to != ground)
+      result.notices.push_back(Notice{"network_pushes_apart", {{"what", value_of_link(result, j)}}});
   }
 }
 
