@@ -32,6 +32,8 @@ class DecayBasis {
     return {amplitudes_(2 * mode, channel), -amplitudes_(2 * mode + 1, channel)};
   }
   Eigen::Index columns() const { return columns_.cols(); }
+  /// Since the first sample [s].
+  const Eigen::VectorXd& times() const { return times_; }
   /// The channels' sums at times before the record's first sample, so many seconds before it (> 0): a row
   /// for each time.
   Eigen::MatrixXd before(const Eigen::VectorXd& seconds) const;

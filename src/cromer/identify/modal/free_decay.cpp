@@ -16,10 +16,11 @@
 namespace cromer::core {
 namespace {
 
-// What the fit leaves about a mode beside the noise there: another force acts, or the law is not linear.
+// What the fit leaves about a mode beyond the noise there: another force acts, or the law is not linear.
 struct LeftAbout {
-  double times = 1;           // the noise, in amplitude; 1 where no more than noise is left
-  double degrees = HUGE_VAL;  // of freedom of that
+  double energy = 0;          // the squares of it; 0 where no more than noise is left
+  double times_noise = 1;     // in amplitude
+  double degrees = HUGE_VAL;  // of freedom that it has left
 };
 
 // What noise does to any quantity that is a sum over the samples: the channels follow each other as one
@@ -46,19 +47,18 @@ class ChannelNoise {
     noise_.sum_of_squares *= n / std::max(1.0, n - static_cast<double>(parameters));
   }
 
-  // Estimates of quantities: what each sample contributes to one stands in its column.
+  // Estimates of quantities: what each sample contributes to one stands in its column. `more` is what else
+  // their variances have, with so many degrees of freedom.
   std::vector<Estimate> estimates(const std::vector<double>& values, const Eigen::MatrixXd& parts,
-                                  const LeftAbout& left) const {
+                                  const Eigen::VectorXd& more, double degrees) const {
     const SumNoise known = of_sums(parts, true);
     std::vector<Estimate> result;
     for (std::size_t i = 0; i < values.size(); ++i)
-      result.push_back(make_estimate(values[i], left.times * std::sqrt(known.variance[i]),
-                                     student_95(std::min(known.degrees[i], left.degrees))));
+      result.push_back(make_estimate(values[i],
+                                     std::sqrt(known.variance[i] + more(static_cast<Eigen::Index>(i))),
+                                     student_95(std::min(known.degrees[i], degrees))));
     return result;
   }
-
-  // The noise's power at a frequency [rad/s], over that of white noise.
-  double density(double frequency) const { return noise_.correlation.density(frequency * noise_.grid.step); }
   std::vector<double> standard_errors(const Eigen::MatrixXd& parts) const {
     std::vector<double> result;
     for (Eigen::Index first = 0; first < parts.cols(); first += max_parameters) {
@@ -96,7 +96,7 @@ class DecayEstimates {
       const Eigen::VectorXd left = basis_.residuals().col(c), all = values.col(c) * weight(c);
       const double rms = left.norm() / std::sqrt(static_cast<double>(left.size()));
       if (!is_arithmetic(rms, {all.data(), static_cast<std::size_t>(all.size())}))
-        left_.push_back(periodogram(left / left.norm(), record));
+        left_.push_back(periodogram(left, record));
     }
     // The Jacobian by the eigenvalues, the amplitudes following, channel after channel.
     const Eigen::Index samples = values.rows();
@@ -107,9 +107,9 @@ class DecayEstimates {
       following_.push_back(-basis_.coordinates(derivatives));
     }
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
-    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(2 * modes()).triangularView<Eigen::Upper>();
+    triangle_ = qr.matrixQR().topRows(2 * modes()).triangularView<Eigen::Upper>();
     const Eigen::MatrixXd inverse =
-        triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes(), 2 * modes()));
+        triangle_.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(2 * modes(), 2 * modes()));
     parts_ =
         qr.householderQ() * (Eigen::MatrixXd::Identity(jacobian.rows(), 2 * modes()) * inverse.transpose());
     Eigen::MatrixXd along(parts_.rows(), modes());
@@ -149,10 +149,7 @@ class DecayEstimates {
     Eigen::MatrixXd of_both(parts_.rows(), 2);
     of_both << combined(w / natural, ratio) / two_pi,
         combined(-ratio * w / (natural * natural), (1 - ratio * ratio) / natural);
-    const LeftAbout left = left_about(eigenvalues_[mode]);
-    const std::vector<Estimate> both = noise_.estimates({natural / two_pi, ratio}, of_both, left);
-    MeasuredMode result{.frequency = both[0], .damping_ratio = both[1]};
-    result.times_noise = left.times;
+    MeasuredMode result{};
     result.eigenvalue = {-rate, w};
     result.lifetimes = rate * duration_;
     result.shape = shape_of(j);
@@ -166,9 +163,24 @@ class DecayEstimates {
       of_shape.col(2 * c) = each.real();
       of_shape.col(2 * c + 1) = each.imag();
     }
-    const std::vector<double> errors = noise_.standard_errors(of_shape);
+
+    const LeftAbout left = left_about(eigenvalues_[mode]);
+    Eigen::VectorXd of_left = Eigen::VectorXd::Zero(2 + of_shape.cols());
+    if (left.energy > 0) {
+      Eigen::MatrixXd all(parts_.rows(), of_left.size());
+      all << of_both, of_shape;
+      of_left = left.energy * pushed(j, all);
+    }
+    const std::vector<Estimate> both =
+        noise_.estimates({natural / two_pi, ratio}, of_both, of_left, left.degrees);
+    result.frequency = both[0];
+    result.damping_ratio = both[1];
+    result.times_noise = left.times_noise;
+    std::vector<double> errors = noise_.standard_errors(of_shape);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      errors[i] = std::hypot(errors[i], std::sqrt(of_left(2 + static_cast<Eigen::Index>(i))));
     for (std::size_t c = 0; c < result.shape.size(); ++c)
-      result.shape_error.emplace_back(left.times * errors[2 * c], left.times * errors[2 * c + 1]);
+      result.shape_error.emplace_back(errors[2 * c], errors[2 * c + 1]);
     result.shape_error[static_cast<std::size_t>(reference)] = 0;
     return result;
   }
@@ -204,27 +216,65 @@ class DecayEstimates {
     sum.segment(channel * samples, samples).imag() -= basis_.dual(2 * mode + 1);
     return sum / weight_(channel);
   }
-  // The power about a mode, in the channel that has most of it, less what the fit took away: of each mode an
-  // amplitude and a phase in each channel, and its frequency and damping.
+  // The energy about a mode beyond that of noise as strong as beside it. Of its freedom the fit has taken an
+  // amplitude and a phase in each channel, and a frequency and a damping.
   LeftAbout left_about(std::complex<double> mode) const {
-    constexpr double widths = 1.5, surely = 1.28;  // standard deviations: one in ten
-    const double bin = two_pi / duration_, reach = widths * std::max(bin, std::abs(mode.real()));
-    const double from = std::max(mode.imag() - reach, bin), to = mode.imag() + reach;
-    double taken = 0;
-    for (const std::complex<double>& each : eigenvalues_)
-      if (each.imag() > from && each.imag() < to) taken += 2 + 2 / static_cast<double>(channels());
-    const double degrees = std::max(1.0, 2 * (to - from) / bin + 1 - taken);
-    double most = 0;
+    constexpr double widths = 4, surely = 1.28;  // standard deviations: one in ten
+    const double w = mode.imag(), bin = two_pi / duration_;
+    const double reach = widths * std::max(bin, std::abs(mode.real()));
+    const double from = std::max(w - reach, bin), to = w + reach;
+    double degrees = 0, energy = 0, noise = 0;
     for (const Periodogram& left : left_) {
-      const auto first = static_cast<std::size_t>(from / left.step);
-      const auto last = std::min(static_cast<std::size_t>(to / left.step) + 1, left.power.size() - 1);
-      double sum = 0;
-      for (std::size_t k = first; k <= last; ++k) sum += left.power[k];
-      most = std::max(most, sum / static_cast<double>(last - first + 1));
+      const auto place = [&](double frequency) {
+        return std::min(static_cast<std::size_t>(std::lround(frequency / left.step)), left.power.size() - 1);
+      };
+      double taken = 0;
+      for (const std::complex<double>& each : eigenvalues_)
+        if (each.imag() > from && each.imag() < to) taken += 2 + 2 / static_cast<double>(channels());
+      const double free = std::max(1.0, 2 * (to - from) / bin - taken);
+      std::vector<double> beside(left.power.begin() + static_cast<std::ptrdiff_t>(place(0.5 * w)),
+                                 left.power.begin() + static_cast<std::ptrdiff_t>(place(1.5 * w)) + 1);
+      // Noise has exponential powers.
+      noise += free * upper_median(beside) / std::log(2.0) / static_cast<double>(basis_.residuals().rows());
+      for (std::size_t k = place(from); k <= place(to); ++k)
+        energy += left.power[k] / static_cast<double>(left.power.size() - 1);
+      degrees += free;
     }
-    const double power = most * (degrees + taken) / degrees / noise_.density(mode.imag());
-    if (!(power * degrees > chi_squared(degrees, surely) && power > 1)) return {};
-    return {std::sqrt(power), degrees};
+    if (!(energy > noise * std::max(1.0, chi_squared(degrees, surely) / degrees))) return {};
+    return {energy - noise, std::sqrt(energy / noise), degrees / static_cast<double>(left_.size())};
+  }
+
+  // The variances of quantities, whose parts stand in the columns, where a push at an unknown time in this
+  // mode has left one unit of energy: most of what it did the fit has taken for other frequencies and
+  // dampings. Three quarters of all times make them no larger.
+  Eigen::VectorXd pushed(Eigen::Index mode, const Eigen::MatrixXd& parts) const {
+    constexpr int times = 16;
+    const std::complex<double> value = eigenvalues_[static_cast<std::size_t>(mode)];
+    std::vector<std::vector<double>> squares(static_cast<std::size_t>(parts.cols()));
+    for (int k = 0; k < times; ++k) {
+      const double at = duration_ * (k + 0.5) / times;
+      double left = 0;
+      Eigen::VectorXd moved = Eigen::VectorXd::Zero(parts.cols());
+      for (const std::complex<double> phase : {std::complex<double>(1), std::complex<double>(0, 1)}) {
+        Eigen::MatrixXd push(basis_.residuals().rows(), channels());
+        for (Eigen::Index i = 0; i < push.rows(); ++i) {
+          const double since = basis_.times()(i) - at;
+          const std::complex<double> swing = since > 0 ? phase * std::exp(value * since) : 0;
+          for (Eigen::Index c = 0; c < channels(); ++c)
+            push(i, c) = (basis_.amplitude(c, mode) * swing).real();
+        }
+        const Eigen::Map<const Eigen::VectorXd> whole(push.data(), push.size());
+        moved += (parts.transpose() * whole).cwiseAbs2();
+        left += basis_.projected_out(push).squaredNorm() -
+                (triangle_ * (parts_.transpose() * whole)).squaredNorm();
+      }
+      for (std::size_t i = 0; i < squares.size(); ++i)
+        squares[i].push_back(moved(static_cast<Eigen::Index>(i)) / left);
+    }
+    Eigen::VectorXd result(parts.cols());
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      result(static_cast<Eigen::Index>(i)) = quantile(squares[i], 0.75);
+    return result;
   }
 
   const Eigenvalues& eigenvalues_;
@@ -232,8 +282,9 @@ class DecayEstimates {
   DecayBasis basis_;
   ChannelNoise noise_;
   double duration_;
-  std::vector<Periodogram> left_;           // by the fit, of each channel, over white noise's
+  std::vector<Periodogram> left_;           // by the fit, of each channel
   std::vector<Eigen::MatrixXd> following_;  // d amplitudes / d eigenvalues, of each channel
+  Eigen::MatrixXd triangle_;                // of the Jacobian
   Eigen::MatrixXd parts_;                   // each parameter as a sum over the samples: a column each
   std::vector<double> errors_;              // of each mode's largest amplitude
 };
