@@ -219,7 +219,7 @@ class DecayEstimates {
   // The energy about a mode beyond that of noise as strong as beside it. Of its freedom the fit has taken an
   // amplitude and a phase in each channel, and a frequency and a damping.
   LeftAbout left_about(std::complex<double> mode) const {
-    constexpr double widths = 4, surely = 1.28;  // standard deviations: one in ten
+    constexpr double widths = 4, surely = 2.33;  // standard deviations: one in a hundred
     const double w = mode.imag(), bin = two_pi / duration_;
     const double reach = widths * std::max(bin, std::abs(mode.real()));
     const double from = std::max(w - reach, bin), to = w + reach;
