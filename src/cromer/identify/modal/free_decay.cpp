@@ -216,10 +216,10 @@ class DecayEstimates {
     sum.segment(channel * samples, samples).imag() -= basis_.dual(2 * mode + 1);
     return sum / weight_(channel);
   }
-  // The energy about a mode beyond that of noise as strong as beside it. Of its freedom the fit has taken an
-  // amplitude and a phase in each channel, and a frequency and a damping.
+  // The energy about a mode beyond what noise as strong as beside it has there by chance. Of its freedom the
+  // fit has taken an amplitude and a phase in each channel, and a frequency and a damping.
   LeftAbout left_about(std::complex<double> mode) const {
-    constexpr double widths = 4, surely = 2.33;  // standard deviations: one in a hundred
+    constexpr double widths = 4, by_chance = 1.64;  // standard deviations: one in twenty
     const double w = mode.imag(), bin = two_pi / duration_;
     const double reach = widths * std::max(bin, std::abs(mode.real()));
     const double from = std::max(w - reach, bin), to = w + reach;
@@ -240,8 +240,9 @@ class DecayEstimates {
         energy += left.power[k] / static_cast<double>(left.power.size() - 1);
       degrees += free;
     }
-    if (!(energy > noise * std::max(1.0, chi_squared(degrees, surely) / degrees))) return {};
-    return {energy - noise, std::sqrt(energy / noise), degrees / static_cast<double>(left_.size())};
+    const double at_most = noise * std::max(1.0, chi_squared(degrees, by_chance) / degrees);
+    if (!(energy > at_most)) return {};
+    return {energy - at_most, std::sqrt(energy / noise), degrees / static_cast<double>(left_.size())};
   }
 
   // The variances of quantities, whose parts stand in the columns, where a push at an unknown time in this
