@@ -139,16 +139,19 @@ class DecayEstimates {
     return false;
   }
 
+  // What noise makes of |eigenvalue| [1/s].
+  double frequency_error(std::size_t mode) const {
+    return noise_.standard_errors(frequency_parts(static_cast<Eigen::Index>(mode)))[0];
+  }
+
   MeasuredMode described(std::size_t mode) const {
     const auto j = static_cast<Eigen::Index>(mode);
     const double w = eigenvalues_[mode].imag(), rate = -eigenvalues_[mode].real();
     const double natural = std::hypot(w, rate), ratio = rate / natural;
-    const auto combined = [&](double by_w, double by_rate) -> Eigen::VectorXd {
-      return by_w * parts_.col(2 * j) + by_rate * parts_.col(2 * j + 1);
-    };
+    const Eigen::VectorXd of_ratio = -ratio * w / (natural * natural) * parts_.col(2 * j) +
+                                     (1 - ratio * ratio) / natural * parts_.col(2 * j + 1);
     Eigen::MatrixXd of_both(parts_.rows(), 2);
-    of_both << combined(w / natural, ratio) / two_pi,
-        combined(-ratio * w / (natural * natural), (1 - ratio * ratio) / natural);
+    of_both << frequency_parts(j) / two_pi, of_ratio;
     MeasuredMode result{};
     result.eigenvalue = {-rate, w};
     result.lifetimes = rate * duration_;
@@ -188,6 +191,11 @@ class DecayEstimates {
  private:
   Eigen::Index modes() const { return static_cast<Eigen::Index>(eigenvalues_.size()); }
   Eigen::Index channels() const { return weight_.size(); }
+  Eigen::VectorXd frequency_parts(Eigen::Index mode) const {
+    const std::complex<double> value = eigenvalues_[static_cast<std::size_t>(mode)];
+    const double natural = std::abs(value);
+    return value.imag() / natural * parts_.col(2 * mode) - value.real() / natural * parts_.col(2 * mode + 1);
+  }
   std::complex<double> own(Eigen::Index channel, Eigen::Index mode) const {
     return basis_.amplitude(channel, mode) / weight_(channel);
   }
@@ -340,9 +348,8 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
     }
     for (std::size_t j = 0; j < eigenvalues.size(); ++j) {
       if (!(found.certainty(j) > sure)) continue;
-      MeasuredMode mode = found.described(j);
-      if (mode.frequency.standard_error < known * mode.frequency.value)
-        result.modes.push_back(std::move(mode));
+      if (found.frequency_error(j) < known * std::abs(eigenvalues[j]))
+        result.modes.push_back(found.described(j));
     }
     break;
   }
