@@ -68,11 +68,11 @@ TEST(ModesTable, OfANetworkHasSharesAndNoErrors) {
 TEST(ModesTable, InWordsHasADashForWhatIsNotKnown) {
   EXPECT_EQ(modes_text(recorded_modes()),
             "mode  frequency (Hz)                   95 %  damping ratio                   95 %\n"
-            "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38\n"
+            "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38\n"
             "2                  4                                     -\n"
             "\n"
-            "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
-            "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
+            "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
+            "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
             "\n"
             "shape         mode 1  mode 2\n"
             "a              1.000  -0.500\n"
@@ -89,11 +89,11 @@ TEST(ModesTable, InWordsHasADashForWhatIsNotKnown) {
   EXPECT_EQ(
       modes_text(result),
       "mode  frequency (Hz)                   95 %  damping ratio                   95 %  participation\n"
-      "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38           75 %\n"
+      "1        2.00 ± 0.12  between 1.75 and 2.25    0.25 ± 0.06  between 0.12 and 0.38           75 %\n"
       "2                  4                                     -                                     -\n"
       "\n"
-      "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
-      "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
+      "the two beat every 0.50 ± 0.03 s, 95 % between 0.444 and 0.571; coupling, the difference of "
+      "their squared frequencies over the sum: 0.60 ± 0.04, 95 % between 0.520 and 0.680\n"
       "\n"
       "shape         mode 1  mode 2\n"
       "a              1.000  -0.500\n"

@@ -868,7 +868,7 @@ export interface ModeByMethod {
 export interface NaturalMode {
   /** |eigenvalue|/2 pi, 0 of a free body; null if the mode falls away from rest */
   frequency: Estimate
-  /** minus the eigenvalue's real part over its size; null without a frequency */
+  /** minus the eigenvalue's real part over its size; null where the frequency is 0 or null */
   damping_ratio: Estimate
   /** of each of `names`, as [re, im]; the largest is 1 */
   shape: [Maybe, Maybe][]
@@ -943,7 +943,7 @@ export interface Modes {
   names: string[]
   /** by rising frequency */
   modes: NaturalMode[]
-  /** how two modes beat and are coupled; null unless there are two whose frequencies surely differ */
+  /** how two modes beat and are coupled; null unless there are two that swing and whose frequencies surely differ */
   beat: Beat | null
   /** what the modes were found in; null of a network */
   recording: ModalSource | null
