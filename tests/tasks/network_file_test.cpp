@@ -115,6 +115,12 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
             "n.toml:5:18: \"drive_frequncy\" is not known here; did you mean \"drive_frequency\"?");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"card\"\nstiffness = 1\n")),
             "n.toml:8:1: there is no mass \"card\"; did you mean \"cart\"?");
+  EXPECT_EQ(refusal(with("[[link]]\nto = \"house\"\nstiffness = 1\n")),
+            "n.toml:8:1: there is no mass \"house\"; there is cart");
+  EXPECT_EQ(refusal(with("", "mass = \"?\"")),
+            "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; with 1 the values found are "
+            "those per "
+            "mass");
   EXPECT_EQ(refusal(with("[[link]]\nfrom = \"cart\"\nto = \"cart\"\nstiffness = 1\n")),
             "n.toml:8:1: the link joins \"cart\" to itself: give it two ends");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"cart\"\n")),

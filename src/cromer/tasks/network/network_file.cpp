@@ -55,6 +55,12 @@ struct ReadMass {
   Place place{};
 };
 
+bool is_open(TomlReader& toml, const std::string& key) {
+  if (!toml.has(key)) return false;
+  const std::vector<std::string> texts = toml.values(key);
+  return texts.size() == 1 && texts.front() == "?";
+}
+
 ReadMass read_mass(TomlReader& toml) {
   ReadMass read{.place = toml.place()};
   NetworkMass& mass = read.mass;
@@ -62,6 +68,8 @@ ReadMass read_mass(TomlReader& toml) {
     toml.fail(Notice{"mass_without_name"});
   else if (mass.name = toml.text("name"); mass.name.empty() || mass.name == "ground")
     toml.fail("name", Notice{"mass_name_is_no_name", {{"name", mass.name}}});
+  for (const char* key : {"mass", "inertia"})
+    if (is_open(toml, key)) toml.fail(key, Notice{"mass_is_open", {{"key", key}}});
   const bool weighs = take_value(toml, {"mass", &mass.mass, "kg", "", Range::positive});
   read.angle = take_value(toml, {"inertia", &mass.mass, "kg m^2", "", Range::positive});
   take_value(toml, {"position", &mass.start.x, read.angle ? "rad" : "m"});
@@ -91,12 +99,6 @@ struct ReadLink {
   Place place{};
   std::vector<OpenValue> open{};  ///< their link is not set yet
 };
-
-bool is_open(TomlReader& toml, const std::string& key) {
-  if (!toml.has(key)) return false;
-  const std::vector<std::string> texts = toml.values(key);
-  return texts.size() == 1 && texts.front() == "?";
-}
 
 ReadLink read_link(TomlReader& toml, bool angles) {
   ReadLink read{.from = toml.text("from", "ground"), .to = toml.text("to", "ground"), .place = toml.place()};
@@ -161,9 +163,13 @@ Result<std::size_t> place_named(const std::string& name, const std::map<std::str
   std::vector<std::string_view> names{"ground"};
   for (const auto& [known, place] : places) names.push_back(known);
   const std::string near = nearest(name, names);
-  return link.error(Notice{
-      "no_such_mass",
-      {{"name", name}, {"near", near.empty() ? Notice{} : Notice{"perhaps_quoted", {{"near", near}}}}}});
+  constexpr std::size_t few = 8;
+  Notice cure;
+  if (!near.empty())
+    cure = Notice{"perhaps_quoted", {{"near", near}}};
+  else if (places.size() <= few)
+    cure = Notice{"there_are_masses", {{"names", std::vector<std::string>(names.begin() + 1, names.end())}}};
+  return link.error(Notice{"no_such_mass", {{"name", name}, {"near", cure}}});
 }
 
 /// The tables of one key, each by `read`. Those that stand in no file have no line: messages number them.
