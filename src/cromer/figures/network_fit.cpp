@@ -71,6 +71,10 @@ Figure network_fit_figure(const FittedNetwork& fitted) {
     panel.y.name = fmt::format("{} ({})", name, length.symbol);
     panel.curves.push_back(known_curve(channels.t, channels.each[i].y, time.seconds, length.metres));
     panel.curves.back().role = family_role(i, drawn);
+    std::vector<double> law = channels.each[i].y;
+    for (std::size_t n = 0; n < law.size(); ++n) law[n] -= fitted.fit.columns[i].residual[n];
+    panel.curves.push_back(known_curve(channels.t, law, time.seconds, length.metres));
+    panel.curves.back().role = panel.curves.back().name = "fitted";
     figure.panels.push_back(std::move(panel));
     residual.curves.push_back(
         known_curve(channels.t, fitted.fit.columns[i].residual, time.seconds, small.metres));

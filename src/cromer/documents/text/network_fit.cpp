@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cromer/documents/text.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
@@ -19,7 +21,9 @@ std::string network_fit_text(const FittedNetwork& fitted) {
     for (const Parameter& found : fitted.found_of(l))
       rows.push_back({name_of(network, network.links[l].from) + " – " + name_of(network, network.links[l].to),
                       readable_name(found.name), in_words(found.estimate, found.unit),
-                      interval_text(found.estimate.low, found.estimate.high)});
+                      std::isfinite(found.estimate.standard_error)
+                          ? interval_text(found.estimate.low, found.estimate.high)
+                          : ""});
   text += text_table(rows, 2, 4) + "\n";
   const char* unit = network.angles ? "rad" : "m";
   rows = {{"mass", "column", "at rest it reads", "residual (rms)", "accounted for"}};

@@ -20,8 +20,8 @@ constexpr Entry entries[] = {
      "{fewest}"},
     {"no_modes_found", error,
      "no mode was found: no pole keeps its frequency, damping and shape as the model grows; a longer "
-     "recording, or one with fewer missing values, shows more; large angles and dry friction change a mode as "
-     "it dies down",
+     "recording, or one with fewer missing values, shows more; large angles and dry friction change a mode "
+     "as it dies down",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
      "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr; große Winkel und trockene "
      "Reibung ändern eine Eigenschwingung, während sie abklingt"},
@@ -47,8 +47,7 @@ constexpr Entry entries[] = {
      "Bewegung ab {from:.4g} s; {--from} wählt einen anderen Anfang"},
     {"let_go_slowly", worth_knowing,
      "the first {length:.3g} s are no part of the free motion after them (held, let go slowly, or pushed "
-     "once "
-     "more): the result is for the motion from {from:.4g} s on; {--from} takes another beginning",
+     "once more): the result is for the motion from {from:.4g} s on; {--from} takes another beginning",
      "die ersten {length:.3g} s gehören nicht zur freien Bewegung danach (gehalten, langsam losgelassen oder "
      "noch einmal angestoßen): das Ergebnis gilt für die Bewegung ab {from:.4g} s; {--from} wählt einen "
      "anderen Anfang"},
@@ -68,11 +67,11 @@ constexpr Entry entries[] = {
      "vom ersten zum letzten Drittel ändern sich die Abstände der Messwerte um {percent:.2g} %: läuft die "
      "Uhr des Sensors ungleich, sind Frequenzen um etwa so viel falsch"},
     {"modes_of_random_forces", clause,
-     "the motion does not decay from the first used sample on: these are modes under random forces, by "
-     "subspace identification (orders to {order}, correlations over {reach:.3g} s)",
-     "die Bewegung klingt nicht vom ersten benutzten Messwert an ab: dies sind Eigenschwingungen unter "
-     "zufälligen Kräften, durch Unterraum-Identifikation (Ordnungen bis {order}, Korrelationen über "
-     "{reach:.3g} s)"},
+     "no free decay accounts for the motion from the first used sample on: these are modes under random "
+     "forces, by subspace identification (orders to {order}, correlations over {reach:.3g} s)",
+     "kein freies Ausschwingen erklärt die Bewegung vom ersten benutzten Messwert an: dies sind "
+     "Eigenschwingungen unter zufälligen Kräften, durch Unterraum-Identifikation (Ordnungen bis {order}, "
+     "Korrelationen über {reach:.3g} s)"},
     {"modes_of_free_decay", clause,
      "the motion decays from the first used sample on: a free decay, fitted by least squares, accounts for "
      "{percent:.3g} % of the power about these modes",
@@ -87,13 +86,11 @@ constexpr Entry entries[] = {
      "the mode at {frequency:.4g} Hz grows: its damping ratio is negative, something feeds it",
      "die Eigenschwingung bei {frequency:.4g} Hz wächst: ihr Dämpfungsgrad ist negativ, etwas speist sie"},
     {"modes_leave_a_motion", wrong_if_ignored,
-     "about {frequency:.4g} Hz the fit leaves {times:.2g} times the noise: something else acts on the motion "
-     "(a push, the wind), or its frequency or damping depends on the amplitude; the intervals are widened "
-     "for "
-     "that",
+     "about {frequency:.4g} Hz the fit leaves {times:.2g} times the noise: something else acts on the "
+     "motion (a push, the wind), or its frequency or damping depends on the amplitude; the intervals are "
+     "widened for that",
      "um {frequency:.4g} Hz lässt der Fit das {times:.2g}-Fache des Rauschens übrig: noch etwas wirkt auf "
-     "die "
-     "Bewegung (ein Stoß, der Wind), oder ihre Frequenz oder Dämpfung hängt von der Amplitude ab; die "
+     "die Bewegung (ein Stoß, der Wind), oder ihre Frequenz oder Dämpfung hängt von der Amplitude ab; die "
      "Intervalle sind dafür verbreitert"},
     {"mode_does_not_decay", worth_knowing,
      "the oscillation at {frequency:.4g} Hz does not decay measurably: a mode almost without damping, or a "

@@ -123,16 +123,15 @@ constexpr Entry entries[] = {
      "Masse braucht ihre Spalte, in der Reihenfolge der Datei des Netzes"},
     {"columns_in_another_order", error,
      "{file}: the column \"{column}\" has the name of the mass \"{mass}\" and the place of \"{place}\": "
-     "columns "
-     "belong to masses by their order; put the [[mass]] tables in the order of the columns",
+     "columns belong to masses by their order; put the [[mass]] tables in the order of the columns",
      "{file}: die Spalte „{column}“ hat den Namen der Masse „{mass}“ und den Platz von „{place}“: Spalten "
      "gehören zu Massen nach ihrer Reihenfolge; bitte die [[mass]]-Tabellen in die Reihenfolge der Spalten "
      "bringen"},
     {"network_of_another_quantity", error,
-     "{file}: the columns of the motion are of another quantity; masses need columns of positions, moments "
-     "of inertia columns of angles",
-     "{file}: die Spalten der Bewegung sind von einer anderen Größe; Massen brauchen Spalten von Orten, "
-     "Trägheitsmomente Spalten von Winkeln"},
+     "{file}: the columns of the motion are of another quantity ({quantity}); masses need columns of "
+     "positions, moments of inertia columns of angles",
+     "{file}: die Spalten der Bewegung sind von einer anderen Größe ({quantity}); Massen brauchen Spalten "
+     "von Orten, Trägheitsmomente Spalten von Winkeln"},
     {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
      "{file} hat {runs} Läufe: bitte mit {--run} einen wählen"},
     {"value_of_link", clause, "{value} of {from}–{to}", "{value} von {from}–{to}"},
@@ -165,20 +164,19 @@ constexpr Entry entries[] = {
      "Netz eine Verbindung oder ein Term, oder die Spalten stehen in anderer Reihenfolge als die Massen; "
      "{hint}"},
     {"network_leaves_a_motion", wrong_if_ignored,
-     "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a link "
-     "or a term is missing, or a value that the file gives is wrong, and the uncertainties cannot be trusted",
-     "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert zu "
-     "Messwert; eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
-     "Unsicherheiten ist nicht zu trauen"},
+     "the network leaves a motion: in \"{column}\" {times:.2g} times the noise from sample to sample; a "
+     "link or a term is missing, a value that the file gives is wrong, or something else acts, as a push "
+     "does; the uncertainties cannot be trusted",
+     "das Netz lässt eine Bewegung übrig: in „{column}“ das {times:.2g}-Fache des Rauschens von Messwert "
+     "zu Messwert; eine Verbindung oder ein Term fehlt, ein Wert in der Datei ist falsch, oder noch etwas "
+     "wirkt, wie ein Stoß; den Unsicherheiten ist nicht zu trauen"},
     {"network_leaves_a_line", wrong_if_ignored,
      "what the network leaves of \"{column}\" swings at {frequency:.4g} Hz, as the network does and noise "
-     "does "
-     "not: a link or a term is missing, or a value that the file gives is wrong, and the uncertainties "
-     "cannot "
-     "be trusted",
-     "was das Netz von „{column}“ übrig lässt, schwingt mit {frequency:.4g} Hz, wie das Netz und anders als "
-     "Rauschen: eine Verbindung oder ein Term fehlt, oder ein Wert in der Datei ist falsch, und den "
-     "Unsicherheiten ist nicht zu trauen"},
+     "does not: a link or a term is missing, a value that the file gives is wrong, or something else acts, "
+     "as a push does; the uncertainties cannot be trusted",
+     "was das Netz von „{column}“ übrig lässt, schwingt mit {frequency:.4g} Hz, wie das Netz und anders "
+     "als Rauschen: eine Verbindung oder ein Term fehlt, ein Wert in der Datei ist falsch, oder noch etwas "
+     "wirkt, wie ein Stoß; den Unsicherheiten ist nicht zu trauen"},
     {"network_pushes_apart", worth_knowing,
      "{what} is negative: the link pushes its masses apart, or one of the columns is reversed",
      "{what} ist negativ: die Verbindung drückt ihre Massen auseinander, oder eine Spalte ist umgekehrt"},
@@ -226,9 +224,8 @@ constexpr Entry entries[] = {
      "(mittlerer MAC {reversed:.2f}), so wie die Spalte ist nicht ({mac:.2f}); bitte die Richtungen der "
      "Sensoren prüfen"},
     {"mode_unlike_network", worth_knowing,
-     "the mode at {frequency:.4g} Hz matches none of the network's remaining modes: none has a similar shape "
-     "and "
-     "a frequency within a factor of two",
+     "the mode at {frequency:.4g} Hz matches none of the network's remaining modes: none has a similar "
+     "shape and a frequency within a factor of two",
      "zur Eigenschwingung bei {frequency:.4g} Hz passt keine der übrigen des Netzes: keine hat eine ähnliche "
      "Form und eine Frequenz zwischen der halben und der doppelten"},
     {"network_mode_not_found", worth_knowing,

@@ -348,8 +348,12 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
     }
     for (std::size_t j = 0; j < eigenvalues.size(); ++j) {
       if (!(found.certainty(j) > sure)) continue;
-      if (found.frequency_error(j) < known * std::abs(eigenvalues[j]))
-        result.modes.push_back(found.described(j));
+      if (found.frequency_error(j) > known * std::abs(eigenvalues[j])) continue;
+      MeasuredMode mode = found.described(j);
+      // What else acts may look like a mode; what is left by chance takes none away.
+      constexpr double by_chance = 2;
+      if (mode.times_noise < by_chance || mode.frequency.standard_error < known * mode.frequency.value)
+        result.modes.push_back(std::move(mode));
     }
     break;
   }

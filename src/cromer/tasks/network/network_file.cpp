@@ -162,7 +162,8 @@ Result<std::size_t> place_named(const std::string& name, const std::map<std::str
   if (const auto found = places.find(name); found != places.end()) return found->second;
   std::vector<std::string_view> names{"ground"};
   for (const auto& [known, place] : places) names.push_back(known);
-  const std::string near = nearest(name, names);
+  constexpr std::size_t guess = 3;  // letters, at least
+  const std::string near = name.size() < guess ? "" : nearest(name, names);
   constexpr std::size_t few = 8;
   Notice cure;
   if (!near.empty())

@@ -56,7 +56,7 @@ Result<void> check_columns(const Channels& channels, const NetworkFile& network,
   if (auto good = check_a_column_for_each_mass(columns, network.network, file); !good) return good;
   const char* wanted = network.network.angles ? "angle" : "position";
   if (!channels.quantity.empty() && channels.quantity != wanted)
-    return Error{"network_of_another_quantity", {{"file", file}}};
+    return Error{"network_of_another_quantity", {{"file", file}, {"quantity", channels.quantity}}};
   for (const Channel& channel : channels.each)
     if (channel.missing == channels.t.size())
       return Error{in_file(
