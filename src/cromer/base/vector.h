@@ -106,43 +106,39 @@ class Vector {
   const double* data() const { return numbers_; }
   double* data() { return numbers_; }
 
-  Vector operator-() const {
-    return map(*this, [](double a) { return -a; });
-  }
-  Vector& operator+=(const Vector& b) {
-    return *this = map(std::move(*this), b, [](double x, double y) { return x + y; });
-  }
-  Vector& operator-=(const Vector& b) {
-    return *this = map(std::move(*this), b, [](double x, double y) { return x - y; });
-  }
+  Vector operator-() const { return times(-1, *this); }
+  Vector& operator+=(const Vector& b) { return *this = sum(1, std::move(*this), 1, b); }
+  Vector& operator-=(const Vector& b) { return *this = sum(1, std::move(*this), -1, b); }
 
-  /// f of each component. Where `a` is about to go, its memory becomes the result's.
-  template <class A, class F>
-  static Vector map(A&& a, const F& f) {
-    if (a.size_ == 0) return Vector(f(a.number_));
+  /// p a. Where `a` is about to go, its memory becomes the result's, here and below.
+  template <class A>
+  static Vector times(double p, A&& a) {
+    if (a.size_ == 0) return p * a.number_;
     const double* from = a.numbers_;
-    const std::size_t size = a.size_;
     Vector result = room_of(std::forward<A>(a));
-    for_each_index(size, [f, from, to = result.numbers_](std::size_t i) { to[i] = f(from[i]); });
+    for_each_index(result.size_, [=, to = result.numbers_](std::size_t i) { to[i] = p * from[i]; });
     return result;
   }
 
-  /// f of both components, likewise.
-  template <class A, class B, class F>
-  static Vector map(A&& a, B&& b, const F& f) {
-    if (b.size_ == 0) {
-      const double number = b.number_;
-      return map(std::forward<A>(a), [&](double each) { return f(each, number); });
-    }
-    if (a.size_ == 0) {
-      const double number = a.number_;
-      return map(std::forward<B>(b), [&](double each) { return f(number, each); });
-    }
+  /// a / c.
+  template <class A>
+  static Vector quotient(A&& a, double c) {
+    if (a.size_ == 0) return a.number_ / c;
+    const double* from = a.numbers_;
+    Vector result = room_of(std::forward<A>(a));
+    for_each_index(result.size_, [=, to = result.numbers_](std::size_t i) { to[i] = from[i] / c; });
+    return result;
+  }
+
+  /// p a + q b. A factor of 1 or -1 rounds nothing.
+  template <class A, class B>
+  static Vector sum(double p, A&& a, double q, B&& b) {
+    if (a.size_ == 0 && b.size_ == 0) return p * a.number_ + q * b.number_;
+    if (b.size_ == 0) return sum_with_number(p, std::forward<A>(a), q * b.number_);
+    if (a.size_ == 0) return sum_with_number(q, std::forward<B>(b), p * a.number_);
     const double *left = a.numbers_, *right = b.numbers_;
-    const std::size_t size = a.size_;
     Vector result = std::is_lvalue_reference_v<A> ? room_of(std::forward<B>(b)) : room_of(std::forward<A>(a));
-    for_each_index(size,
-                   [f, left, right, to = result.numbers_](std::size_t i) { to[i] = f(left[i], right[i]); });
+    add(result.size_, p, left, q, right, result.numbers_);
     return result;
   }
 
@@ -151,6 +147,16 @@ class Vector {
     std::swap(size_, other.size_);
     std::swap(number_, other.number_);
     std::swap(numbers_, other.numbers_);
+  }
+  template <class A>
+  static Vector sum_with_number(double p, A&& a, double number) {
+    const double* from = a.numbers_;
+    Vector result = room_of(std::forward<A>(a));
+    for_each_index(result.size_, [=, to = result.numbers_](std::size_t i) { to[i] = p * from[i] + number; });
+    return result;
+  }
+  static void add(std::size_t size, double p, const double* a, double q, const double* b, double* to) {
+    for_each_index(size, [=](std::size_t i) { to[i] = p * a[i] + q * b[i]; });
   }
   void copy(const Vector& other) {
     for_each_index(size_, [from = other.numbers_, to = numbers_](std::size_t i) { to[i] = from[i]; });
@@ -169,23 +175,14 @@ concept IsVector = std::same_as<std::remove_cvref_t<T>, Vector>;
 /// A number times a vector, not multiplied yet: the sum that takes it does so in the same pass. It owns a
 /// vector that was a temporary; else it refers to one, which must outlive it.
 template <class Held>
-class Scaled {
- public:
+struct Scaled {
   using Value = Vector;
 
-  Scaled(double factor, Held&& vector) : factor_(factor), vector_(std::forward<Held>(vector)) {}
-  operator Vector() && { return Vector::map(std::move(*this).vector(), times()); }  // NOLINT: it is one
-  operator Vector() const& { return Vector::map(vector(), times()); }               // NOLINT
+  double factor;
+  Held vector;
 
-  auto times() const {
-    return [c = factor_](double x) { return c * x; };
-  }
-  const Vector& vector() const& { return vector_; }
-  Held&& vector() && { return std::forward<Held>(vector_); }
-
- private:
-  double factor_;
-  Held vector_;
+  operator Vector() && { return Vector::times(factor, std::forward<Held>(vector)); }  // NOLINT: it is one
+  operator Vector() const& { return Vector::times(factor, std::as_const(vector)); }   // NOLINT
 };
 
 template <class T>
@@ -198,35 +195,34 @@ concept IsScaled = is_scaled<std::remove_cvref_t<T>>;
 template <class T>
 concept IsSummand = IsVector<T> || IsScaled<T>;
 
-/// What a sum makes of each component of a summand.
 template <IsSummand A>
-auto in_sum(const A& a) {
+double factor_of(const A& a) {
   if constexpr (IsScaled<A>)
-    return a.times();
+    return a.factor;
   else
-    return [](double x) { return x; };
+    return 1;
 }
 template <IsSummand A>
 decltype(auto) vector_of(A&& a) {
   if constexpr (IsScaled<A>)
-    return std::forward<A>(a).vector();
+    return (std::forward<A>(a).vector);
   else
-    return std::forward<A>(a);
+    return (std::forward<A>(a));
 }
 
 template <IsSummand A, IsSummand B>
 Vector operator+(A&& a, B&& b) {
-  return Vector::map(vector_of(std::forward<A>(a)), vector_of(std::forward<B>(b)),
-                     [p = in_sum(a), q = in_sum(b)](double x, double y) { return p(x) + q(y); });
+  return Vector::sum(factor_of(a), vector_of(std::forward<A>(a)), factor_of(b),
+                     vector_of(std::forward<B>(b)));
 }
 template <IsSummand A, IsSummand B>
 Vector operator-(A&& a, B&& b) {
-  return Vector::map(vector_of(std::forward<A>(a)), vector_of(std::forward<B>(b)),
-                     [p = in_sum(a), q = in_sum(b)](double x, double y) { return p(x) - q(y); });
+  return Vector::sum(factor_of(a), vector_of(std::forward<A>(a)), -factor_of(b),
+                     vector_of(std::forward<B>(b)));
 }
 template <class Factor, IsVector A>
 requires std::is_arithmetic_v<Factor>
-auto operator*(Factor c, A&& a) { return Scaled<A>(static_cast<double>(c), std::forward<A>(a)); }
+auto operator*(Factor c, A&& a) { return Scaled<A>{static_cast<double>(c), std::forward<A>(a)}; }
 template <class Factor, IsScaled A>
 requires std::is_arithmetic_v<Factor>
 auto operator*(Factor c, A&& a) { return c * Vector(std::forward<A>(a)); }
@@ -235,7 +231,7 @@ requires std::is_arithmetic_v<Factor>
 auto operator*(A&& a, Factor c) { return c * std::forward<A>(a); }
 template <class Divisor, IsVector A>
 requires std::is_arithmetic_v<Divisor> Vector operator/(A&& a, Divisor c) {
-  return Vector::map(std::forward<A>(a), [c](double x) { return x / c; });
+  return Vector::quotient(std::forward<A>(a), static_cast<double>(c));
 }
 
 /// Whether all components are finite. Exponents are tested as integers, several at a time.
