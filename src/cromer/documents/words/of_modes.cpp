@@ -20,11 +20,11 @@ constexpr Entry entries[] = {
      "{fewest}"},
     {"no_modes_found", error,
      "no mode was found: no pole keeps its frequency, damping and shape as the model grows; a longer "
-     "recording, or one with fewer missing values, shows more; large angles and dry friction change a mode "
-     "as it dies down",
+     "recording, or one with fewer missing values, shows more; of large angles or dry friction none keeps "
+     "them",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
-     "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr; große Winkel und trockene "
-     "Reibung ändern eine Eigenschwingung, während sie abklingt"},
+     "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr; bei großen Winkeln oder "
+     "trockener Reibung behält sie keiner"},
     {"no_modes_in_band", error,
      "no mode was found from {from:.4g} to {to:.4g} Hz; sampled as it is, the recording can show up to "
      "{highest:.4g} Hz: {--from-frequency} and {--to-frequency} choose another band",

@@ -50,12 +50,11 @@ class ChannelNoise {
   // Estimates of quantities: what each sample contributes to one stands in its column. `more` is what else
   // their variances have, with so many degrees of freedom.
   std::vector<Estimate> estimates(const std::vector<double>& values, const Eigen::MatrixXd& parts,
-                                  const Eigen::VectorXd& more, double degrees) const {
+                                  const std::vector<double>& more, double degrees) const {
     const SumNoise known = of_sums(parts, true);
     std::vector<Estimate> result;
     for (std::size_t i = 0; i < values.size(); ++i)
-      result.push_back(make_estimate(values[i],
-                                     std::sqrt(known.variance[i] + more(static_cast<Eigen::Index>(i))),
+      result.push_back(make_estimate(values[i], std::sqrt(known.variance[i] + more[i]),
                                      student_95(std::min(known.degrees[i], degrees))));
     return result;
   }
@@ -93,10 +92,9 @@ class DecayEstimates {
                2 * modes() + values.cols() * basis_.columns()),
         duration_(record.time(record.samples() - 1) - record.time(0)) {
     for (Eigen::Index c = 0; c < channels(); ++c) {
-      const Eigen::VectorXd left = basis_.residuals().col(c), all = values.col(c) * weight(c);
-      const double rms = left.norm() / std::sqrt(static_cast<double>(left.size()));
-      if (!is_arithmetic(rms, {all.data(), static_cast<std::size_t>(all.size())}))
-        left_.push_back(periodogram(left, record));
+      const double rms = basis_.residuals().col(c).norm() / std::sqrt(static_cast<double>(values.rows()));
+      if (!is_arithmetic(rms / weight(c), {&values(0, c), static_cast<std::size_t>(values.rows())}))
+        left_.push_back(periodogram(basis_.residuals().middleCols(c, 1), record));
     }
     // The Jacobian by the eigenvalues, the amplitudes following, channel after channel.
     const Eigen::Index samples = values.rows();
@@ -148,40 +146,36 @@ class DecayEstimates {
     const auto j = static_cast<Eigen::Index>(mode);
     const double w = eigenvalues_[mode].imag(), rate = -eigenvalues_[mode].real();
     const double natural = std::hypot(w, rate), ratio = rate / natural;
-    const Eigen::VectorXd of_ratio = -ratio * w / (natural * natural) * parts_.col(2 * j) +
-                                     (1 - ratio * ratio) / natural * parts_.col(2 * j + 1);
-    Eigen::MatrixXd of_both(parts_.rows(), 2);
-    of_both << frequency_parts(j) / two_pi, of_ratio;
     MeasuredMode result{};
     result.eigenvalue = {-rate, w};
     result.lifetimes = rate * duration_;
     result.shape = shape_of(j);
 
+    // Frequency and damping ratio, then the shape.
+    const Eigen::Index of_shape = 2 * channels();
+    Eigen::MatrixXd parts(parts_.rows(), 2 + of_shape);
+    parts.col(0) = frequency_parts(j) / two_pi;
+    parts.col(1) = combined(j, -ratio * w / (natural * natural), (1 - ratio * ratio) / natural);
     const Eigen::Index reference = reference_of(j);
     const Eigen::VectorXcd of_reference = contributions(reference, j);
-    Eigen::MatrixXd of_shape(parts_.rows(), 2 * channels());
     for (Eigen::Index c = 0; c < channels(); ++c) {
       const std::complex<double> component = result.shape[static_cast<std::size_t>(c)];
       const Eigen::VectorXcd each = (contributions(c, j) - component * of_reference) / own(reference, j);
-      of_shape.col(2 * c) = each.real();
-      of_shape.col(2 * c + 1) = each.imag();
+      parts.col(2 + 2 * c) = each.real();
+      parts.col(3 + 2 * c) = each.imag();
     }
 
     const LeftAbout left = left_about(eigenvalues_[mode]);
-    Eigen::VectorXd of_left = Eigen::VectorXd::Zero(2 + of_shape.cols());
-    if (left.energy > 0) {
-      Eigen::MatrixXd all(parts_.rows(), of_left.size());
-      all << of_both, of_shape;
-      of_left = left.energy * pushed(j, all);
-    }
+    const std::vector<double> more = left.energy > 0
+                                         ? pushed(j, parts, left.energy)
+                                         : std::vector<double>(static_cast<std::size_t>(parts.cols()), 0.0);
     const std::vector<Estimate> both =
-        noise_.estimates({natural / two_pi, ratio}, of_both, of_left, left.degrees);
+        noise_.estimates({natural / two_pi, ratio}, parts.middleCols(0, 2), more, left.degrees);
     result.frequency = both[0];
     result.damping_ratio = both[1];
     result.times_noise = left.times_noise;
-    std::vector<double> errors = noise_.standard_errors(of_shape);
-    for (std::size_t i = 0; i < errors.size(); ++i)
-      errors[i] = std::hypot(errors[i], std::sqrt(of_left(2 + static_cast<Eigen::Index>(i))));
+    std::vector<double> errors = noise_.standard_errors(parts.middleCols(2, of_shape));
+    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = std::hypot(errors[i], std::sqrt(more[2 + i]));
     for (std::size_t c = 0; c < result.shape.size(); ++c)
       result.shape_error.emplace_back(errors[2 * c], errors[2 * c + 1]);
     result.shape_error[static_cast<std::size_t>(reference)] = 0;
@@ -191,10 +185,13 @@ class DecayEstimates {
  private:
   Eigen::Index modes() const { return static_cast<Eigen::Index>(eigenvalues_.size()); }
   Eigen::Index channels() const { return weight_.size(); }
+  // The parts of a sum of a mode's angular frequency and decay rate.
+  Eigen::VectorXd combined(Eigen::Index mode, double by_w, double by_rate) const {
+    return by_w * parts_.col(2 * mode) + by_rate * parts_.col(2 * mode + 1);
+  }
   Eigen::VectorXd frequency_parts(Eigen::Index mode) const {
     const std::complex<double> value = eigenvalues_[static_cast<std::size_t>(mode)];
-    const double natural = std::abs(value);
-    return value.imag() / natural * parts_.col(2 * mode) - value.real() / natural * parts_.col(2 * mode + 1);
+    return combined(mode, value.imag() / std::abs(value), -value.real() / std::abs(value));
   }
   std::complex<double> own(Eigen::Index channel, Eigen::Index mode) const {
     return basis_.amplitude(channel, mode) / weight_(channel);
@@ -254,35 +251,47 @@ class DecayEstimates {
   }
 
   // The variances of quantities, whose parts stand in the columns, where a push at an unknown time in this
-  // mode has left one unit of energy: most of what it did the fit has taken for other frequencies and
-  // dampings. Three quarters of all times make them no larger.
-  Eigen::VectorXd pushed(Eigen::Index mode, const Eigen::MatrixXd& parts) const {
+  // mode has left so much energy: most of what it did the fit has taken for other frequencies and dampings.
+  // Three quarters of all times make them no larger.
+  std::vector<double> pushed(Eigen::Index mode, const Eigen::MatrixXd& parts, double energy) const {
     constexpr int times = 16;
     const std::complex<double> value = eigenvalues_[static_cast<std::size_t>(mode)];
+    const Eigen::Index samples = basis_.residuals().rows();
+    Eigen::MatrixXd push(samples, channels());
+    // What the push adds to a quantity whose parts stand in the column.
+    const auto added = [&](const Eigen::MatrixXd& to, Eigen::Index column) {
+      double sum = 0;
+      for (Eigen::Index i = 0; i < push.size(); ++i) sum += to(i, column) * push.data()[i];
+      return sum;
+    };
     std::vector<std::vector<double>> squares(static_cast<std::size_t>(parts.cols()));
     for (int k = 0; k < times; ++k) {
       const double at = duration_ * (k + 0.5) / times;
       double left = 0;
-      Eigen::VectorXd moved = Eigen::VectorXd::Zero(parts.cols());
+      std::vector<double> moved(squares.size());
       for (const std::complex<double> phase : {std::complex<double>(1), std::complex<double>(0, 1)}) {
-        Eigen::MatrixXd push(basis_.residuals().rows(), channels());
-        for (Eigen::Index i = 0; i < push.rows(); ++i) {
+        for (Eigen::Index i = 0; i < samples; ++i) {
           const double since = basis_.times()(i) - at;
           const std::complex<double> swing = since > 0 ? phase * std::exp(value * since) : 0;
           for (Eigen::Index c = 0; c < channels(); ++c)
             push(i, c) = (basis_.amplitude(c, mode) * swing).real();
         }
-        const Eigen::Map<const Eigen::VectorXd> whole(push.data(), push.size());
-        moved += (parts.transpose() * whole).cwiseAbs2();
-        left += basis_.projected_out(push).squaredNorm() -
-                (triangle_ * (parts_.transpose() * whole)).squaredNorm();
+        for (std::size_t i = 0; i < moved.size(); ++i)
+          moved[i] += std::pow(added(parts, static_cast<Eigen::Index>(i)), 2);
+        std::vector<double> taken;
+        for (Eigen::Index i = 0; i < parts_.cols(); ++i) taken.push_back(added(parts_, i));
+        left += basis_.projected_out(push).squaredNorm();
+        for (Eigen::Index row = 0; row < parts_.cols(); ++row) {
+          double sum = 0;
+          for (Eigen::Index i = row; i < parts_.cols(); ++i)
+            sum += triangle_(row, i) * taken[static_cast<std::size_t>(i)];
+          left -= sum * sum;
+        }
       }
-      for (std::size_t i = 0; i < squares.size(); ++i)
-        squares[i].push_back(moved(static_cast<Eigen::Index>(i)) / left);
+      for (std::size_t i = 0; i < squares.size(); ++i) squares[i].push_back(energy * moved[i] / left);
     }
-    Eigen::VectorXd result(parts.cols());
-    for (std::size_t i = 0; i < squares.size(); ++i)
-      result(static_cast<Eigen::Index>(i)) = quantile(squares[i], 0.75);
+    std::vector<double> result;
+    for (std::vector<double>& each : squares) result.push_back(quantile(each, 0.75));
     return result;
   }
 
