@@ -224,7 +224,7 @@ class DecayEstimates {
   // The energy about a mode beyond what noise as strong as beside it has there by chance. Of its freedom the
   // fit has taken an amplitude and a phase in each channel, and a frequency and a damping.
   LeftAbout left_about(std::complex<double> mode) const {
-    constexpr double widths = 4, by_chance = 1.64;  // standard deviations: one in twenty
+    constexpr double widths = 4, by_chance = 2.33;  // standard deviations: one in a hundred
     const double w = mode.imag(), bin = two_pi / duration_;
     const double reach = widths * std::max(bin, std::abs(mode.real()));
     const double from = std::max(w - reach, bin), to = w + reach;

@@ -527,7 +527,7 @@ bool leaves_motion(const NetworkMotions& motions, const Parameters& p, const Net
 }
 
 /// A motion that runs away leaves more than any other.
-double left_by(const LeastSquaresSummary& summary) {
+double squares_left(const LeastSquaresSummary& summary) {
   const double sum = summary.equations.sum_of_squares;
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
@@ -607,7 +607,7 @@ NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& s
       if (!guesses.empty()) {
         found.parameters = start_values(motions, sought, guesses, record, spreads, period);
         fit_through(beginning);
-        if (!best || left_by(found) < left_by(*best)) best = found;
+        if (!best || squares_left(found) < squares_left(*best)) best = found;
         is_found = (found.reason == LeastSquaresReason::converged &&
                     !leaves_motion(motions, found.parameters, record, beginning)) ||
                    watch.interrupted();
