@@ -56,6 +56,37 @@ export async function settled(page, seconds = 90) {
   await page.waitForFunction(() => document.querySelector('.fit') && !document.querySelector('.fit[aria-busy=true]'), null, { timeout: 1000 * seconds })
 }
 
+/** Run before the page's own scripts: answers of the core wait while `window.held` is a list. */
+export const holdable = `window.Worker = class extends Worker {
+  constructor(...all) {
+    super(...all)
+    this.addEventListener('message', (event) => {
+      if (!window.held) return
+      event.stopImmediatePropagation()
+      window.held.push(() => this.dispatchEvent(new MessageEvent('message', { data: event.data })))
+    })
+  }
+}`
+
+/** Lets the core's answers through again, in their order. */
+export const release = (page) =>
+  page.evaluate(() => {
+    const held = window.held
+    window.held = undefined
+    for (const answer of held) answer()
+  })
+
+/** Frames drawn while something is being fitted, `most` at most. */
+export const framesWhileFitting = (page, most) =>
+  page.evaluate((most) => new Promise((resolve) => {
+    let frames = 0
+    const tick = () => {
+      if (!document.querySelector('.fit[aria-busy=true]') || ++frames === most) resolve(frames)
+      else requestAnimationFrame(tick)
+    }
+    requestAnimationFrame(tick)
+  }), most)
+
 /** Saves a plot; what the file holds. */
 export async function saved(page, name) {
   await page.getByRole('button', { name: 'Save figure or data' }).click()
