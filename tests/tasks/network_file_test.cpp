@@ -121,6 +121,19 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
             "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; with 1 the values found are "
             "those per "
             "mass");
+  const auto cannot_be_open = [](const std::string& key) {
+    return key +
+           ": \"?\" is only for stiffness, damping, drag, cubic, quadratic, odd_quadratic, quintic, "
+           "van_der_pol "
+           "and pendulum of a link; give a value, or leave " +
+           key + " out";
+  };
+  EXPECT_EQ(refusal(with("", "mass = 1\nposition = \"?\"")), "n.toml:4:12: " + cannot_be_open("position"));
+  EXPECT_EQ(refusal(with("", "mass = 1\ndrive_phase = \"?\"")),
+            "n.toml:4:15: " + cannot_be_open("drive_phase"));
+  for (const std::string key : {"friction", "static_friction", "hysteresis_stiffness", "hysteresis_exponent"})
+    EXPECT_EQ(refusal(with("", "mass = 1", key + " = \"?\"\n")),
+              "n.toml:8:" + std::to_string(key.size() + 4) + ": " + cannot_be_open(key));
   EXPECT_EQ(refusal(with("[[link]]\nfrom = \"cart\"\nto = \"cart\"\nstiffness = 1\n")),
             "n.toml:8:1: the link joins \"cart\" to itself: give it two ends");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"cart\"\n")),

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/pi.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/model/oscillator.h"
 
@@ -44,7 +45,7 @@ struct Transmission {
 /// Amplitude and lag of `cosine` cos u + `sine` sin u relative to cos u; the lag from -pi/2 to 3 pi/2.
 inline Transmission transmission(double cosine, double sine) {
   double lag = std::atan2(sine, cosine);
-  if (lag < -std::numbers::pi / 2) lag += 2 * std::numbers::pi;
+  if (lag < -std::numbers::pi / 2) lag += two_pi;
   return {std::hypot(cosine, sine), lag};
 }
 

@@ -9,6 +9,7 @@
 
 #include "cromer/analysis/fourier.h"
 #include "cromer/analysis/frequency_response.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
@@ -79,12 +80,12 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
       std::copy(acceleration.begin(), acceleration.end(), padded.begin());
       fourier_transform(padded, ground);
     }
-    const double w = 2 * std::numbers::pi / period;
+    const double w = two_pi / period;
     const Oscillator<double> oscillator{.mass = 1, .stiffness = w * w};
     const std::size_t values = refinement(period, h);
     Amplitudes answer(n * values / 2 + 1);
     for (std::size_t i = 0; i < ground.size(); ++i) {
-      const double driven = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(n) * h);
+      const double driven = two_pi * static_cast<double>(i) / (static_cast<double>(n) * h);
       const SteadyState steady = hysteretic_response(oscillator, loss_factor, 1, driven);
       answer[i] = ground[i] * std::polar(steady.amplitude, -steady.phase_lag);
     }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "cromer/analysis/fourier.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 
@@ -18,7 +18,7 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
 
   // Hann window by the recurrence of cosines; exact enough for a weight.
   std::vector<double> windowed(padded, 0.0);
-  const double angle = 2 * std::numbers::pi / static_cast<double>(n);
+  const double angle = two_pi / static_cast<double>(n);
   const std::complex<double> turn = std::polar(1.0, angle);
   std::complex<double> phase = std::polar(1.0, angle / 2);
   for (std::size_t i = 0; i < n; ++i) {
@@ -31,7 +31,7 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   fourier_transform(windowed, transformed);
 
   Spectrum spectrum;
-  spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);
+  spectrum.step = two_pi / (static_cast<double>(padded) * h);
   spectrum.amplitude.resize(transformed.size());
   const double scale = 4 / static_cast<double>(n);  // two sides, and the window's mean of one half
   for (std::size_t k = 0; k < transformed.size(); ++k)
@@ -46,7 +46,7 @@ Spectrum least_squares_spectrum(std::span<const double> t, std::span<const doubl
 
   // Weights in the imaginary part, weighted values in the real one: one transform serves both.
   const auto weight_at = [&](double time) {
-    return 1.0001 - std::cos(2 * std::numbers::pi * (time - t.front()) / duration);
+    return 1.0001 - std::cos(two_pi * (time - t.front()) / duration);
   };
   double sum = 0, mean = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -71,7 +71,7 @@ Spectrum least_squares_spectrum(std::span<const double> t, std::span<const doubl
   };
 
   Spectrum spectrum;
-  spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);
+  spectrum.step = two_pi / (static_cast<double>(padded) * h);
   spectrum.amplitude.resize(padded / 2 + 1);
   for (std::size_t k = 1; k < spectrum.amplitude.size(); ++k) {
     // Sums of the weighted products of cosine, sine and value, each about its mean.

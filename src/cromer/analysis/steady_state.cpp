@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
@@ -27,7 +27,7 @@ Sinusoid fit_sinusoid(const Trajectory& y, const HarmonicDrive<double>& drive, s
   };
   for (std::size_t i = first; i < last; ++i) {
     const double place = (static_cast<double>(i - first) + 0.5) / static_cast<double>(last - first);
-    const Eigen::Vector3d u = basis(i), weighted = (1 - std::cos(2 * std::numbers::pi * place)) * u;
+    const Eigen::Vector3d u = basis(i), weighted = (1 - std::cos(two_pi * place)) * u;
     normal += weighted * u.transpose();
     right += y.x[i] * weighted;
   }
@@ -54,7 +54,7 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
                                                  const HarmonicDrive<double>& drive, int cycles) {
   if (!(drive.amplitude != 0 && drive.frequency > 0)) return Error{"no_harmonic_drive"};
   if (trajectory.size() < 8) return Error{"too_few_states_for_steady"};
-  const double period = 2 * std::numbers::pi / drive.frequency;
+  const double period = two_pi / drive.frequency;
   const std::size_t last = evenly_spaced(trajectory);
   const double end = trajectory.t[last - 1];
   // A sample early at the start may belong to the window by rounding only.

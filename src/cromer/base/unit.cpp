@@ -8,6 +8,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer::core {
@@ -21,7 +22,7 @@ struct Symbol {
 };
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double cycle = 2 * std::numbers::pi;
+constexpr double cycle = two_pi;
 constexpr double gravity = 9.80665;      // [m/s^2] standard acceleration, 3rd CGPM (1901)
 constexpr double zero_celsius = 273.15;  // [K]
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/walked_laws.h"
 
@@ -265,8 +266,8 @@ std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundM
   const bool continuous = peaks == Peaks::continuous;
   std::vector<std::size_t> substeps_of(laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i)
-    substeps_of[i] = substeps(first.spacing,
-                              continuous ? 2 * std::numbers::pi / fastest_rate(laws[i]) : period_of(laws[i]));
+    substeps_of[i] =
+        substeps(first.spacing, continuous ? two_pi / fastest_rate(laws[i]) : period_of(laws[i]));
 
   std::vector<RotatedPeaks> found(laws.size());
   std::vector<cromer_walk::BlockOfTwo> blocks;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <complex>
 #include <memory>
-#include <numbers>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/law_force.h"
@@ -97,7 +97,7 @@ PointResult result_of(const Group& group, int i, const Point& point, double end)
 long long steps_for(std::span<const Point> points, double cycles) {
   double most = 1;
   for (const Point& point : points)
-    most = std::max(most, cycles * 2 * std::numbers::pi / (point.drive.frequency * point.step));
+    most = std::max(most, cycles * two_pi / (point.drive.frequency * point.step));
   return static_cast<long long>(std::ceil(most * (1 - 1e-9)));
 }
 
@@ -106,7 +106,7 @@ long long steps_for(std::span<const Point> points, double cycles) {
 std::vector<double> window_weights(long long steps) {
   std::vector<double> weights(static_cast<std::size_t>(steps));
   for (long long n = 0; n < steps; ++n) {
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(n) + 0.5) / static_cast<double>(steps);
+    const double angle = two_pi * (static_cast<double>(n) + 0.5) / static_cast<double>(steps);
     const double hann = 1 - std::cos(angle);
     weights[static_cast<std::size_t>(n)] = hann * hann * hann;
   }
@@ -165,7 +165,7 @@ PointResult result_of(const Group& group, int i, const Point& point, const Measu
   result.energy = measured.energy;
   result.end = {group.x.of[i], group.v.of[i]};
   result.end_time = group.steps * point.step;
-  result.cycles = result.end_time * point.drive.frequency / (2 * std::numbers::pi);
+  result.cycles = result.end_time * point.drive.frequency / two_pi;
   return result;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "cromer/analysis/interval_peak.h"
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 namespace {
@@ -17,7 +17,7 @@ std::size_t block_length(std::size_t samples, std::size_t steps) {
 
 }  // namespace
 
-double period_of(const LinearLaw<double>& law) { return 2 * std::numbers::pi / std::sqrt(law.stiffness); }
+double period_of(const LinearLaw<double>& law) { return two_pi / std::sqrt(law.stiffness); }
 
 ResponseQuantity<double> quantity_of(const LinearLaw<double>& law, ResponseOf of) {
   switch (of) {

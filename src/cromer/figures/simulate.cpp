@@ -1,3 +1,4 @@
+#include "cromer/base/pi.h"
 #include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
@@ -5,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/length_unit.h"
@@ -143,9 +143,7 @@ std::string swing_at_end(const SimulatedRun& run, const LengthUnit& unit, const 
   // The extremes tell the amplitude only over at least one period.
   const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
   const double period = natural_period(run.oscillator);
-  const double of_drive = harmonic      ? 2 * std::numbers::pi / run.drive.frequency
-                          : run.general ? 0.1 * run.until
-                                        : 0;
+  const double of_drive = harmonic ? two_pi / run.drive.frequency : run.general ? 0.1 * run.until : 0;
   const double window = std::max(period > 0 ? period : 0.1 * run.until, of_drive);
   if (window > 0.5 * run.until) return "";
   const Ends ends = ends_from(run.trajectory, run.until - window);
@@ -199,7 +197,7 @@ class Panels {
       std::vector<double> early = sizes_at_first(runs_, v);
       for (std::size_t i = 0; i < early.size(); ++i)
         if (const double period = natural_period(runs_[i].oscillator); period > 0)
-          early[i] = std::max(early[i], 2 * std::numbers::pi / period * early_x[i]);
+          early[i] = std::max(early[i], two_pi / period * early_x[i]);
       velocity_ = framed(runs_, std::move(v), early, 1);
     }
     if (asks(MotionPanel::energy)) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/refusal.h"
 
 namespace cromer::core {
@@ -63,7 +63,7 @@ LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch) {
 }
 
 Record first_periods(const Record& record, double angular_frequency, double periods) {
-  const double end = record.t.front() + periods * 2 * std::numbers::pi / angular_frequency;
+  const double end = record.t.front() + periods * two_pi / angular_frequency;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), end) - record.t.begin());
   return record.first(

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/motion/motion_model.h"
 
@@ -45,7 +45,7 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedP
                                              const LeastSquaresOptions& options, double h,
                                              const Watch& watch) {
   std::vector<LeastSquaresSummary> minima{found};
-  const double period = 2 * std::numbers::pi / fitted.unpack(found.parameters).angular_frequency();
+  const double period = two_pi / fitted.unpack(found.parameters).angular_frequency();
   const Rest middle = rest_of(fitted, found.parameters, record, h);
   const auto rests = [&](const Rest& rest) {
     return rest.first < record.t.size() && record.t.back() - record.t[rest.first] > period &&

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
@@ -169,7 +169,7 @@ Result<std::optional<ComputedAngle>> computed_angle(const Table& table, std::str
     double turned = to_larger_x * std::atan2(along * dy - across * dx, along * dx + across * dy);
     // Over the top it goes on.
     if (std::isfinite(turned)) {
-      turned += 2 * std::numbers::pi * std::nearbyint((last - turned) / (2 * std::numbers::pi));
+      turned += two_pi * std::nearbyint((last - turned) / two_pi);
       last = turned;
     }
     angle.values.push_back(turned);

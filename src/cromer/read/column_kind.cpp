@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <vector>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer::core {
@@ -243,7 +243,7 @@ ToSi to_si(const Column& column) {
   const auto unit = unit_of(column.unit, column.quantity);
   if (!unit) return {1, false};
   // Hz as a unit of this program counts the angle of its cycles; a column of frequencies counts cycles.
-  constexpr double cycle = 2 * std::numbers::pi;  // [rad]
+  constexpr double cycle = two_pi;  // [rad]
   return {column.quantity == "frequency" ? unit->factor / cycle : unit->factor, true};
 }
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "cromer/base/even_steps.h"
 #include "cromer/base/number.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantile.h"
 #include "cromer/base/quantity.h"
 
@@ -358,11 +358,11 @@ std::optional<EvenClock> even_clock(std::span<const double> t, double median_ste
   // first clock is the mean phase of the first times.
   double sine = 0, cosine = 0;
   for (std::size_t i = 0; i < fewest; ++i) {
-    const double phase = 2 * std::numbers::pi * std::fmod((t[i] - t[0]) / pace, 1.0);
+    const double phase = two_pi * std::fmod((t[i] - t[0]) / pace, 1.0);
     sine += std::sin(phase);
     cosine += std::cos(phase);
   }
-  double start = t[0] + std::atan2(sine, cosine) / (2 * std::numbers::pi) * pace;
+  double start = t[0] + std::atan2(sine, cosine) / two_pi * pace;
   std::vector<double> number(n);
   for (std::size_t i = 0; i < n; ++i) {
     number[i] = std::nearbyint((t[i] - start) / pace);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cromer/report/labels.h"
 #include "cromer/report/palette.h"
@@ -54,6 +55,25 @@ class Words {
     const double left = std::isfinite(point.x) && px < point.x ? px - block.width : px;
     return {std::clamp(left, f.x + 3, std::max(f.x + 3, f.right() - block.width - 1)), py - block.height / 2,
             block.width, block.height};
+  }
+
+  // Beside an upright line, right of it and high up before all else: where it covers least.
+  Box beside_line(const NameBlock& block, double at) const {
+    constexpr double off_line = 5, off_top = 2;
+    const Box& f = placed_.frame;
+    const bool fits_right = at + off_line + block.width <= f.right();
+    const bool fits_left = at - off_line - block.width >= f.x;
+    Box best{};
+    int least = std::numeric_limits<int>::max();
+    for (double y = f.y + off_top; y + block.height + off_top <= f.bottom() || y == f.y + off_top;
+         y += block.height) {
+      for (const bool right : {true, false}) {
+        if (right ? !fits_right : fits_right && !fits_left) continue;
+        const Box box{right ? at + off_line : at - off_line - block.width, y, block.width, block.height};
+        if (const int taken = drawn_.all.taken(box); taken < least) best = box, least = taken;
+      }
+    }
+    return best;
   }
 
   void leader(const Box& box, Spot point, const std::string& colour, double gap_at_point) {
@@ -343,17 +363,22 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
   Words words(placed, drawn, x, y);
   const double room_inside = 0.6 * frame.width;
 
+  std::vector<std::pair<const Marker*, double>> markers;  // in the panel, and where
   for (const Marker& marker : panel.markers) {
     const double at = x.px(marker.x);
     if (!(at >= frame.x - 0.5 && at <= frame.right() + 0.5)) continue;
-    const RoleStyle& style = style_of(marker.role);
-    placed.leaders.push_back({{at, frame.y}, {at, frame.bottom()}, std::string(style.line), 1.3});
-    if (marker.text.empty()) continue;
+    markers.emplace_back(&marker, at);
+    constexpr double width = 1.3;
+    const Spot ends[] = {{at, frame.y}, {at, frame.bottom()}};
+    placed.leaders.push_back({ends[0], ends[1], std::string(style_of(marker.role).line), width});
+    drawn.all.add_line(ends, width);
+  }
+  for (const auto& [marker, at] : markers) {
+    if (marker->text.empty()) continue;
     Curve word;
-    word.name = marker.text, word.role = marker.role;
+    word.name = marker->text, word.role = marker->role;
     const NameBlock block = name_block(word, sizes, typeface, room_inside);
-    const bool fits_right = at + 5 + block.width <= frame.right();
-    const Box box{fits_right ? at + 5 : at - 5 - block.width, frame.y + 2, block.width, block.height};
+    const Box box = words.beside_line(block, at);
     words.put(block, box, Align::left, words.covers(box));
   }
 

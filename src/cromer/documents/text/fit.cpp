@@ -1,3 +1,4 @@
+#include "cromer/base/pi.h"
 #include "cromer/documents/text.h"
 
 #include <fmt/format.h>
@@ -5,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "cromer/base/quantity.h"
 #include "cromer/documents/text/words.h"
@@ -19,7 +19,7 @@ namespace cromer::core {
 namespace {
 
 Estimate in_hertz(const Estimate& angular) {
-  constexpr double turn = 2 * std::numbers::pi;
+  constexpr double turn = two_pi;
   return {angular.value / turn, angular.standard_error / turn, angular.low / turn, angular.high / turn};
 }
 

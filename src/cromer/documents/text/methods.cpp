@@ -1,8 +1,8 @@
+#include "cromer/base/pi.h"
 #include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -46,8 +46,7 @@ std::string asked_for(const MethodsOptions& options, const EffectiveOscillator& 
     return fmt::format("asked for: {}, {:.6g} rad/s: too damped to swing; {}\n\n", damping, w, steps);
   return fmt::format(
       "asked for: {}, frequency {:.6g} rad/s, energy x {:.6g} a cycle; {}, {:.3g} steps a cycle\n\n", damping,
-      *law.angular_frequency, *law.energy_factor(), steps,
-      2 * std::numbers::pi / (*law.angular_frequency * h));
+      *law.angular_frequency, *law.energy_factor(), steps, two_pi / (*law.angular_frequency * h));
 }
 
 std::string effects_table(const MethodsOptions& options, std::span<const MethodRow> methods) {

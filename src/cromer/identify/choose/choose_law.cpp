@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 
 #include "cromer/base/at_once.h"
 #include "cromer/base/for_page.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -67,7 +67,7 @@ Selection select(const Record& record, const LawFit& viscous) {
       enough_samples,
       static_cast<std::size_t>(std::upper_bound(record.t.begin(), record.t.end(), end) - record.t.begin()));
   const double h = (record.t[n - 1] - record.t.front()) / static_cast<double>(n - 1);
-  const double most = 2 * std::numbers::pi / (viscous.angular_frequency().value * h * samples_per_period);
+  const double most = two_pi / (viscous.angular_frequency().value * h * samples_per_period);
   const std::size_t wanted = (n + enough_samples - 1) / enough_samples;
   part.stride = static_cast<std::size_t>(std::clamp(most, 1.0, static_cast<double>(wanted)));
   part.end = std::min(n, part.stride * enough_samples);

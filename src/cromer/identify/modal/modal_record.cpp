@@ -114,9 +114,9 @@ BridgedRecord::BridgedRecord(const ModalRecord& record) : record_(record) {
 
 Notice drifting_clock(const ModalRecord& record) {
   std::vector<double> steps;
-  for (std::size_t i = 1; i < record.times.size(); ++i)
-    if (const double step = record.times[i] - record.times[i - 1]; step < 1.75 * record.step)
-      steps.push_back(step);
+  for (std::size_t stretch = 0; stretch < record.starts.size(); ++stretch)
+    for (std::size_t i = record.starts[stretch] + 1; i < record.end(stretch); ++i)
+      steps.push_back(record.times[i] - record.times[i - 1]);
   const std::size_t third = steps.size() / 3;
   if (third < 20) return {};
   const auto mean_of = [&](std::size_t from) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/motion/integrate_through.h"
 
 namespace cromer::core {
@@ -17,7 +17,7 @@ const MotionFunctions& functions_of(const Drive& drive) {
 }  // namespace
 
 double motion_step(double angular_frequency, double duration, double error) {
-  const double period = 2 * std::numbers::pi / angular_frequency;
+  const double period = two_pi / angular_frequency;
   const double phase = std::max(1.0, angular_frequency * duration);
   const double h = std::pow(3600 * std::max(error, 0.0) / phase, 0.2) / angular_frequency;
   return std::clamp(h, period / 600, period / 20);

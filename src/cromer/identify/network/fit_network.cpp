@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cromer/analysis/complex_modes.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
@@ -302,7 +303,7 @@ class NetworkMotions {
   void step_for(const Parameters& p) {
     const std::vector<ComplexMode> modes = complex_modes(linearised(network_at(p)));
     const double fastest = std::sqrt(std::abs(modes.back().law().stiffness));
-    longest_step_ = 0.05 / std::max(fastest, 2 * std::numbers::pi / period_);
+    longest_step_ = 0.05 / std::max(fastest, two_pi / period_);
   }
 
  private:
@@ -316,7 +317,7 @@ class NetworkMotions {
     double largest = 0;
     for (const ColumnSpread& spread : spreads_) largest = std::max(largest, spread.deviation);
     const bool velocity = (place - sought_.size()) % 3 == 1;
-    return 1e-4 * largest * (velocity ? 2 * std::numbers::pi / period_ : 1);
+    return 1e-4 * largest * (velocity ? two_pi / period_ : 1);
   }
 
   Network network_;

@@ -1,5 +1,5 @@
+#include "cromer/tasks/methods/method_options.h"
 #include "cromer/tasks/methods/methods.h"
-#include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
 
@@ -11,13 +11,9 @@ std::vector<Option> options_of(MethodsOptions& o) {
       {"damping-ratio", &o.damping_ratio, "", Range::not_negative, "damping ratio of the oscillator", "0",
        group},
       {"step", &o.step, "s", Range::positive, "time step", "", group},
-      {"beta", &o.beta, "", Range::fraction,
-       "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference", "0.25", group},
-      {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
-       group},
-      {"rho-inf", &o.rho_inf, "", Range::fraction,
-       "of generalized-alpha: the share of motions far faster than the step that is left after each step",
-       "0.8", group},
+      beta_option(o.beta, group),
+      gamma_option(o.gamma, group),
+      rho_inf_option(o.rho_inf, group),
       {"markdown", &o.markdown, "", Range::any, "print the table as docs/methods.md has it", "", "Output"},
   };
 }

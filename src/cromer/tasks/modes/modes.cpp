@@ -1,13 +1,13 @@
 #include "cromer/tasks/modes/modes.h"
 
 #include <cmath>
-#include <numbers>
+#include "cromer/base/pi.h"
 
 namespace cromer::core {
 
 std::optional<double> ModeByMethod::frequency() const {
   const auto &b = effect.effective.decay_rate, &w = effect.effective.angular_frequency;
-  return b && w ? std::optional(std::hypot(*b, *w) / (2 * std::numbers::pi)) : std::nullopt;
+  return b && w ? std::optional(std::hypot(*b, *w) / two_pi) : std::nullopt;
 }
 
 std::optional<double> ModeByMethod::damping_ratio() const {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 #include "cromer/analysis/complex_modes.h"
 #include "cromer/base/disjoint_sets.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/methods/vector_newton.h"
 #include "cromer/model/network_system.h"
@@ -198,7 +198,7 @@ Result<ModesResult> network_modes(const Network& network, const std::string& fil
     const double w = law.stiffness >= 0 ? std::sqrt(std::abs(law.stiffness)) : no_number;  // 0, not -0
     free += law.stiffness == 0;
     falling += law.stiffness < 0;
-    result.modes.push_back({.frequency = exactly(w / (2 * std::numbers::pi)),
+    result.modes.push_back({.frequency = exactly(w / two_pi),
                             .damping_ratio = exactly(w > 0 ? law.decay_rate / w : no_number),
                             .shape = mode.shape,
                             .participation = participation(linear, mode)});

@@ -1,3 +1,4 @@
+#include "cromer/tasks/methods/method_options.h"
 #include "cromer/tasks/modes/modes_options.h"
 
 namespace cromer::core {
@@ -9,13 +10,9 @@ std::vector<Option> options_of(ModesOptions& o) {
       {"method", &o.method, "", Range::any, "a name from `cromer methods`; may be given several times",
        "none", group},
       {"step", &o.step, "s", Range::positive, "time step of the methods", "", group},
-      {"beta", &o.beta, "", Range::fraction,
-       "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference", "0.25", group},
-      {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
-       group},
-      {"rho-inf", &o.rho_inf, "", Range::fraction,
-       "of generalized-alpha: the share of motions far faster than the step that is left after each step",
-       "0.8", group},
+      beta_option(o.beta, group),
+      gamma_option(o.gamma, group),
+      rho_inf_option(o.rho_inf, group),
       {"from", &o.from, "s", Range::any, "first time used", "the first sample", recording},
       {"to", &o.to, "s", Range::any, "last time used", "the last sample", recording},
       {"modes", &o.modes, "", Range::at_least_one,

@@ -29,6 +29,27 @@ Notice reason_of(const Error& error) {
   return error.notice;
 }
 
+bool is_open(TomlReader& toml, const std::string& key) {
+  if (!toml.has(key)) return false;
+  const std::vector<std::string> texts = toml.values(key);
+  return texts.size() == 1 && texts.front() == "?";
+}
+
+/// Whether a fit may look for the coefficient: what a term without corners in its force is proportional to.
+template <class T>
+bool may_be_open(std::size_t coefficient) {
+  return coefficient == 0 && smooth_terms.has<T>();
+}
+
+std::vector<std::string> keys_that_may_be_open() {
+  std::vector<std::string> keys;
+  for_each_term([&]<class T>() {
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+      if (may_be_open<T>(i)) keys.push_back(with_underscores(T::coefficients[i].option));
+  });
+  return keys;
+}
+
 /// True if the key is there.
 bool take_value(TomlReader& toml, const Number& number) {
   if (!toml.has(number.key)) return false;
@@ -37,6 +58,9 @@ bool take_value(TomlReader& toml, const Number& number) {
     toml.fail(number.key, Notice{"key_takes_one_value", {{"key", number.key}}});
     return true;
   }
+  if (texts.front() == "?")
+    toml.fail(number.key,
+              Notice{"value_cannot_be_open", {{"key", number.key}, {"keys", keys_that_may_be_open()}}});
   const Option option{number.key, number.target, number.unit, number.range, "", "", ""};
   Result<void> good = assign(option, texts.front());
   if (!good && !number.with_radians.empty()) {
@@ -54,12 +78,6 @@ struct ReadMass {
   bool angle = false;
   Place place{};
 };
-
-bool is_open(TomlReader& toml, const std::string& key) {
-  if (!toml.has(key)) return false;
-  const std::vector<std::string> texts = toml.values(key);
-  return texts.size() == 1 && texts.front() == "?";
-}
 
 ReadMass read_mass(TomlReader& toml) {
   ReadMass read{.place = toml.place()};
@@ -110,7 +128,7 @@ ReadLink read_link(TomlReader& toml, bool angles) {
       const std::string key = with_underscores(info.option);
       const auto member = T::template members<double>[i];
       double& value = law.*member;
-      if (i == 0 && smooth_terms.has<T>() && is_open(toml, key)) {
+      if (may_be_open<T>(i) && is_open(toml, key)) {
         read.open.push_back({{.member = member, .never_negative = info.sign != Sign::any},
                              key,
                              angles ? unit_of_torque(info, false) : unit_of(info),

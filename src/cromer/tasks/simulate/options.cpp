@@ -5,6 +5,7 @@
 
 #include "cromer/model/terms/all.h"
 #include "cromer/model/terms/term.h"
+#include "cromer/tasks/methods/method_options.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/simulate.h"
 
@@ -129,14 +130,9 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, "
        ":falling, :stop; may be given several times",
        "none", integration},
-      {"beta", &o.beta, "", Range::fraction,
-       "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference", "0.25",
-       integration},
-      {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
-       integration},
-      {"rho-inf", &o.rho_inf, "", Range::fraction,
-       "of generalized-alpha: the share of motions far faster than the step that is left after each step",
-       "0.8", integration},
+      beta_option(o.beta, integration),
+      gamma_option(o.gamma, integration),
+      rho_inf_option(o.rho_inf, integration),
       {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
       {"compensated", &o.compensated, "", Range::any,
        "carry along what the sums of a fixed-step method round off, for runs of millions of steps", "",
