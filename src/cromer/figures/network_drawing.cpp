@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -117,97 +116,130 @@ std::string values_of(const Oscillator<double>& law, bool angles) {
   return text;
 }
 
+/// Masses in a row, links between them, over their heads and to the ground below; with values, or with the
+/// masses out of their places.
+class NetworkPicture {
+ public:
+  NetworkPicture(const Network& network, const std::vector<double>& moved)
+      : network_(network),
+        moved_(moved),
+        spacing_(whole_width / static_cast<double>(network.masses.size())),
+        top_(moved.empty() ? 75 : 45),
+        grounded_(network.masses.size()) {
+    for (const NetworkLink& link : network.links) draw_link(link);
+    panel_.bare = true;
+    panel_.names_inside = true;
+    panel_.x.low = 0;
+    panel_.x.high = whole_width;
+    panel_.y.low = on_ground_ ? ground_height - 15 : -45;
+    panel_.y.high = top_;
+    if (on_ground_) draw_ground();
+    for (std::size_t i = 0; i < network.masses.size(); ++i) draw_mass(i);
+    for (const auto& [at, text] : labels_) write(text, at);
+  }
+
+  Panel take() {
+    for (Strokes* strokes : {&floor_, &at_rest_, &ink_})
+      if (Curve curve = strokes->take(); !curve.x.empty()) panel_.curves.push_back(std::move(curve));
+    return std::move(panel_);
+  }
+
+ private:
+  struct Label {
+    DrawnAt at;
+    std::string text;
+  };
+  struct Ends {
+    DrawnAt a, b;
+  };
+
+  bool has_values() const { return moved_.empty(); }
+  double middle(std::size_t i) const { return (static_cast<double>(i) + 0.5) * spacing_; }
+  DrawnAt place(std::size_t i) const {
+    return {middle(i) + (has_values() ? 0 : farthest * spacing_ * moved_[i]), 0};
+  }
+  void label(const DrawnAt& at, const NetworkLink& link) {
+    if (has_values()) labels_.push_back({at, values_of(link.law, network_.angles)});
+  }
+
+  void draw_link(const NetworkLink& link) {
+    const std::vector<Pieces> parts = parts_of(link.law);
+    const bool upright = link.from == ground || link.to == ground;
+    const auto [a, b] = upright ? to_ground(link, parts.size()) : between_masses(link);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const double side = beside * (static_cast<double>(p) - 0.5 * static_cast<double>(parts.size() - 1));
+      const DrawnAt off = upright ? DrawnAt{-side, 0} : DrawnAt{0, side};
+      draw_part(ink_, {a.x + off.x, a.y + off.y}, {b.x + off.x, b.y + off.y}, parts[p]);
+    }
+  }
+  Ends to_ground(const NetworkLink& link, std::size_t parts) {
+    const std::size_t mass = link.from == ground ? link.to : link.from;
+    on_ground_ = true;
+    const double right_of = beside * 0.5 * static_cast<double>(parts) + 4;
+    label({middle(mass) + right_of, -62 - 28.0 * grounded_[mass]++}, link);
+    return {{middle(mass), ground_height}, {place(mass).x, -box_half_height}};
+  }
+  Ends between_masses(const NetworkLink& link) {
+    const std::size_t left = std::min(link.from, link.to), right = std::max(link.from, link.to);
+    DrawnAt a = place(left), b = place(right);
+    if (right - left == 1) {
+      a.x += box_half_width;
+      b.x -= box_half_width;
+      label({(a.x + b.x) / 2 - 40, over_links}, link);
+      return {a, b};
+    }
+    // Over the heads of masses that stand between its ends, at a height of its own.
+    const double height = (has_values() ? arc_height : arc_height / 2) + arc_rise * arcs_++;
+    top_ = std::max(top_, height + 34);
+    for (DrawnAt* end : {&a, &b}) {
+      ink_.line({{end->x, box_half_height}, {end->x, height}});
+      end->y = height;
+    }
+    label({(a.x + b.x) / 2 - 40, height + 18}, link);
+    return {a, b};
+  }
+
+  void draw_ground() {
+    constexpr double left = 10, right = whole_width - 10, hatch = 14;
+    floor_.line({{left, ground_height}, {right, ground_height}});
+    for (double x = left + hatch; x <= right; x += hatch)
+      floor_.line({{x, ground_height}, {x - 8, ground_height - 9}});
+  }
+
+  void draw_mass(std::size_t i) {
+    const NetworkMass& mass = network_.masses[i];
+    if (!has_values()) at_rest_.box(middle(i), 0);
+    ink_.box(place(i).x, 0);
+    const double left = place(i).x - box_half_width + 6;
+    write(figure_text(mass.name), {left, has_values() ? 8.0 : 0.0});
+    if (has_values()) write(format_quantity({mass.mass, 0}, network_.angles ? "kg m²" : "kg"), {left, -8});
+  }
+
+  void write(std::string text, const DrawnAt& at) {
+    if (text.empty()) return;
+    Note& note = panel_.notes.emplace_back();
+    note.text = std::move(text);
+    note.leader = false;
+    note.text_x = (at.x - panel_.x.low) / (panel_.x.high - panel_.x.low);
+    note.text_y = (at.y - panel_.y.low) / (panel_.y.high - panel_.y.low);
+  }
+
+  const Network& network_;
+  const std::vector<double>& moved_;  ///< in [-1, 1], of each mass; empty where values are shown
+  double spacing_;
+  double top_;
+  Panel panel_;
+  Strokes ink_{""}, at_rest_{"grid"}, floor_{"one-of-many"};
+  std::vector<Label> labels_;
+  std::vector<int> grounded_;  ///< links of each mass to the ground so far
+  bool on_ground_ = false;
+  int arcs_ = 0;
+};
+
 }  // namespace
 
 Panel network_drawing(const Network& network, const std::vector<double>& moved) {
-  const std::size_t count = network.masses.size();
-  const bool values = moved.empty();
-  Panel panel;
-  panel.bare = true;
-  panel.names_inside = true;
-  panel.x.low = 0;
-  panel.x.high = whole_width;
-  const double spacing = whole_width / static_cast<double>(count);
-  const auto middle = [&](std::size_t i) { return (static_cast<double>(i) + 0.5) * spacing; };
-
-  // Links over the heads of masses that stand between their ends, each at a height of its own.
-  double top = values ? 75 : 45;
-  const auto place = [&](std::size_t i) {
-    return DrawnAt{middle(i) + (values ? 0 : farthest * spacing * moved[i]), 0};
-  };
-  Strokes ink(""), at_rest("grid"), floor("one-of-many");
-  std::vector<std::array<double, 3>> labels;  // x, y and the link
-  std::vector<int> grounded(count);
-  bool on_ground = false;
-  int arcs = 0;
-  for (std::size_t l = 0; l < network.links.size(); ++l) {
-    const auto& [from, to, law] = network.links[l];
-    const std::vector<Pieces> parts = parts_of(law);
-    DrawnAt a, b;
-    if (from == ground || to == ground) {
-      const std::size_t mass = from == ground ? to : from;
-      on_ground = true;
-      a = {middle(mass), ground_height};
-      b = place(mass);
-      b.y -= box_half_height;
-      const double right_of = beside * 0.5 * static_cast<double>(parts.size()) + 4;
-      labels.push_back({middle(mass) + right_of, -62 - 28.0 * grounded[mass]++, static_cast<double>(l)});
-    } else {
-      const std::size_t left = std::min(from, to), right = std::max(from, to);
-      a = place(left);
-      b = place(right);
-      if (right - left == 1) {
-        a.x += box_half_width;
-        b.x -= box_half_width;
-        labels.push_back({(a.x + b.x) / 2 - 40, over_links, static_cast<double>(l)});
-      } else {
-        const double height = (values ? arc_height : arc_height / 2) + arc_rise * arcs++;
-        top = std::max(top, height + 34);
-        for (DrawnAt* end : {&a, &b}) {
-          ink.line({{end->x, box_half_height}, {end->x, height}});
-          end->y = height;
-        }
-        labels.push_back({(a.x + b.x) / 2 - 40, height + 18, static_cast<double>(l)});
-      }
-    }
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      const double side = beside * (static_cast<double>(p) - 0.5 * static_cast<double>(parts.size() - 1));
-      const DrawnAt off = from == ground || to == ground ? DrawnAt{-side, 0} : DrawnAt{0, side};
-      draw_part(ink, {a.x + off.x, a.y + off.y}, {b.x + off.x, b.y + off.y}, parts[p]);
-    }
-  }
-  panel.y.low = on_ground ? ground_height - 15 : -45;
-  panel.y.high = top;
-  const auto write = [&](std::string text, double x, double y) {
-    if (text.empty()) return;
-    Note& note = panel.notes.emplace_back();
-    note.text = std::move(text);
-    note.leader = false;
-    note.text_x = (x - panel.x.low) / (panel.x.high - panel.x.low);
-    note.text_y = (y - panel.y.low) / (panel.y.high - panel.y.low);
-  };
-
-  if (on_ground) {
-    const double left = 10, right = whole_width - 10;
-    floor.line({{left, ground_height}, {right, ground_height}});
-    constexpr double hatch = 14;
-    for (double x = left + hatch; x <= right; x += hatch)
-      floor.line({{x, ground_height}, {x - 8, ground_height - 9}});
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!values) at_rest.box(middle(i), 0);
-    ink.box(place(i).x, 0);
-    write(figure_text(network.masses[i].name), place(i).x - box_half_width + 6, values ? 8 : 0);
-    if (values)
-      write(format_quantity({network.masses[i].mass, 0}, network.angles ? "kg m²" : "kg"),
-            middle(i) - box_half_width + 6, -8);
-  }
-  if (values)
-    for (const auto& [x, y, link] : labels)
-      write(values_of(network.links[static_cast<std::size_t>(link)].law, network.angles), x, y);
-  for (Strokes* strokes : {&floor, &at_rest, &ink})
-    if (Curve curve = strokes->take(); !curve.x.empty()) panel.curves.push_back(std::move(curve));
-  return panel;
+  return NetworkPicture(network, moved).take();
 }
 
 }  // namespace cromer::core

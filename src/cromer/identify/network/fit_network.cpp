@@ -533,6 +533,137 @@ double squares_left(const LeastSquaresSummary& summary) {
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
+/// The fit of one record: from guesses over its beginning, over ever more of it, then with columns weighed by
+/// their own noise.
+class NetworkSearch {
+ public:
+  NetworkSearch(const Network& network, const std::vector<SoughtValue>& sought, const NetworkRecord& record,
+                const Watch& watch)
+      : network_(network), sought_(sought), record_(record), watch_(watch) {
+    for (const std::span<const double> y : record.y) {
+      spreads_.push_back(column_spread(y));
+      samples_ += spreads_.back().count;
+    }
+    options_.tolerance = 1e-12;  // what rounding moves the motions by
+    options_.residuals = static_cast<int>(std::min<std::size_t>(samples_, 1u << 30));
+    for (std::size_t j = 0; j < sought.size(); ++j)
+      if (sought[j].never_negative) options_.lower[j] = 0;
+  }
+
+  NetworkFit run() {
+    if (!std::all_of(spreads_.begin(), spreads_.end(), moves)) return ended(FitStatus::no_oscillation);
+    period_ = slowest_period(record_, spreads_);
+    lively_ = lively_part(record_, spreads_);
+    const Guesses guesses = is_long_enough() ? guesses_of(lively_, windows[0]) : Guesses{};
+    if (guesses.empty()) return ended(FitStatus::too_short);
+    motions_.emplace(network_, sought_, record_, spreads_, sizes_of(guesses), period_);
+
+    begin(guesses);
+    go_on_to_end();
+    weigh_columns();
+    fit_.network = motions_->network_at(found_.parameters);
+    put_residuals(fit_, *motions_, found_.parameters, record_, spreads_);
+    fit_.runs_away = found_.reason == LeastSquaresReason::not_finite;
+    if (watch_.interrupted() || found_.reason != LeastSquaresReason::converged) return fit_;
+
+    put_estimates(fit_, sought_, *motions_, found_.equations, found_.parameters, record_, samples_);
+    return ended(!fit_.undetermined.empty() ? FitStatus::undetermined
+                 : explains(fit_.columns)   ? FitStatus::converged
+                                            : FitStatus::too_noisy);
+  }
+
+ private:
+  using Guesses = std::vector<EquationsOfMotion::Guess>;
+  // Wide windows let little noise through, and narrow ones the fast modes.
+  static constexpr double windows[] = {2, 1, 0.5};
+  static constexpr double first_periods = 3;
+
+  static bool moves(const ColumnSpread& spread) {
+    constexpr double rounding = 1e-12;
+    return spread.deviation > rounding * std::abs(spread.mean);
+  }
+  bool is_long_enough() const {
+    const std::size_t parameters = sought_.size() + 3 * network_.masses.size();
+    return samples_ >= 3 * parameters && record_.t.back() - record_.t.front() >= 1.5 * period_;
+  }
+  NetworkFit ended(FitStatus status) {
+    fit_.status = status;
+    return fit_;
+  }
+  Guesses guesses_of(const NetworkRecord& part, double window) const {
+    return EquationsOfMotion(network_, sought_, part, spreads_, period_).solved(window);
+  }
+
+  // Over the first samples, from where the last fit ended.
+  void fit_through(std::size_t end) {
+    options_.scale = motions_->norm();
+    motions_->step_for(found_.parameters);
+    found_ = minimise([&](const Parameters& at) { return motions_->equations(at, end, watch_); },
+                      found_.parameters, options_);
+    fit_.iterations += found_.iterations;
+  }
+  void tell(std::size_t end) const {
+    if (watch_.progress)
+      watch_.progress(0.7 * static_cast<double>(end) / static_cast<double>(record_.t.size()));
+  }
+
+  // Far from the start, trajectories of wrong values are out of phase. Where a fast mode dies down early
+  // noise makes bad guesses of the rest, and those of a shorter part are better.
+  void begin(Guesses guesses) {
+    const std::size_t beginning = samples_within(record_, first_periods * period_);
+    std::optional<LeastSquaresSummary> best;
+    bool is_found = false;
+    for (const double window : windows)
+      for (std::size_t part = lively_.t.size(); !is_found; part = std::max(part / 2, beginning)) {
+        if (best) guesses = guesses_of(first_samples(record_, part), window);
+        if (!guesses.empty()) {
+          found_.parameters = start_values(*motions_, sought_, guesses, record_, spreads_, period_);
+          fit_through(beginning);
+          if (!best || squares_left(found_) < squares_left(*best)) best = found_;
+          is_found = (found_.reason == LeastSquaresReason::converged &&
+                      !leaves_motion(*motions_, found_.parameters, record_, beginning)) ||
+                     watch_.interrupted();
+        }
+        if (part <= beginning) break;
+      }
+    found_ = *best;
+    tell(beginning);
+  }
+
+  void go_on_to_end() {
+    double duration = first_periods * period_;
+    for (std::size_t end = samples_within(record_, duration);
+         end < record_.t.size() && !watch_.interrupted();) {
+      duration *= 2;
+      end = samples_within(record_, duration);
+      fit_through(end);
+      tell(end);
+    }
+  }
+
+  // Columns have noise of their own.
+  void weigh_columns() {
+    for (int round = 0; round < 2 && !watch_.interrupted(); ++round) {
+      put_residuals(fit_, *motions_, found_.parameters, record_, spreads_);
+      motions_->weigh(fit_.columns);
+      fit_through(record_.t.size());
+    }
+  }
+
+  const Network& network_;
+  const std::vector<SoughtValue>& sought_;
+  const NetworkRecord& record_;
+  const Watch& watch_;
+  std::vector<ColumnSpread> spreads_;
+  std::size_t samples_ = 0;  ///< of all columns that are there
+  double period_ = 0;        ///< of the slowest motion [s]
+  NetworkRecord lively_;
+  LeastSquaresOptions options_;
+  std::optional<NetworkMotions> motions_;
+  LeastSquaresSummary found_;
+  NetworkFit fit_{.network = network_};
+};
+
 }  // namespace
 
 bool explains(const std::vector<FittedColumn>& columns) {
@@ -553,96 +684,7 @@ std::size_t most_sought(std::size_t masses) {
 
 NetworkFit fit_network(const Network& network, const std::vector<SoughtValue>& sought,
                        const NetworkRecord& record, const Watch& watch) {
-  NetworkFit fit{.network = network};
-  std::vector<ColumnSpread> spreads;
-  std::size_t samples = 0;
-  for (const std::span<const double> y : record.y) {
-    spreads.push_back(column_spread(y));
-    samples += spreads.back().count;
-    constexpr double rounding = 1e-12;
-    if (!(spreads.back().deviation > rounding * std::abs(spreads.back().mean))) {
-      fit.status = FitStatus::no_oscillation;
-      return fit;
-    }
-  }
-  const double period = slowest_period(record, spreads);
-  const std::size_t parameters = sought.size() + 3 * network.masses.size();
-  const bool long_enough = samples >= 3 * parameters && record.t.back() - record.t.front() >= 1.5 * period;
-  const NetworkRecord lively = lively_part(record, spreads);
-  // Wide windows let little noise through, and narrow ones the fast modes.
-  constexpr double windows[] = {2, 1, 0.5};
-  const auto guesses_of = [&](const NetworkRecord& part, double window) {
-    return EquationsOfMotion(network, sought, part, spreads, period).solved(window);
-  };
-  auto guesses = long_enough ? guesses_of(lively, windows[0]) : std::vector<EquationsOfMotion::Guess>{};
-  if (guesses.empty()) {
-    fit.status = FitStatus::too_short;
-    return fit;
-  }
-
-  LeastSquaresOptions options;
-  options.tolerance = 1e-12;  // what rounding moves the motions by
-  for (std::size_t j = 0; j < sought.size(); ++j)
-    if (sought[j].never_negative) options.lower[j] = 0;
-  const std::vector<double> scale = sizes_of(guesses);
-  NetworkMotions motions(network, sought, record, spreads, scale, period);
-
-  LeastSquaresSummary found;
-  const auto fit_through = [&](std::size_t end) {
-    options.residuals = static_cast<int>(std::min<std::size_t>(samples, 1u << 30));
-    options.scale = motions.norm();
-    motions.step_for(found.parameters);
-    found = minimise([&](const Parameters& at) { return motions.equations(at, end, watch); },
-                     found.parameters, options);
-    fit.iterations += found.iterations;
-  };
-  // Over its beginning first: far from the start, trajectories of wrong values are out of phase. Where a fast
-  // mode dies down early noise makes bad guesses of the rest, and those of a shorter part are better.
-  constexpr double first_periods = 3;
-  const std::size_t beginning = samples_within(record, first_periods * period);
-  std::optional<LeastSquaresSummary> best;
-  bool is_found = false;
-  for (const double window : windows)
-    for (std::size_t part = lively.t.size(); !is_found; part = std::max(part / 2, beginning)) {
-      if (best) guesses = guesses_of(first_samples(record, part), window);
-      if (!guesses.empty()) {
-        found.parameters = start_values(motions, sought, guesses, record, spreads, period);
-        fit_through(beginning);
-        if (!best || squares_left(found) < squares_left(*best)) best = found;
-        is_found = (found.reason == LeastSquaresReason::converged &&
-                    !leaves_motion(motions, found.parameters, record, beginning)) ||
-                   watch.interrupted();
-      }
-      if (part <= beginning) break;
-    }
-  found = *best;
-  const auto tell = [&](std::size_t end) {
-    if (watch.progress) watch.progress(0.7 * static_cast<double>(end) / static_cast<double>(record.t.size()));
-  };
-  std::size_t end = beginning;
-  tell(end);
-  for (double duration = 2 * first_periods * period; end < record.t.size() && !watch.interrupted();
-       duration *= 2) {
-    end = samples_within(record, duration);
-    fit_through(end);
-    tell(end);
-  }
-  // Columns have noise of their own.
-  for (int round = 0; round < 2 && !watch.interrupted(); ++round) {
-    put_residuals(fit, motions, found.parameters, record, spreads);
-    motions.weigh(fit.columns);
-    fit_through(record.t.size());
-  }
-  fit.network = motions.network_at(found.parameters);
-  put_residuals(fit, motions, found.parameters, record, spreads);
-  fit.runs_away = found.reason == LeastSquaresReason::not_finite;
-  if (watch.interrupted() || found.reason != LeastSquaresReason::converged) return fit;
-
-  put_estimates(fit, sought, motions, found.equations, found.parameters, record, samples);
-  fit.status = !fit.undetermined.empty() ? FitStatus::undetermined
-               : explains(fit.columns)   ? FitStatus::converged
-                                         : FitStatus::too_noisy;
-  return fit;
+  return NetworkSearch(network, sought, record, watch).run();
 }
 
 }  // namespace cromer::core
