@@ -43,7 +43,7 @@ struct Tail {
 
 Tail tail(double t, double degrees) {
   const double a = degrees / 2, square = t * t / degrees;
-  const double constant = gamma_ratio(a) / std::sqrttwo_pi;  // density at 0
+  const double constant = gamma_ratio(a) / std::sqrt(two_pi);  // density at 0
   const double power = std::exp(-a * std::log1p(square));    // x^a
   const double x = 1 / (1 + square), rest = square / (1 + square);
   const double density = constant * power / std::sqrt(1 + square);
