@@ -125,7 +125,7 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
     return key +
            ": \"?\" is only for stiffness, damping, drag, cubic, quadratic, odd_quadratic, quintic, "
            "van_der_pol "
-           "and pendulum of a link; give a value, or leave " +
+           "or pendulum of a link; give a value, or leave " +
            key + " out";
   };
   EXPECT_EQ(refusal(with("", "mass = 1\nposition = \"?\"")), "n.toml:4:12: " + cannot_be_open("position"));
