@@ -166,9 +166,10 @@ class NetworkPicture {
     const std::vector<Pieces> parts = parts_of(link.law);
     const bool upright = link.from == ground || link.to == ground;
     const auto [a, b] = upright ? to_ground(link, parts.size()) : between_masses(link);
+    const double slant = std::hypot(b.x - a.x, b.y - a.y) / (b.y - a.y);
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const double side = beside * (static_cast<double>(p) - 0.5 * static_cast<double>(parts.size() - 1));
-      const DrawnAt off = upright ? DrawnAt{-side, 0} : DrawnAt{0, side};
+      const DrawnAt off = upright ? DrawnAt{-side * slant, 0} : DrawnAt{0, side};
       draw_part(ink_, {a.x + off.x, a.y + off.y}, {b.x + off.x, b.y + off.y}, parts[p]);
     }
   }
