@@ -144,6 +144,20 @@ TEST(RecordingModes, of_a_free_decay_those_asked_for_are_told) {
   EXPECT_THAT(in_words(none.message), testing::HasSubstr("from 3 to 10 Hz"));
 }
 
+TEST(RecordingModes, of_several_runs_one_is_chosen) {
+  std::string runs = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
+  for (int i = 0; i < 600; ++i) {
+    const double t = 0.05 * i, amplitude = std::exp(-0.02 * t);
+    runs += fmt::format("{0},{1:.9f},{0},{2:.9f}\n", t, amplitude * std::cos(full_turn * 0.7 * t),
+                        amplitude * std::cos(full_turn * 1.3 * t));
+  }
+  for (const auto& [run, frequency] : {std::pair{1, 0.7}, {2, 1.3}}) {
+    const ModesResult result = modes_in(runs, {.run = run});
+    ASSERT_EQ(result.modes.size(), 1u) << run;
+    EXPECT_NEAR(result.modes[0].frequency.value, frequency, 1e-5) << run;
+  }
+}
+
 TEST(RecordingModes, a_channel_that_dies_in_full_swing_is_refused_with_its_time) {
   for (const char* stuck : {",0.0123", ",0"}) {
     const auto cells = [&](std::size_t i, double a, double b) {
@@ -289,7 +303,8 @@ TEST(RecordingModes, bad_options_are_refused) {
   EXPECT_EQ(refusal(decay(pendulums, two_angles, both, 39)), "too_few_samples_for_modes");
   std::string runs = "Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2\n";
   for (int i = 0; i < 60; ++i) runs += fmt::format("{0},{1},{0},{1}\n", 0.1 * i, std::cos(0.3 * i));
-  EXPECT_EQ(refusal(runs), "modes_of_one_run");
+  EXPECT_EQ(refusal(runs), "choose_one_run");
+  EXPECT_EQ(refusal(runs, {.run = 3}), "no_such_run");
   Network network;
   network.masses.push_back({.name = "a"});
   EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");

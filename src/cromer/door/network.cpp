@@ -78,6 +78,7 @@ Result<core::ModesOptions> modes_task_options(const ModesOptions& options) {
   core::ModesOptions asked{
       .step = options.step, .beta = options.beta, .gamma = options.gamma, .rho_inf = options.rho_inf};
   for (const Method& method : options.method) asked.method.push_back(method.name());
+  asked.run = options.run;
   asked.from = options.from;
   asked.to = options.to;
   asked.modes = options.modes;

@@ -41,7 +41,11 @@ Channel channel_of(const Series& series, const std::vector<double>& times, doubl
 
 }  // namespace
 
-Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options) {
+Result<Channels> take_channels(const Recording& recording, const std::optional<int>& asked,
+                               const ReadOptions& options) {
+  if (const std::size_t several = runs(recording).size(); several > 1 && !asked)
+    return Error{"choose_one_run", {{"file", recording.file}, {"runs", several}}};
+  const int run = asked.value_or(1);
   if (auto known = check_run(recording, run); !known) return known.error();
   std::vector<Series> all;
   Channels channels{.run = run};

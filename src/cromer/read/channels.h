@@ -31,8 +31,9 @@ struct Channels {
 };
 
 /// All motion_columns() of a run, each taken as take_series() takes it; samples that stick out are missing,
-/// and all of a column without values. An Error if there are none.
-Result<Channels> take_channels(const Recording& recording, int run, const ReadOptions& options);
+/// and all of a column without values. An Error if there are none, or several runs and none is named.
+Result<Channels> take_channels(const Recording& recording, const std::optional<int>& run,
+                               const ReadOptions& options);
 
 /// Keeps the times between these [s], as samples_between() has them.
 Result<void> crop(Channels& channels, const std::optional<double>& from, const std::optional<double>& to);

@@ -60,8 +60,8 @@ export function fitOptions(state: Settings, runs = 1, law = state.law): Options 
 }
 
 /// Modes are sought in all columns of one kind.
-export const modesOptions = ({ rate, skip, from, to }: Settings): Options =>
-  given([...readAs({ rate, skip, column: '' }), ['from', from], ['to', to]])
+export const modesOptions = (state: Settings, runs = 1): Options =>
+  given(samplesOf({ ...state, column: '' }, runs))
 
 /// What the law is simulated by beside the recording.
 const methods = ['forward-euler', 'euler-cromer'].map((method): [string, string] => ['method', method])
@@ -79,7 +79,7 @@ export function quoted(word: string): string {
 
 export function commandLine(task: 'fit' | 'compare' | 'report' | 'modes', file: string, state: Settings, runs = 1): string {
   const words = ['cromer', task, quoted(file.startsWith('-') ? `./${file}` : file)]
-  const options = task === 'modes' ? modesOptions(state) : fitOptions(state, runs)
+  const options = task === 'modes' ? modesOptions(state, runs) : fitOptions(state, runs)
   for (const [name, value] of [...options, ...(task === 'compare' ? methods : [])]) {
     if (name === 'temperature' && value === '20 °C') continue
     words.push(`--${name}`, ...(name === 'skip-bad-rows' ? [] : [quoted(value)]))

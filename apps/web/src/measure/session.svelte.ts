@@ -239,7 +239,7 @@ async function refit(): Promise<void> {
 /// The options that `session.modes` is of.
 let modesAsked = ''
 async function findModes(mine: number, file: File, state: typeof measureDefaults): Promise<void> {
-  const options = modesOptions(state)
+  const options = modesOptions(state, session.runs)
   const asked = JSON.stringify(options)
   if (asked === modesAsked || !moveTogether(session.inspection!, state.run)) return
   const answer = await ask(mine, 'modes', options, file, 1)

@@ -27,6 +27,7 @@ describe('questions', () => {
   it('ask for the modes of all columns, whatever the law', () => {
     const state = { ...lab, column: 'x', run: 2, rate: '50', skip: true, law: 'viscous', drive: 'auto' }
     expect(modesOptions(state)).toEqual([['rate', '50'], ['skip-bad-rows', 'true'], ['from', '4'], ['to', '124']])
+    expect(modesOptions(state, 2)).toContainEqual(['run', '2'])
   })
 })
 

@@ -6,12 +6,6 @@ namespace {
 using enum Use;
 
 constexpr Entry entries[] = {
-    {"modes_of_one_run", error,
-     "{file}: the file has {runs} runs; modes are sought in one: keep one run in a file of its own. Columns "
-     "of one name count as runs: give each a name of its own",
-     "{file}: die Datei hat {runs} Läufe; Eigenschwingungen werden in einem gesucht: bitte einen Lauf in "
-     "eine eigene Datei schreiben. Spalten eines Namens zählen als Läufe: bitte jeder einen eigenen Namen "
-     "geben"},
     {"no_channel_moves", error, "{file}: no channel moves: each is constant or empty",
      "{file}: kein Kanal bewegt sich: jeder ist konstant oder leer"},
     {"too_few_samples_for_modes", error,

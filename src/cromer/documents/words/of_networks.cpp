@@ -135,8 +135,6 @@ constexpr Entry entries[] = {
      "positions, moments of inertia columns of angles",
      "{file}: die Spalten der Bewegung sind von einer anderen Größe ({quantity}); Massen brauchen Spalten "
      "von Orten, Trägheitsmomente Spalten von Winkeln"},
-    {"network_fit_of_one_run", error, "{file} has {runs} runs: choose one with {--run}",
-     "{file} hat {runs} Läufe: bitte mit {--run} einen wählen"},
     {"value_of_link", clause, "{value} of {from}–{to}", "{value} von {from}–{to}"},
     {"network_record_too_short", error,
      "the record does not determine the values: it needs one and a half swings of each mass about its rest, "

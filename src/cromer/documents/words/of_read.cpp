@@ -303,6 +303,11 @@ constexpr Entry entries[] = {
     // Runs and tables
     {"no_such_run", error, "there is no run {run}: the file has {runs:run|runs}",
      "einen Lauf {run} gibt es nicht: die Datei hat {runs:Lauf|Läufe}"},
+    {"choose_one_run", error,
+     "{file} has {runs} runs: choose one with {--run}. Columns of one name count as runs: if they are of one "
+     "run, give each a name of its own",
+     "{file} hat {runs} Läufe: bitte mit {--run} einen wählen. Spalten eines Namens zählen als Läufe: gehören "
+     "sie zu einem, bitte jeder einen eigenen Namen geben"},
     {"run_called", detail, "run {run} is called \"{label}\" in the file",
      "Lauf {run} heißt in der Datei „{label}“"},
     {"read_as_runs", detail, "the time starts again in {@line}: the file is read as {runs} runs",

@@ -31,6 +31,7 @@ MethodSettings method_settings_of(const ModesOptions& options) {
 }
 
 std::string_view option_of_recordings(const ModesOptions& options) {
+  if (options.run) return "run";
   if (options.from) return "from";
   if (options.to) return "to";
   if (options.modes) return "modes";

@@ -17,9 +17,7 @@ namespace {
 /// The columns that move, at the times that all of them have, and what there is to say of the others.
 Result<Channels> moving_channels(const Recording& recording, const ModesOptions& options,
                                  std::vector<Notice>& notices) {
-  if (const auto all = runs(recording); all.size() > 1)
-    return Error{"modes_of_one_run", {{"file", recording.file}, {"runs", all.size()}}};
-  auto taken = take_channels(recording, 1, options.read);
+  auto taken = take_channels(recording, options.run, options.read);
   if (!taken) return taken.error();
   Channels channels = *std::move(taken);
   if (auto good = crop(channels, options.from, options.to); !good) return good.error();

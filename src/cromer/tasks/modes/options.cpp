@@ -13,6 +13,7 @@ std::vector<Option> options_of(ModesOptions& o) {
       beta_option(o.beta, group),
       gamma_option(o.gamma, group),
       rho_inf_option(o.rho_inf, group),
+      {"run", &o.run, "", Range::positive, "which of several runs in the file", "the only one", recording},
       {"from", &o.from, "s", Range::any, "first time used", "the first sample", recording},
       {"to", &o.to, "s", Range::any, "last time used", "the last sample", recording},
       {"modes", &o.modes, "", Range::at_least_one,

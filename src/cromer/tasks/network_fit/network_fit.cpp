@@ -249,9 +249,7 @@ Result<FittedNetwork> fit_network(const Recording& recording, const NetworkFile&
                                   const Watch& watch) {
   if (auto good = check_terms(network.network, network_file); !good) return good.error();
   if (auto good = check_sought(network, network_file); !good) return good.error();
-  if (const std::size_t several = runs(recording).size(); several > 1 && !options.run)
-    return Error{"network_fit_of_one_run", {{"file", recording.file}, {"runs", several}}};
-  auto channels = take_channels(recording, options.run.value_or(1), options.read);
+  auto channels = take_channels(recording, options.run, options.read);
   if (!channels) return channels.error();
   FittedNetwork result{.file = recording.file,
                        .network_file = network_file,
