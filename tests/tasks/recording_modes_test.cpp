@@ -304,7 +304,8 @@ TEST(RecordingModes, bad_options_are_refused) {
   std::string runs = "Time (s) Run #1,Angle (rad) Run #1,Time (s) Run #2,Angle (rad) Run #2\n";
   for (int i = 0; i < 60; ++i) runs += fmt::format("{0},{1},{0},{1}\n", 0.1 * i, std::cos(0.3 * i));
   EXPECT_EQ(refusal(runs), "choose_one_run");
-  EXPECT_EQ(refusal(runs, {.run = 3}), "no_such_run");
+  EXPECT_THAT(in_words(recording_modes(recording_of(runs), {.run = 3}).error()),
+              testing::HasSubstr("there is no run 3: the file has 2 runs"));
   Network network;
   network.masses.push_back({.name = "a"});
   EXPECT_EQ(network_modes(network, "n.toml", {.modes = 2}).error().notice.code, "option_of_recordings");
