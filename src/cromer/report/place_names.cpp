@@ -57,23 +57,28 @@ class Words {
             block.width, block.height};
   }
 
-  // Beside an upright line, right of it and high up before all else: where it covers least.
-  Box beside_line(const NameBlock& block, double at) const {
+  // Beside one of upright lines: where it covers least, right of it and high up before all else.
+  void put_beside_line(const NameBlock& block, double at, std::span<const double> lines) {
     constexpr double off_line = 5, off_top = 2;
     const Box& f = placed_.frame;
     const bool fits_right = at + off_line + block.width <= f.right();
     const bool fits_left = at - off_line - block.width >= f.x;
+    const auto covered = [&](const Box& box) {
+      const auto crossed = std::count_if(lines.begin(), lines.end(),
+                                         [&](double line) { return line > box.x && line < box.right(); });
+      return drawn_.all.taken(box) + static_cast<int>(crossed * std::lround(box.height));
+    };
     Box best{};
     int least = std::numeric_limits<int>::max();
-    for (double y = f.y + off_top; y + block.height + off_top <= f.bottom() || y == f.y + off_top;
+    for (double y = f.y + off_top; y == f.y + off_top || y + block.height + off_top <= f.bottom();
          y += block.height) {
       for (const bool right : {true, false}) {
         if (right ? !fits_right : fits_right && !fits_left) continue;
         const Box box{right ? at + off_line : at - off_line - block.width, y, block.width, block.height};
-        if (const int taken = drawn_.all.taken(box); taken < least) best = box, least = taken;
+        if (const int covers = covered(box); covers < least) best = box, least = covers;
       }
     }
-    return best;
+    put(block, best, Align::left, least > 0);
   }
 
   void leader(const Box& box, Spot point, const std::string& colour, double gap_at_point) {
@@ -364,22 +369,22 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
   const double room_inside = 0.6 * frame.width;
 
   std::vector<std::pair<const Marker*, double>> markers;  // in the panel, and where
+  std::vector<double> lines;
   for (const Marker& marker : panel.markers) {
     const double at = x.px(marker.x);
     if (!(at >= frame.x - 0.5 && at <= frame.right() + 0.5)) continue;
     markers.emplace_back(&marker, at);
     constexpr double width = 1.3;
-    const Spot ends[] = {{at, frame.y}, {at, frame.bottom()}};
-    placed.leaders.push_back({ends[0], ends[1], std::string(style_of(marker.role).line), width});
-    drawn.all.add_line(ends, width);
+    placed.leaders.push_back(
+        {{at, frame.y}, {at, frame.bottom()}, std::string(style_of(marker.role).line), width});
+    lines.push_back(at);
   }
   for (const auto& [marker, at] : markers) {
     if (marker->text.empty()) continue;
     Curve word;
     word.name = marker->text, word.role = marker->role;
     const NameBlock block = name_block(word, sizes, typeface, room_inside);
-    const Box box = words.beside_line(block, at);
-    words.put(block, box, Align::left, words.covers(box));
+    words.put_beside_line(block, at, lines);
   }
 
   for (const Note& note : panel.notes) {
