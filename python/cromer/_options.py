@@ -168,6 +168,7 @@ class ModesOptions(TypedDict, total=False):
     beta: Value
     gamma: Value
     rho_inf: Value
+    run: int
     from_: Value
     to: Value
     modes: int
@@ -402,6 +403,7 @@ ARGUMENTS: Dict[str, Dict[str, Tuple[str, str]]] = {
         "beta": ("Value", "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference; must lie between 0 and 1 [0.25]"),
         "gamma": ("Value", "of newmark: above 1/2 it damps, below it grows; must lie between 0 and 1 [0.5]"),
         "rho_inf": ("Value", "of generalized-alpha: the share of motions far faster than the step that is left after each step; must lie between 0 and 1 [0.8]"),
+        "run": ("int", "which of several runs in the file; must be positive [the only one]"),
         "from_": ("Value", "[s] first time used [the first sample]"),
         "to": ("Value", "[s] last time used [the last sample]"),
         "modes": ("int", "how many at most: those found at most orders of the model; must be at least 1 [all that are found]"),
