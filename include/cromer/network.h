@@ -174,7 +174,7 @@ struct ModesOptions {
   std::optional<double> gamma{};    // of newmark, 0 to 1; 1/2
   std::optional<double> rho_inf{};  // of generalized-alpha, 0 to 1; 0.8
   // Of a recording:
-  std::optional<int> run{};                ///< of a file of several, from 1
+  std::optional<int> run{};                ///< from 1; needed where the file has several
   std::optional<double> from{}, to{};      // [s] the times used; all
   std::optional<int> modes{};              ///< at most this many; all that are found
   std::optional<double> from_frequency{};  // [rad/s] only modes between

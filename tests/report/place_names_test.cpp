@@ -130,6 +130,34 @@ TEST(OutsideNames, StandEightPxOffAtTheHeightOfTheEnd) {
   EXPECT_LE(ends.texts[2].box.bottom(), 340 + 2 + 1e-9);
 }
 
+TEST(Markers, HaveTheirWordWhereItCoversLeast) {
+  const double width = text_width("end", 12, true, Typeface::lato);
+  const auto box_of = [](const Panel& panel) { return words(panel).texts.front(); };
+  Panel panel;
+  panel.markers = {{0.5, "end", "drive"}};
+  // A curve right of the line at the top: the word is left of it.
+  Curve& curve = panel.curves.emplace_back();
+  curve.x = {0.52, 0.53};
+  curve.y = {0.99, 0.96};
+  EXPECT_LT(box_of(panel).box.right(), 250);
+  EXPECT_NEAR(box_of(panel).box.y, 42, 1e-9);
+  EXPECT_FALSE(box_of(panel).ground);
+  // On both sides: below.
+  curve.x = {0.47, 0.53};
+  curve.y = {0.98, 0.98};
+  EXPECT_GT(box_of(panel).box.x, 250);
+  EXPECT_GT(box_of(panel).box.y, 46);
+  EXPECT_FALSE(box_of(panel).ground);
+  // Another line within its width counts as covered.
+  panel.curves.clear();
+  panel.markers.push_back({0.5 + 0.5 * width / 400, "", "drive"});
+  EXPECT_LT(box_of(panel).box.right(), 250);
+  // Where it covers something everywhere it has a ground.
+  Curve& full = panel.curves.emplace_back();
+  for (int k = 0; k <= 400; ++k) full.x.push_back(0.0025 * k), full.y.push_back(k % 2);
+  EXPECT_TRUE(box_of(panel).ground);
+}
+
 TEST(Markers, HaveTheirWordAtTheTopBesideTheLine) {
   Panel panel;
   const double width = text_width("end", 12, true, Typeface::lato);

@@ -116,11 +116,10 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(with("[[link]]\nto = \"card\"\nstiffness = 1\n")),
             "n.toml:8:1: there is no mass \"card\"; did you mean \"cart\"?");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"house\"\nstiffness = 1\n")),
-            "n.toml:8:1: there is no mass \"house\"; there is cart");
+            "n.toml:8:1: there is no mass \"house\"; the masses are cart");
   EXPECT_EQ(refusal(with("", "mass = \"?\"")),
-            "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; with 1 the values found are "
-            "those per "
-            "mass");
+            "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; give 1 to find the values "
+            "divided by mass");
   const auto cannot_be_open = [](const std::string& key) {
     return key +
            ": \"?\" is only for stiffness, damping, drag, cubic, quadratic, odd_quadratic, quintic, "

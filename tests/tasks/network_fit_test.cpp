@@ -313,6 +313,13 @@ TEST(NetworkFit, NamesAModeThatTheNetworkLacks) {
   }
 }
 
+TEST(NetworkFit, AColumnOfItsOwnMassIsNotThatOfAShorterName) {
+  Network network;
+  network.masses = {{.name = "a"}, {.name = "a x"}};
+  EXPECT_TRUE(check_a_column_for_each_mass({"a (m)", "a x (m)"}, network, "r.csv").ok());
+  EXPECT_FALSE(check_a_column_for_each_mass({"a x (m)", "a (m)"}, network, "r.csv").ok());
+}
+
 TEST(NetworkFit, ColumnsInAnotherOrderAreNoQuestionOfValues) {
   Network network;
   network.masses = {{.name = "m1", .mass = 1.2, .start = {0.1, 0}},

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "cromer/analysis/steady_state.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
@@ -38,7 +38,7 @@ constexpr double agreement = 1e-3;  // between the amplitudes of two windows
 
 using Settled = std::optional<MeasuredSteadyState>;
 
-double period(double frequency) { return 2 * std::numbers::pi / frequency; }
+double period(double frequency) { return two_pi / frequency; }
 
 /// The least number of steps that a curve takes.
 double steps_of(double step, const Grid& frequencies) {
@@ -61,7 +61,7 @@ Result<Settled> go_on(SimulateOptions& options, double cycles) {
   if (!measured) return Settled{};
   options.position = run.outcome.y.x;
   options.velocity = run.outcome.y.v;
-  options.drive_phase = std::remainder(run.drive.phase + w * run.outcome.t, 2 * std::numbers::pi);
+  options.drive_phase = std::remainder(run.drive.phase + w * run.outcome.t, two_pi);
   return Settled{*measured};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
 #include "cromer/base/pi.h"
 
 namespace cromer::core {

@@ -166,10 +166,12 @@ class NetworkPicture {
     const std::vector<Pieces> parts = parts_of(link.law);
     const bool upright = link.from == ground || link.to == ground;
     const auto [a, b] = upright ? to_ground(link, parts.size()) : between_masses(link);
-    const double slant = std::hypot(b.x - a.x, b.y - a.y) / (b.y - a.y);
+    const double slant = upright ? std::hypot(b.x - a.x, b.y - a.y) / (b.y - a.y) : 1;
+    constexpr double farthest_off = box_half_width - cup;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const double side = beside * (static_cast<double>(p) - 0.5 * static_cast<double>(parts.size() - 1));
-      const DrawnAt off = upright ? DrawnAt{-side * slant, 0} : DrawnAt{0, side};
+      const DrawnAt off =
+          upright ? DrawnAt{std::clamp(-side * slant, -farthest_off, farthest_off), 0} : DrawnAt{0, side};
       draw_part(ink_, {a.x + off.x, a.y + off.y}, {b.x + off.x, b.y + off.y}, parts[p]);
     }
   }

@@ -1,4 +1,3 @@
-#include "cromer/base/pi.h"
 #include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 
 #include "cromer/analysis/envelope.h"
 #include "cromer/base/length_unit.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/figures/panels.h"

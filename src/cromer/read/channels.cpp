@@ -41,21 +41,20 @@ Channel channel_of(const Series& series, const std::vector<double>& times, doubl
 
 }  // namespace
 
-Result<Channels> take_channels(const Recording& recording, const std::optional<int>& asked,
+Result<Channels> take_channels(const Recording& recording, const std::optional<int>& run,
                                const ReadOptions& options) {
-  if (const std::size_t several = runs(recording).size(); several > 1 && !asked)
+  if (const std::size_t several = runs(recording).size(); several > 1 && !run)
     return Error{"choose_one_run", {{"file", recording.file}, {"runs", several}}};
-  const int run = asked.value_or(1);
-  if (auto known = check_run(recording, run); !known) return known.error();
+  Channels channels{.run = run.value_or(1)};
+  if (auto known = check_run(recording, channels.run); !known) return known.error();
   std::vector<Series> all;
-  Channels channels{.run = run};
-  for (const std::size_t j : motion_columns(recording, run)) {
+  for (const std::size_t j : motion_columns(recording, channels.run)) {
     const Column& column = recording.table.columns[j];
     if (std::none_of(column.values.begin(), column.values.end(), [](double y) { return std::isfinite(y); })) {
       all.emplace_back().column = column_title(column);
       continue;
     }
-    auto series = take_series(recording, column_title(column), run, options);
+    auto series = take_series(recording, column_title(column), channels.run, options);
     if (!series) return series.error();
     for (const Notice& notice : series->notices) add_once(channels.notices, notice);
     all.push_back(*std::move(series));
@@ -63,7 +62,7 @@ Result<Channels> take_channels(const Recording& recording, const std::optional<i
   auto first = std::find_if(all.begin(), all.end(), [](const Series& series) { return !series.t.empty(); });
   if (first == all.end()) {
     // Where no column is a motion by name, take_series says what there is.
-    auto only = take_series(recording, "", run, options);
+    auto only = take_series(recording, "", channels.run, options);
     if (!only) return only.error();
     channels.notices = only->notices;
     all.assign(1, *std::move(only));

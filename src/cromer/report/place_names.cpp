@@ -59,14 +59,14 @@ class Words {
 
   // Beside one of upright lines: where it covers least, right of it and high up before all else.
   void put_beside_line(const NameBlock& block, double at, std::span<const double> lines) {
-    constexpr double off_line = 5, off_top = 2;
+    constexpr double off_line = 5, off_top = 2, square = 2;  // of Occupancy, as wide as a line
     const Box& f = placed_.frame;
     const bool fits_right = at + off_line + block.width <= f.right();
     const bool fits_left = at - off_line - block.width >= f.x;
     const auto covered = [&](const Box& box) {
       const auto crossed = std::count_if(lines.begin(), lines.end(),
                                          [&](double line) { return line > box.x && line < box.right(); });
-      return drawn_.all.taken(box) + static_cast<int>(crossed * std::lround(box.height));
+      return drawn_.all.taken(box) + static_cast<int>(crossed * std::lround(box.height / square));
     };
     Box best{};
     int least = std::numeric_limits<int>::max();
@@ -368,23 +368,23 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
   Words words(placed, drawn, x, y);
   const double room_inside = 0.6 * frame.width;
 
-  std::vector<std::pair<const Marker*, double>> markers;  // in the panel, and where
-  std::vector<double> lines;
+  std::vector<const Marker*> markers;  // that are in the panel
+  std::vector<double> lines;           // theirs
   for (const Marker& marker : panel.markers) {
     const double at = x.px(marker.x);
     if (!(at >= frame.x - 0.5 && at <= frame.right() + 0.5)) continue;
-    markers.emplace_back(&marker, at);
+    markers.push_back(&marker);
+    lines.push_back(at);
     constexpr double width = 1.3;
     placed.leaders.push_back(
         {{at, frame.y}, {at, frame.bottom()}, std::string(style_of(marker.role).line), width});
-    lines.push_back(at);
   }
-  for (const auto& [marker, at] : markers) {
-    if (marker->text.empty()) continue;
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    if (markers[i]->text.empty()) continue;
     Curve word;
-    word.name = marker->text, word.role = marker->role;
+    word.name = markers[i]->text, word.role = markers[i]->role;
     const NameBlock block = name_block(word, sizes, typeface, room_inside);
-    words.put_beside_line(block, at, lines);
+    words.put_beside_line(block, lines[i], lines);
   }
 
   for (const Note& note : panel.notes) {

@@ -241,7 +241,12 @@ let modesAsked = ''
 async function findModes(mine: number, file: File, state: typeof measureDefaults): Promise<void> {
   const options = modesOptions(state, session.runs)
   const asked = JSON.stringify(options)
-  if (asked === modesAsked || !moveTogether(session.inspection!, state.run)) return
+  if (asked === modesAsked) return
+  if (!moveTogether(session.inspection!, state.run)) {
+    session.modes = null
+    modesAsked = ''
+    return
+  }
   const answer = await ask(mine, 'modes', options, file, 1)
   if (!answer) return
   session.modes = answer.status === 2 || answer.document.names.length < 2 ? null : answer.document

@@ -124,7 +124,7 @@ const faultless = async (page, what) => {
     assert.match(svg, /fill-opacity="0\.5"/)
     for (const [, colour] of svg.matchAll(/(?:fill|stroke)="([^"]*)"/g)) assert.match(colour, /^(none|#[\da-f]{3}|#[\da-f]{6})$/)
   })
-  await check('the page is alive while it fits, and a fit can be superseded', async () => {
+  await check('the page draws on while it waits for a fit, which can be superseded', async () => {
     const end = page.getByRole('slider', { name: 'end of the free part' })
     await end.focus()
     await page.evaluate(() => (window.held = []))

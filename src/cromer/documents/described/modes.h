@@ -97,6 +97,7 @@ struct Described<ModalSource> {
             return s.found.motion == ModalMotion::free_decay ? "free_decay" : "ambient";
           },
           "", "free_decay (it was let go, or grows by itself) or ambient (random forces keep it moving)"),
+      field("run", &ModalSource::run, "", "run of the file, from 1"),
       field("quantity", &ModalSource::quantity, "", "what the channels measure"),
       field("unit", &ModalSource::unit, "", "SI unit of the channels"),
       field("samples", &ModalSource::samples, "", "that all channels have"),

@@ -1,4 +1,3 @@
-#include "cromer/base/pi.h"
 #include "cromer/documents/text.h"
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"

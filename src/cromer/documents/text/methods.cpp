@@ -1,4 +1,3 @@
-#include "cromer/base/pi.h"
 #include "cromer/documents/text.h"
 
 #include <fmt/format.h>
@@ -6,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 

@@ -14,8 +14,8 @@ constexpr Entry entries[] = {
      "{fewest}"},
     {"no_modes_found", error,
      "no mode was found: no pole keeps its frequency, damping and shape as the model grows; a longer "
-     "recording, or one with fewer missing values, shows more; of large angles or dry friction none keeps "
-     "them",
+     "recording, or one with fewer missing values, shows more; with large angles or dry friction no pole "
+     "keeps them",
      "keine Eigenschwingung gefunden: kein Pol behält Frequenz, Dämpfung und Form, wenn das Modell wächst; "
      "eine längere Aufnahme oder eine mit weniger fehlenden Werten zeigt mehr; bei großen Winkeln oder "
      "trockener Reibung behält sie keiner"},

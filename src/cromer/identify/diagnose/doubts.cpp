@@ -170,7 +170,7 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
 Notice few_samples(const Record& record, double w) {
   const EvenSteps steps = even_steps(record.t);
   if (steps.farthest > 0.01 * steps.mean) return {};
-  const double rate = 1 / steps.mean, frequency = w / (2 * pi);
+  const double rate = 1 / steps.mean, frequency = w / two_pi;
   if (rate / frequency >= 4) return {};
   return Notice{"few_samples_in_a_period",
                 {{"samples", rate / frequency},
@@ -183,12 +183,12 @@ Notice few_samples(const Record& record, double w) {
 Notice turning_over(const Record& record) {
   if (record.derivative != 0 || record.t.size() < 2) return {};
   const auto [low, high] = extent_of(record.y);
-  if (high - low <= 2 * pi) return {};
+  if (high - low <= two_pi) return {};
   // It swings about the last multiple of a turn once it has stayed within half a turn of it.
-  const double rest = 2 * pi * std::round(record.y.back() / (2 * pi));
+  const double rest = two_pi * std::round(record.y.back() / two_pi);
   std::size_t last = record.t.size();
   while (std::abs(record.y[last - 1] - rest) < pi) --last;
-  const double turns = (high - low) / (2 * pi);
+  const double turns = (high - low) / two_pi;
   // A few samples are no part to fit.
   if (10 * (record.t.size() - last) < record.t.size()) return Notice{"turns_over", {{"turns", turns}}};
   return Notice{"turns_over_at_first", {{"turns", turns}, {"time", record.t[last]}}};
@@ -199,7 +199,7 @@ bool leaves_a_line(std::span<const double> t, std::span<const double> residuals,
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
   const DampedPhasor phasor({t.first(n), residuals.first(n), 0, 0});
-  const double resolution = 2 * pi / (t[n - 1] - t.front());
+  const double resolution = two_pi / (t[n - 1] - t.front());
   const auto power = [&](double at) {
     const DampedPhasor::Linear line = phasor.best_linear(at, 0);
     return line.cosine * line.cosine + line.sine * line.sine;

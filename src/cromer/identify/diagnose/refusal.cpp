@@ -127,7 +127,7 @@ namespace {
 double slowest_alias(std::span<const double> t, double w) {
   const EvenSteps steps = even_steps(t);
   if (steps.farthest > 0.01 * steps.mean) return w;
-  return std::abs(std::remainder(w, 2 * pi / steps.mean));
+  return std::abs(std::remainder(w, two_pi / steps.mean));
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double amplitude =
       std::pow(w0, record.derivative) *
       std::hypot(fit.position().value, (fit.velocity().value + g * fit.position().value) / w);
-  const double seen = slowest_alias(record.t, w), periods = seen * duration / (2 * pi);
+  const double seen = slowest_alias(record.t, w), periods = seen * duration / two_pi;
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
   // over its root (60: to 13 %, 300: to 6 %, 500: to 4.5 %). White noise reaches 60 at a given frequency with
@@ -147,7 +147,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   // leaves lies at that frequency too, and must not count against a long oscillation; wandering noise, in
   // turn, looks like a period or three.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
-  const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
+  const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / two_pi;
   const bool stands_out = more_than_spikes(record, g, fit.fitted) &&
                           (visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
                                                 : against_noise > (fit.explained > 0.9 ? 60 : 500));
@@ -161,7 +161,7 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   }
   if (smooth && !whole && periods < 1.5)
     return Refusal{FitStatus::too_short,
-                   Notice{"too_few_periods", {{"periods", periods}, {"period", 2 * pi / seen}}}};
+                   Notice{"too_few_periods", {{"periods", periods}, {"period", two_pi / seen}}}};
   if (!stands_out) {
     if (const double levels = levels_of(record); levels > 0 && levels <= few_levels)
       return Refusal{FitStatus::too_noisy,
@@ -197,7 +197,7 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
     if (swing > line) return std::nullopt;
   }
   return Refusal{FitStatus::no_oscillation,
-                 Notice{"only_a_harmonic", {{"frequency", drive->value / (2 * pi)}, {"order", multiple}}}};
+                 Notice{"only_a_harmonic", {{"frequency", drive->value / two_pi}, {"order", multiple}}}};
 }
 
 std::optional<Refusal> refuse_frequency(const LawFit& fit) {

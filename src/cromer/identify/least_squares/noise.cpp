@@ -547,9 +547,9 @@ double expected_rounding_error(double value, double noise) {
   if (noise < 0.05) return std::round(value) - value;
   double sum = 0;
   for (int k = 1; k < 20; ++k) {
-    const double blur = std::exp(-2 * pi * pi * k * k * noise * noise);
+    const double blur = std::exp(-two_pi * pi * k * k * noise * noise);
     if (blur < 1e-4) break;
-    sum += (k % 2 ? -1 : 1) * std::sin(2 * pi * k * value) * blur / (pi * k);
+    sum += (k % 2 ? -1 : 1) * std::sin(two_pi * k * value) * blur / (pi * k);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
 #include "cromer/base/pi.h"
 
 namespace cromer::core {
@@ -44,7 +45,7 @@ struct Tail {
 Tail tail(double t, double degrees) {
   const double a = degrees / 2, square = t * t / degrees;
   const double constant = gamma_ratio(a) / std::sqrt(two_pi);  // density at 0
-  const double power = std::exp(-a * std::log1p(square));    // x^a
+  const double power = std::exp(-a * std::log1p(square));      // x^a
   const double x = 1 / (1 + square), rest = square / (1 + square);
   const double density = constant * power / std::sqrt(1 + square);
   // x^a (1 - x)^(1/2)/B(a, 1/2) is t times the density, of two halves each.

@@ -360,8 +360,7 @@ FitFromStart fit_from_start(const ModalRecord& record, Eigenvalues eigenvalues) 
       if (found.frequency_error(j) > known * std::abs(eigenvalues[j])) continue;
       MeasuredMode mode = found.described(j);
       // What else acts may look like a mode; what is left by chance takes none away.
-      constexpr double by_chance = 2;
-      if (mode.times_noise < by_chance || mode.frequency.standard_error < known * mode.frequency.value)
+      if (mode.times_noise < times_noise_told || mode.frequency.standard_error < known * mode.frequency.value)
         result.modes.push_back(std::move(mode));
     }
     break;

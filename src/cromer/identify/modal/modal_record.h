@@ -43,6 +43,9 @@ struct MeasuredMode {
   double times_noise = 1;  ///< what the fit of a free decay leaves about it, over the noise, in amplitude
 };
 
+/// From so many times the noise on, what is left about a mode is more than chance leaves.
+inline constexpr double times_noise_told = 2;
+
 struct ModalSettings {
   double from = 0;                                      // [Hz] only modes between
   double to = std::numeric_limits<double>::infinity();  // [Hz]

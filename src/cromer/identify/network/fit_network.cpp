@@ -564,7 +564,7 @@ class NetworkSearch {
     fit_.network = motions_->network_at(found_.parameters);
     put_residuals(fit_, *motions_, found_.parameters, record_, spreads_);
     fit_.runs_away = found_.reason == LeastSquaresReason::not_finite;
-    if (watch_.interrupted() || found_.reason != LeastSquaresReason::converged) return fit_;
+    if (watch_.interrupted() || found_.reason != LeastSquaresReason::converged) return std::move(fit_);
 
     put_estimates(fit_, sought_, *motions_, found_.equations, found_.parameters, record_, samples_);
     return ended(!fit_.undetermined.empty() ? FitStatus::undetermined
@@ -588,7 +588,7 @@ class NetworkSearch {
   }
   NetworkFit ended(FitStatus status) {
     fit_.status = status;
-    return fit_;
+    return std::move(fit_);
   }
   Guesses guesses_of(const NetworkRecord& part, double window) const {
     return EquationsOfMotion(network_, sought_, part, spreads_, period_).solved(window);

@@ -228,13 +228,13 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
   EnvelopeTrack track;
   double w = angular_frequency, equilibria = 0;
   const double duration = std::min(record.t.back() - record.t.front(), 2 / std::max(decay_rate, 1e-300));
-  const double most_periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  const double most_periods = std::clamp(w * duration / two_pi / 12, 1.0, 3.0);
   double periods = 1;  // for as long as noise allows: a large swing's frequency changes fast
   std::size_t first = 0;
   double last_t = 0, last_phase = 0;
   bool dies_away = false;
   for (;;) {
-    const double from = record.t[first], to = from + periods * 2 * pi / w, tc = 0.5 * (from + to);
+    const double from = record.t[first], to = from + periods * two_pi / w, tc = 0.5 * (from + to);
     const auto last =
         static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), to) - record.t.begin());
     if (to > record.t.back()) break;
@@ -253,7 +253,7 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
     double phase = window->phase - 0.5 * pi * record.derivative;
     if (!begins) {
       const double expected = last_phase + w * (tc - last_t);
-      const double off = std::remainder(phase - expected, 2 * pi);
+      const double off = std::remainder(phase - expected, two_pi);
       if (std::abs(off) > 1.5) break;  // lost
       phase = expected + off;
       w += std::clamp(off / (tc - last_t), -0.1 * w, 0.1 * w);
@@ -267,7 +267,7 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
     track.samples = track.swinging = last;
   }
   if (track.t.size() < 3) return std::nullopt;
-  const bool followed = dies_away || record.t.back() - last_t < 2.5 * periods * 2 * pi / w;
+  const bool followed = dies_away || record.t.back() - last_t < 2.5 * periods * two_pi / w;
   if (followed) track.samples = record.t.size();
   if (!dies_away) track.swinging = track.samples;
   track.frequency = (track.phase[1] - track.phase[0]) / (track.t[1] - track.t[0]);

@@ -72,7 +72,7 @@ struct Segment {
 Segment transform(std::span<const double> u, std::span<const double> z, double h,
                   const std::vector<Bend>& bends) {
   const std::size_t n = z.size();
-  const double turn = 2 * pi / static_cast<double>(n);
+  const double turn = two_pi / static_cast<double>(n);
   const double rate = turn / h;  // [rad/s] of the window
   std::vector<double> product(n);
   const auto of = [&](auto value) {
@@ -112,7 +112,7 @@ NormalEquations linear_equations(const std::vector<Segment>& segments, double h,
                                  double s1, double resistance_before) {
   NormalEquations equations;
   equations.size = size;
-  const double step = 2 * pi / (static_cast<double>(length) * h);
+  const double step = two_pi / (static_cast<double>(length) * h);
   for (const Segment& s : segments) {
     const std::size_t bins = s.z.size() * 9 / 10;
     // Without a spring nothing ties the place down: the slowest line says nothing.
@@ -230,7 +230,7 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
         transform(std::span(grid.u).subspan(from, length), std::span(z).subspan(from, length), h, bends));
 
   const auto line = strongest_line(amplitude_spectrum(std::span(z).first(length), h));
-  const double w_line = line ? line->angular_frequency : 2 * pi / (static_cast<double>(length) * h);
+  const double w_line = line ? line->angular_frequency : two_pi / (static_cast<double>(length) * h);
   double s1 = sprung ? w_line * w_line : 0, resistance_now = 0.2 * w_line;
   const int size = sprung ? first_bend + static_cast<int>(bends.size()) : resistance + 1;
   Parameters found{};

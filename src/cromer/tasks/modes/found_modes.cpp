@@ -87,11 +87,10 @@ void doubt_free_motion(const ModalAnalysis& found, std::size_t channels, bool al
       notices.push_back(Notice{"mode_grows", {{"frequency", mode.frequency.value}}});
     else if (!decaying(mode))
       notices.push_back(Notice{"mode_does_not_decay", {{"frequency", mode.frequency.value}}});
-  constexpr double much = 2;
   const auto most =
       std::max_element(found.modes.begin(), found.modes.end(),
                        [](const auto& a, const auto& b) { return a.times_noise < b.times_noise; });
-  if (most != found.modes.end() && most->times_noise > much)
+  if (most != found.modes.end() && most->times_noise > times_noise_told)
     notices.push_back(
         Notice{"modes_leave_a_motion", {{"frequency", most->frequency.value}, {"times", most->times_noise}}});
   if (found.modes.size() > channels && channels > 1)
@@ -166,7 +165,8 @@ Result<ModesResult> found_modes(const Recording& recording, const ModesOptions& 
   if (options.to_frequency) settings.to = *options.to_frequency / two_pi;
   settings.modes = options.modes.value_or(0);
   settings.from_first_sample = options.from.has_value();
-  result.recording = ModalSource{.quantity = channels->quantity,
+  result.recording = ModalSource{.run = channels->run,
+                                 .quantity = channels->quantity,
                                  .unit = channels->unit,
                                  .rate = 1 / record.step,
                                  .found = find_modes(record, settings)};

@@ -1,6 +1,7 @@
 #include "cromer/tasks/modes/modes.h"
 
 #include <cmath>
+
 #include "cromer/base/pi.h"
 
 namespace cromer::core {

@@ -68,6 +68,7 @@ struct NaturalMode {
 
 /// What the modes of a recording were found in.
 struct ModalSource {
+  int run = 1;                 ///< of the file, from 1
   std::string quantity, unit;  ///< of the channels: "acceleration", "m/s²"
   std::size_t samples = 0;
   double rate = 0;      // [1/s]
@@ -97,7 +98,8 @@ struct Beat {
   Estimate coupling;   ///< the difference of their squared frequencies over the sum
 };
 
-/// Of a result with two modes, the difference of whose frequencies has a 95 % interval above 0; else empty.
+/// Of a result with two modes that swing, the difference of whose frequencies has a 95 % interval above 0;
+/// else empty.
 std::optional<Beat> beat_of(const ModesResult& result);
 
 /// The modes of small motions about rest. An Error names option, value and constraint, or says that there are

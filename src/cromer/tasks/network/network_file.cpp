@@ -58,9 +58,11 @@ bool take_value(TomlReader& toml, const Number& number) {
     toml.fail(number.key, Notice{"key_takes_one_value", {{"key", number.key}}});
     return true;
   }
-  if (texts.front() == "?")
+  if (texts.front() == "?") {
     toml.fail(number.key,
               Notice{"value_cannot_be_open", {{"key", number.key}, {"keys", keys_that_may_be_open()}}});
+    return true;
+  }
   const Option option{number.key, number.target, number.unit, number.range, "", "", ""};
   Result<void> good = assign(option, texts.front());
   if (!good && !number.with_radians.empty()) {
@@ -134,7 +136,7 @@ ReadLink read_link(TomlReader& toml, bool angles) {
                              angles ? unit_of_torque(info, false) : unit_of(info),
                              toml.place_of_key(key)});
         any = true;
-        return;
+        continue;
       }
       // The other coefficients of an inner state shape its force alone.
       const bool there =
@@ -296,7 +298,7 @@ Result<void> check_a_column_for_each_mass(const std::vector<std::string>& column
   };
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (std::size_t j = 0; j < columns.size(); ++j)
-      if (j != i && is_named(columns[i], network.masses[j].name))
+      if (is_named(columns[i], network.masses[j].name) && !is_named(columns[i], network.masses[i].name))
         return Error{"columns_in_another_order",
                      {{"file", file},
                       {"column", columns[i]},

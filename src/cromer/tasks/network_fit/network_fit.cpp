@@ -172,7 +172,8 @@ MotionLeft motion_left_of(const FittedNetwork& result, std::size_t column,
   return found;
 }
 
-/// Which column shows most that the network leaves a motion; empty where none does.
+/// Which column shows most that the network leaves a motion, or the first that a line is left of below the
+/// noise; empty where none does.
 Notice motion_left(const FittedNetwork& result) {
   const std::vector<ComplexMode> modes = complex_modes(linearised(result.fit.network));
   Notice line;
