@@ -912,6 +912,8 @@ export interface StabilityPole {
 export interface ModalSource {
   /** free_decay (it was let go, or grows by itself) or ambient (random forces keep it moving) */
   motion: string
+  /** run of the file, from 1 */
+  run: number
   /** what the channels measure */
   quantity: string
   /** SI unit of the channels */
