@@ -282,6 +282,18 @@ for (const processors of [1, 8]) {
     assert.ok(Math.abs(before / (await largest()) - 2) < 1e-9)
     assert.match(await page.locator('code').last().getAttribute('title'), /Position x/)
   })
+  await check('the modes of one run are not shown of the next', async () => {
+    let text = 'Time (s) Run #1,Position A (m) Run #1,Position B (m) Run #1,Time (s) Run #2,Position A (m) Run #2\n'
+    for (let i = 0; i < 1000; ++i) {
+      const t = i / 25, [slow, fast] = [5, 6].map((w) => Math.exp(-0.01 * t) * Math.cos(w * t))
+      text += [t, slow + fast, slow - fast, t, slow].map((x) => x.toFixed(4)).join(',') + '\n'
+    }
+    await opened('runs.csv', text)
+    await page.getByText('cromer modes runs.csv --run 1').waitFor({ timeout: 30000 })
+    await page.locator('select[aria-label=Run]').selectOption('2')
+    await settled(page)
+    assert.equal(await page.getByText('cromer modes').count(), 0)
+  })
   await check('200 000 samples are drawn and saved', async () => {
     await opened('long.csv', longSwing())
     for (let i = 0; i < 8; ++i) await page.getByRole('button', { name: 'Longer frame' }).click()
