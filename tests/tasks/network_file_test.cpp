@@ -116,7 +116,7 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(with("[[link]]\nto = \"card\"\nstiffness = 1\n")),
             "n.toml:8:1: there is no mass \"card\"; did you mean \"cart\"?");
   EXPECT_EQ(refusal(with("[[link]]\nto = \"house\"\nstiffness = 1\n")),
-            "n.toml:8:1: there is no mass \"house\"; the masses are cart");
+            "n.toml:8:1: there is no mass \"house\"; the network has cart");
   EXPECT_EQ(refusal(with("", "mass = \"?\"")),
             "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; give 1 to find the values "
             "divided by mass");

@@ -38,7 +38,7 @@ constexpr Entry entries[] = {
     {"value_cannot_be_open", error,
      "{key}: \"?\" is only for {keys:or} of a link; give a value, or leave {key} out",
      "{key}: „?“ ist nur für {keys:or} eines [[link]]; bitte einen Wert angeben oder {key} weglassen"},
-    {"there_are_masses", clause, "; the masses are {names}", "; die Massen sind {names}"},
+    {"there_are_masses", clause, "; the network has {names}", "; das Netz hat {names}"},
     {"no_such_mass", error, "there is no mass \"{name}\"{near}", "die Masse „{name}“ gibt es nicht{near}"},
     {"link_to_itself", error, "the link joins \"{name}\" to itself: give it two ends",
      "der [[link]] verbindet „{name}“ mit sich selbst: bitte zwei Enden angeben"},
