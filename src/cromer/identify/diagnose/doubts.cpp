@@ -374,14 +374,16 @@ std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_la
   const bool described = residuals.size() != record.t.size() ||
                          !shows_a_wrong_law(record, fit.residual, noise, fit.swing_frequency().value);
   std::vector<double> t, y;
-  for (std::size_t i = 0; i < record.t.size(); ++i) {
-    if (std::binary_search(fit.outliers.begin(), fit.outliers.end(), i)) continue;
-    t.push_back(record.t[i]);
-    y.push_back(record.y[i]);
-  }
   Record kept = record;
-  kept.t = t;
-  kept.y = y;
+  if (!fit.outliers.empty()) {
+    for (std::size_t i = 0; i < record.t.size(); ++i) {
+      if (std::binary_search(fit.outliers.begin(), fit.outliers.end(), i)) continue;
+      t.push_back(record.t[i]);
+      y.push_back(record.y[i]);
+    }
+    kept.t = t;
+    kept.y = y;
+  }
   const Notice rises = is_fed(fit) && described ? growth(kept, fit, period) : rise(kept, period, noise);
   say(rises);
   const Notice coarse = coarseness(kept, fit, unit);

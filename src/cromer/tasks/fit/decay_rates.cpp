@@ -82,21 +82,23 @@ std::optional<Levelled> level(std::span<const double> t, std::span<const double>
     own += std::log(share_of_fundamental(swing, A.front()) / share_of_fundamental(swing, A.back())) / fallen;
     levelled.power = own + derivative * std::log(w.front() / w.back()) / fallen;
   }
-  const auto size = [&](std::size_t i) {
-    return own * std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
-  };
+  std::array<double, nodes + 1> size{};
+  for (std::size_t i = 0; i <= nodes; ++i)
+    size[i] = own * std::log(A[i] / A[nodes / 2]) + derivative * std::log(w[i] / middle);
   levelled.end = A.back();
   constexpr double least_power = 0.2;  // below it the record's amplitude hardly tells the displacement's
   if (!(levelled.power > least_power)) return std::nullopt;
   levelled.rate = levelled.power * decay.rate(A[nodes / 2]);
   const double middle_time = t.front() + (swing.is_bent() ? phase[nodes / 2] / middle : each * nodes / 2);
+  levelled.t.reserve(t.size());
+  levelled.y.reserve(t.size());
   for (std::size_t k = 0; k < t.size(); ++k) {
     const double place = (t[k] - t.front()) / each;
     const std::size_t i = std::min(static_cast<std::size_t>(place), nodes - 1);
     const double share = place - static_cast<double>(i);
     const double within = each * share * (w[i] + 0.5 * share * (w[i + 1] - w[i]));
     levelled.t.push_back(swing.is_bent() ? t.front() + (phase[i] + within) / middle : t[k]);
-    const double by_law = size(i) + share * (size(i + 1) - size(i)),
+    const double by_law = size[i] + share * (size[i + 1] - size[i]),
                  evenly = -levelled.rate * (levelled.t.back() - middle_time);
     levelled.y.push_back(mean + (y[k] - mean) * std::exp(evenly - by_law));
   }
