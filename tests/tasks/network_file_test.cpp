@@ -118,8 +118,7 @@ TEST(NetworkFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(with("[[link]]\nto = \"house\"\nstiffness = 1\n")),
             "n.toml:8:1: there is no mass \"house\"; the network has cart");
   EXPECT_EQ(refusal(with("", "mass = \"?\"")),
-            "n.toml:3:8: mass: it must be given, \"?\" is for values of a link; give 1 to find the values "
-            "divided by mass");
+            "n.toml:3:8: mass: it must be given, \"?\" is for values of a link");
   const auto cannot_be_open = [](const std::string& key) {
     return key +
            ": \"?\" is only for stiffness, damping, drag, cubic, quadratic, odd_quadratic, quintic, "

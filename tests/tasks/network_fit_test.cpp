@@ -313,6 +313,96 @@ TEST(NetworkFit, NamesAModeThatTheNetworkLacks) {
   }
 }
 
+// From sample to sample a fast mode varies as noise does.
+TEST(NetworkFit, AFastModeThatDiesDownIsNoStillness) {
+  Network network;
+  network.masses = {
+      {.name = "a", .mass = 1}, {.name = "b", .mass = 1}, {.name = "c", .mass = 1, .start = {0.01, 0}}};
+  network.links = {{ground, 0, {.stiffness = 50, .damping = 0.2}},
+                   {0, 1, {.stiffness = 40, .damping = 0.2}},
+                   {1, 2, {.stiffness = 4000, .damping = 8}}};
+  const NetworkFile open = file_of(R"(
+[[mass]]
+name = "a"
+mass = 1
+[[mass]]
+name = "b"
+mass = 1
+[[mass]]
+name = "c"
+mass = 1
+[[link]]
+to = "a"
+stiffness = "?"
+[[link]]
+from = "a"
+to = "b"
+stiffness = "?"
+[[link]]
+from = "b"
+to = "c"
+stiffness = "?"
+damping = "?"
+)");
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const NetworkSwings swings = swings_of(network, 1200, 0.01, 0.0005, seed);
+    std::string bytes = "Time (s),Position 1 (m),Position 2 (m),Position 3 (m)\n";
+    for (std::size_t n = 0; n < swings.t.size(); ++n)
+      bytes += fmt::format("{:.2f},{},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n], swings.y[2][n]);
+    const auto result = fitted(bytes, open);
+    ASSERT_TRUE(result.ok()) << seed;
+    EXPECT_EQ(result->channels.t.front(), 0) << seed;
+  }
+}
+
+// 2.5 samples in a period of the fast mode: a fit may end at its mirror image at half the rate.
+TEST(NetworkFit, AModeAboveHalfTheRateIsSaid) {
+  Network network;
+  network.masses = {{.name = "a", .mass = 0.25, .start = {0.1, 0}},
+                    {.name = "b", .mass = 0.4, .start = {-0.04, 0}}};
+  network.links = {{ground, 0, {.stiffness = 5, .damping = 0.02}},
+                   {ground, 1, {.stiffness = 9, .damping = 0.03}},
+                   {0, 1, {.stiffness = 150, .damping = 0.2}}};
+  const NetworkFile open = file_of(R"(
+[[mass]]
+name = "a"
+mass = 0.25
+[[mass]]
+name = "b"
+mass = 0.4
+[[link]]
+to = "a"
+stiffness = "?"
+damping = "?"
+[[link]]
+to = "b"
+stiffness = "?"
+damping = "?"
+[[link]]
+from = "a"
+to = "b"
+stiffness = "?"
+damping = "?"
+)");
+  int mirrored = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const NetworkSwings swings = swings_of(network, 312, 0.08, 0.001, seed);
+    std::string bytes = "Time (s),Position 1 (m),Position 2 (m)\n";
+    for (std::size_t n = 0; n < swings.t.size(); ++n)
+      bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
+    const auto result = fitted(bytes, open);
+    ASSERT_TRUE(result && result->succeeded()) << seed;
+    const double found = result->found_of(2)[0].estimate.value;
+    const bool is_mirrored = std::abs(found - 150) > 15;
+    mirrored += is_mirrored;
+    EXPECT_EQ(std::any_of(result->notices.begin(), result->notices.end(),
+                          [](const Notice& each) { return each.code == "network_above_half_rate"; }),
+              is_mirrored)
+        << seed << ": " << found;
+  }
+  EXPECT_LT(mirrored, 20);
+}
+
 TEST(NetworkFit, AColumnOfItsOwnMassIsNotThatOfAShorterName) {
   Network network;
   network.masses = {{.name = "a"}, {.name = "a x"}};

@@ -33,8 +33,8 @@ constexpr Entry entries[] = {
      "nothing holds \"{name}\": give it a [[link]] to another mass or to \"ground\"",
      "nichts hält „{name}“: bitte mit einem [[link]] an eine andere Masse oder an \"ground\" binden"},
     {"mass_is_open", error,
-     "{key}: it must be given, \"?\" is for values of a link; give 1 to find the values divided by {key}",
-     "{key}: bitte angeben, „?“ ist für Werte eines [[link]]; mit 1 sind die gefundenen Werte die je {key}"},
+     "{key}: it must be given, \"?\" is for values of a link",
+     "{key}: bitte angeben, „?“ ist für Werte eines [[link]]"},
     {"value_cannot_be_open", error,
      "{key}: \"?\" is only for {keys:or} of a link; give a value, or leave {key} out",
      "{key}: „?“ ist nur für {keys:or} eines [[link]]; bitte einen Wert angeben oder {key} weglassen"},
@@ -187,6 +187,13 @@ constexpr Entry entries[] = {
      "die Aufnahme schwingt mit {frequency:.4g} Hz, aber keine Mode des angepassten Netzes: der Fit endete "
      "neben den besten Werten, oder eine Verbindung oder ein Term fehlt, und den Unsicherheiten ist nicht zu "
      "trauen"},
+    {"network_above_half_rate", wrong_if_ignored,
+     "the fitted network swings at {frequency:.4g} Hz, above half the rate ({half:.4g} Hz): the samples cannot "
+     "tell that from {mirror:.4g} Hz, and the values may be those of the wrong one; record faster, or give the "
+     "values of the stiff links",
+     "das angepasste Netz schwingt mit {frequency:.4g} Hz, über der halben Rate ({half:.4g} Hz): die Messwerte "
+     "unterscheiden das nicht von {mirror:.4g} Hz, und die Werte können die falschen sein; bitte schneller "
+     "aufnehmen oder die Werte der steifen Verbindungen angeben"},
     {"network_value_may_be_zero", worth_knowing, "{what} may be 0: its interval holds 0",
      "{what} kann 0 sein: 0 liegt in seinem Intervall"},
     // Modes.

@@ -23,6 +23,12 @@ class SplitVariance {
     }
   }
 
+  /// Whether the first k vary more from sample to sample than the others, as where a fast mode dies down.
+  bool is_rougher_before(std::size_t k) const {
+    constexpr double much = 3;
+    const auto n = static_cast<double>(k), all = static_cast<double>(sums_.size() - 1);
+    return steps_[k] / (n - 1) > much * (steps_.back() - steps_[k]) / (all - n);
+  }
   double before(std::size_t k) const { return between(0, k); }
   double after(std::size_t k) const { return between(k, sums_.size() - 1); }
   /// Whether the first k vary no more than from sample to sample: no swing is seen in them.
@@ -114,7 +120,7 @@ std::size_t still_samples(const ModalRecord& record) {
     const auto size = static_cast<double>(k);
     for (const SplitVariance& channel : channels) {
       const double before = channel.before(k), after = channel.after(k);
-      if (before > louder * after) {
+      if (before > louder * after || channel.is_rougher_before(k)) {
         gain = -1;
         break;
       }

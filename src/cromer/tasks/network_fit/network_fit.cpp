@@ -214,8 +214,25 @@ Notice mode_that_is_lacking(const FittedNetwork& result) {
   return {};
 }
 
+/// A mode of the fitted network that samples at even times show as a slower one; empty where there is none.
+Notice mode_above_half_rate(const FittedNetwork& result) {
+  const double rate = result.channels.rate;
+  if (rate <= 0) return {};
+  for (const ComplexMode& mode : complex_modes(linearised(result.fit.network))) {
+    const LinearLaw<double> law = mode.law();
+    const double w = std::sqrt(std::abs(law.stiffness)), frequency = w / two_pi;
+    if (frequency > rate / 2 && law.decay_rate < w)
+      return Notice{"network_above_half_rate",
+                    {{"frequency", frequency},
+                     {"half", rate / 2},
+                     {"mirror", std::abs(std::remainder(frequency, rate))}}};
+  }
+  return {};
+}
+
 void add_doubts(FittedNetwork& result) {
   if (!result.succeeded()) return;
+  if (Notice above = mode_above_half_rate(result); !above.empty()) result.notices.push_back(std::move(above));
   if (Notice left = motion_left(result); !left.empty()) result.notices.push_back(std::move(left));
   if (Notice lacking = mode_that_is_lacking(result); !lacking.empty())
     result.notices.push_back(std::move(lacking));
