@@ -73,6 +73,17 @@ Result<FittedNetwork> fitted(const std::string& recording, const NetworkFile& fi
   return fit_network(*read, file, "n.toml", options);
 }
 
+/// A column of positions for each mass.
+std::string positions_csv(const NetworkSwings& swings) {
+  std::string text = "Time (s)";
+  for (std::size_t i = 1; i <= swings.y.size(); ++i) text += fmt::format(",Position {} (m)", i);
+  for (std::size_t n = 0; n < swings.t.size(); ++n) {
+    text += fmt::format("\n{:.2f}", swings.t[n]);
+    for (const std::vector<double>& column : swings.y) text += fmt::format(",{}", column[n]);
+  }
+  return text + "\n";
+}
+
 std::string refusal(const std::string& recording, const NetworkFile& file, const FitOptions& options = {}) {
   const auto result = fitted(recording, file, options);
   return result ? in_words(result->message) : in_words(result.error());
@@ -294,11 +305,9 @@ TEST(NetworkFit, NamesAModeThatTheNetworkLacks) {
                    {0, 1, {.stiffness = 20, .damping = 0.05}}};
   const auto lacks = [&](double given, std::uint64_t seed) {
     const NetworkSwings swings = swings_of(network, 500, 0.02, 0.01, seed);
-    std::string bytes = "Time (s),Position 1 (m),Position 2 (m)\n";
-    for (std::size_t n = 0; n < swings.t.size(); ++n)
-      bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
-    const auto result = fitted(
-        bytes, file_of(fmt::format("[[mass]]\nname = \"a\"\nmass = 1\n[[mass]]\nname = \"b\"\nmass = 1\n"
+    const auto result =
+        fitted(positions_csv(swings),
+               file_of(fmt::format("[[mass]]\nname = \"a\"\nmass = 1\n[[mass]]\nname = \"b\"\nmass = 1\n"
                                    "[[link]]\nto = \"a\"\nstiffness = {}\ndamping = \"?\"\n"
                                    "[[link]]\nfrom = \"a\"\nto = \"b\"\nstiffness = \"?\"\n",
                                    given)));
@@ -346,10 +355,7 @@ damping = "?"
 )");
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const NetworkSwings swings = swings_of(network, 1200, 0.01, 0.0005, seed);
-    std::string bytes = "Time (s),Position 1 (m),Position 2 (m),Position 3 (m)\n";
-    for (std::size_t n = 0; n < swings.t.size(); ++n)
-      bytes += fmt::format("{:.2f},{},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n], swings.y[2][n]);
-    const auto result = fitted(bytes, open);
+    const auto result = fitted(positions_csv(swings), open);
     ASSERT_TRUE(result.ok()) << seed;
     EXPECT_EQ(result->channels.t.front(), 0) << seed;
   }
@@ -387,10 +393,7 @@ damping = "?"
   int mirrored = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const NetworkSwings swings = swings_of(network, 312, 0.08, 0.001, seed);
-    std::string bytes = "Time (s),Position 1 (m),Position 2 (m)\n";
-    for (std::size_t n = 0; n < swings.t.size(); ++n)
-      bytes += fmt::format("{:.2f},{},{}\n", swings.t[n], swings.y[0][n], swings.y[1][n]);
-    const auto result = fitted(bytes, open);
+    const auto result = fitted(positions_csv(swings), open);
     ASSERT_TRUE(result && result->succeeded()) << seed;
     const double found = result->found_of(2)[0].estimate.value;
     const bool is_mirrored = std::abs(found - 150) > 15;

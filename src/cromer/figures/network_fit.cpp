@@ -70,7 +70,8 @@ Figure network_fit_figure(const FittedNetwork& fitted) {
     panel.x.name = of_time;
     panel.y.name = fmt::format("{} ({})", name, length.symbol);
     panel.curves.push_back(known_curve(channels.t, channels.each[i].y, time.seconds, length.metres));
-    panel.curves.back().role = family_role(i, drawn);
+    panel.curves.back().role = panel.curves.back().name = "measured";
+    panel.curves.back().mark = Mark::dots;
     std::vector<double> law = channels.each[i].y;
     for (std::size_t n = 0; n < law.size(); ++n) law[n] -= fitted.fit.columns[i].residual[n];
     panel.curves.push_back(known_curve(channels.t, law, time.seconds, length.metres));
