@@ -147,7 +147,7 @@ struct MotionLeft {
 };
 
 /// |eigenvalue| [rad/s].
-double angular_frequency(const ComplexMode& mode) { return std::sqrt(std::abs(mode.law().stiffness)); }
+double size_of_eigenvalue(const ComplexMode& mode) { return std::sqrt(std::abs(mode.law().stiffness)); }
 
 /// Left of a motion is what dies down as the whole does, or swings as a mode does.
 MotionLeft motion_left_of(const FittedNetwork& result, std::size_t column,
@@ -164,7 +164,7 @@ MotionLeft motion_left_of(const FittedNetwork& result, std::size_t column,
   if (is_arithmetic(rms, values) || rms <= channel.resolution) return {};
   MotionLeft found;
   for (const ComplexMode& mode : modes) {
-    const double w = angular_frequency(mode);
+    const double w = size_of_eigenvalue(mode);
     if (w > 0 && leaves_a_line(t, left, mode.law().decay_rate, w)) found.line = w / two_pi;
   }
   constexpr double falls = 4;
@@ -209,7 +209,7 @@ Notice mode_that_is_lacking(const FittedNetwork& result) {
     const double f = mode.frequency.value,
                  reach = std::max(near * f, standard_errors * mode.frequency.standard_error);
     const bool has_it = std::any_of(modes.begin(), modes.end(), [&](const ComplexMode& each) {
-      return std::abs(angular_frequency(each) / two_pi - f) < reach;
+      return std::abs(size_of_eigenvalue(each) / two_pi - f) < reach;
     });
     if (!has_it) return Notice{"network_lacks_a_mode", {{"frequency", f}}};
   }
@@ -221,7 +221,7 @@ Notice mode_above_half_rate(const FittedNetwork& result) {
   const double rate = result.channels.rate;
   if (rate <= 0) return {};
   for (const ComplexMode& mode : complex_modes(linearised(result.fit.network))) {
-    const double w = angular_frequency(mode), frequency = w / two_pi;
+    const double w = size_of_eigenvalue(mode), frequency = w / two_pi;
     if (frequency > rate / 2 && mode.law().decay_rate < w)
       return Notice{"network_above_half_rate",
                     {{"frequency", frequency},
